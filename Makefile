@@ -1,0 +1,382 @@
+# sph2d: build, tests, installation. `make help` lists the targets; needs GNU make 4.2 or newer.
+
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+
+# ---- what can be set from outside ------------------------------------------------------------------------------------
+BUILD ?= build
+OPENMP ?= 1
+RENDER ?= 1
+PREFIX ?= /usr/local
+prefix ?= $(PREFIX)
+bindir ?= $(prefix)/bin
+libdir ?= $(prefix)/lib
+includedir ?= $(prefix)/include
+mandir ?= $(prefix)/share/man
+pkgconfigdir ?= $(libdir)/pkgconfig
+INSTALL ?= install
+PKG_CONFIG ?= pkg-config
+# also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
+
+# pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
+PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev check=check $(if $(filter-out 0,$(RENDER)), \
+    libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri)
+
+# ---- first reading, for the goals that set up the machine ------------------------------------------------------------
+# They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize,$(MAKECMDGOALS))),)
+
+define install_packages
+missing() {
+    command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
+    echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
+    test '$(OPENMP)' = 0 || echo '#include <omp.h>' | $(CC) -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
+    for pair in $(PACKAGES); do
+        $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
+    done
+}
+# Mesa 25.1 dropped OSMesa: where Debian no longer has it, EGL alone will do.
+without_osmesa() { ! apt-cache show libosmesa6-dev >/dev/null 2>&1 && $(PKG_CONFIG) --exists egl 2>/dev/null; }
+stop() {
+    printf '%s\n' "$$1" "    apt install --no-install-recommends $$packages" >&2
+    exit 2
+}
+command -v $(firstword $(CC)) >/dev/null || {
+    echo 'sph2d: the compiler "$(firstword $(CC))" is not installed' >&2
+    exit 2
+}
+packages=$$(missing | tr '\n' ' ')
+test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
+test -n "$$packages" || exit 0
+if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
+command -v apt-get >/dev/null && $$root true 2>/dev/null ||
+    stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'
+echo "Installing the packages that are missing (a minute or two): $$packages"
+mkdir -p '$(BUILD)'
+{
+    $$root apt-get -q update
+    apt-cache show libosmesa6-dev >/dev/null 2>&1 || packages=$$(echo "$$packages" | sed 's/libosmesa6-dev//')
+    $$root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 install \
+        --no-install-recommends $$packages
+} </dev/null >'$(BUILD)/packages.log' 2>&1 || {
+    tail -n 20 '$(BUILD)/packages.log' >&2
+    stop 'sph2d: the installation failed ($(BUILD)/packages.log). As root, run:'
+}
+endef
+export install_packages
+
+# All processors, unless told otherwise or told to clean first.
+jobs = $(if $(or $(findstring -j,$(MAKEFLAGS)),$(filter clean,$(MAKECMDGOALS))),,-j"$$(nproc)")
+.PHONY: set-up-first $(MAKECMDGOALS)
+$(MAKECMDGOALS): set-up-first
+	@:
+set-up-first:
+	@$(if $(filter skip,$(DEPS)),:,sh -c "$$install_packages")
+	@$(MAKE) $(jobs) PACKAGES_CHECKED=1 $(MAKECMDGOALS)
+
+else
+# ---- tools and packages ----------------------------------------------------------------------------------------------
+COMPILER := $(shell $(CC) --version 2>/dev/null | head -n 1)
+MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null)
+CLANG := $(findstring clang,$(COMPILER))
+WITH_OPENMP := $(filter-out 0,$(OPENMP))
+WITH_RENDER := $(filter-out 0,$(RENDER))
+
+# Foreign headers are system headers: their warnings are not ours.
+pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
+pc_libs = $(if $(1),$(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null))
+FOUND := $(shell for p in hdf5 libfyaml libpng osmesa egl check; do \
+    $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done)
+GL := $(if $(WITH_RENDER),$(filter osmesa egl,$(FOUND)))
+MISSING := $(filter-out $(FOUND),hdf5 libfyaml $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
+
+# ---- flags: the project's own, then whatever comes from outside ------------------------------------------------------
+# Without OpenMP its pragmas vanish, and with them the only use of some variables.
+OMP_CFLAGS := $(if $(WITH_OPENMP),-fopenmp, \
+    -fopenmp-simd -Wno-unknown-pragmas -Wno-unused-variable -Wno-unused-parameter)
+# Messages are cut at their capacity by contract, and clang's "not vectorised" is no fault.
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wformat=2 -Wno-format-nonliteral -Wstrict-prototypes \
+    -Wmissing-prototypes -Wold-style-definition -Wpointer-arith -Wwrite-strings -Wcast-qual -Wfloat-conversion \
+    $(if $(CLANG),-Wno-pass-failed,-Wno-format-truncation) $(if $(filter 1,$(WERROR)),-Werror)
+SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
+# One position-independent object serves both the archive and the shared library. Contraction is off so that a fused
+# multiply-add stands only where it was written; interposition is off so that exported functions can still be inlined.
+ALL_CFLAGS := -std=c17 $(if $(SANITIZE),-O2,-O3) -g $(WARNINGS) -fno-math-errno -ffp-contract=off -fPIC \
+    -fvisibility=hidden -fno-semantic-interposition -ffile-prefix-map=$(CURDIR)=. $(OMP_CFLAGS) $(SANITIZERS)
+ALL_CPPFLAGS := -D_POSIX_C_SOURCE=200809L -MMD -MP
+ALL_LDFLAGS := -Wl,--as-needed $(if $(WITH_OPENMP),-fopenmp) $(SANITIZERS) $(LDFLAGS)
+SHARED_LDFLAGS := -shared -Wl,--version-script=src/libsph2d.map $(if $(SANITIZE),,-Wl,--no-undefined)
+
+X86 := $(filter x86_64-% amd64-%,$(MACHINE))
+ISAS := baseline $(if $(X86),avx2 avx512)
+ISA_FLAGS_avx2 := -mavx2 -mfma
+ISA_FLAGS_avx512 := -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
+
+CORE_FLAGS := -Iinclude -Isrc $(if $(X86),-DSPH2D__ISA_X86)
+IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml)
+RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
+    $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
+CLI_FLAGS := -Iinclude $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
+TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 $(if $(WITH_RENDER),libpng)) \
+    $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
+
+CORE_LIBS := -lm
+IO_LIBS := $(call pc_libs,hdf5 libfyaml) -lm
+RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lm)
+
+# ---- sources and objects ---------------------------------------------------------------------------------------------
+VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2d/version.h)
+SOMAJOR := 0
+CORE_SRC := $(sort $(foreach d,base kernels scene particles flows physics methods sim,$(wildcard src/$(d)/*.c)))
+PASS_SRC := $(filter src/methods/%_pass.c,$(CORE_SRC))
+IO_SRC := $(sort $(wildcard src/files/*.c))
+OTHER_GL := $(filter-out $(GL),osmesa egl)
+RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
+CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
+TEST_SRC := $(sort $(wildcard tests/*.c))
+SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
+EXAMPLES := $(sort $(wildcard examples/*.c))
+EXAMPLES := $(if $(WITH_RENDER),$(EXAMPLES),$(if $(EXAMPLES),$(shell grep -L 'sph2d/render.h' $(EXAMPLES))))
+SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh examples/*.sh))
+
+# Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
+# is linked again, when these or the list of files do.
+hash = $(firstword $(shell printf '%s' '$(subst ','\'',$(1))' | cksum))
+FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(CPPFLAGS) $(CFLAGS) \
+    $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
+OBJ := $(BUILD)/obj/$(FLAGS_HASH)
+VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
+    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(SHADERS))
+
+objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
+CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o))
+# The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
+BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
+IO_OBJ := $(call objects,$(IO_SRC))
+RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
+CLI_OBJ := $(call objects,$(CLI_SRC))
+TEST_OBJ := $(call objects,$(TEST_SRC))
+EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
+EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
+
+LIBRARIES := libsph2d libsph2d-io $(if $(WITH_RENDER),libsph2d-render)
+# From the one that uses to the one that is used, as the linker reads them.
+ARCHIVES := $(if $(WITH_RENDER),$(BUILD)/libsph2d-render.a) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a
+ARCHIVE_LIBS := $(RENDER_LIBS) $(IO_LIBS) $(CORE_LIBS)
+
+# ---- build -----------------------------------------------------------------------------------------------------------
+QUIET := $(if $(filter-out 0,$(V)),,quiet)
+say = $(if $(QUIET),@printf '  %s %s\n' '$(1)' '$(2)'; )
+hush := $(if $(QUIET),@)
+
+all: lib cli ## the command and the libraries (the default)
+lib: $(foreach l,$(LIBRARIES),$(BUILD)/$(l).a $(BUILD)/$(l).so) ## the libraries, static and shared
+cli: $(BUILD)/sph2d ## the command
+examples: $(EXAMPLE_BIN) ## the example programs, in BUILD/examples
+
+$(CORE_OBJ): PART = $(CORE_FLAGS)
+$(IO_OBJ): PART = $(IO_FLAGS)
+$(RENDER_OBJ): PART = $(RENDER_FLAGS)
+$(CLI_OBJ): PART = $(CLI_FLAGS)
+$(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
+$(EXAMPLE_OBJ): PART = -Iinclude
+$(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
+$(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
+
+compile = $(call say,CC,$(1))mkdir -p $(@D) && \
+    $(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(PART) $(2) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
+link = $(call say,LD,$@)mkdir -p $(@D) && \
+    $(CC) $(ALL_CFLAGS) $(CFLAGS) $(ALL_LDFLAGS) $(1) -o $@ $(filter %.o %.a,$^) $(2) $(LDLIBS)
+
+define isa_rule
+$(OBJ)/src/methods/%_pass.$(1).o: src/methods/%_pass.c
+	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
+endef
+$(foreach i,$(ISAS),$(eval $(call isa_rule,$(i))))
+$(OBJ)/gen/%.o: $(BUILD)/gen/%.c
+	$(call compile,$<)
+$(OBJ)/%.o: %.c
+	$(call compile,$<)
+
+# $(1) name, $(2) objects, $(3) the variable of its libraries, $(4) what must be linked before. No expanded flags as
+# arguments: they have commas.
+define library_rules
+$(BUILD)/$(1).a: $(2) $(BUILD)/variant
+	$$(call say,AR,$$@)rm -f $$@ && $$(AR) qcsD $$@ $$(filter %.o,$$^)
+$(BUILD)/$(1).so.$(VERSION): $(2) $(4) src/libsph2d.map $(BUILD)/variant
+	$$(call link,$$(SHARED_LDFLAGS) -Wl$$(comma)-soname$$(comma)$(1).so.$(SOMAJOR),$$($(3)))
+$(BUILD)/$(1).so: $(BUILD)/$(1).so.$(VERSION)
+	$(hush)ln -sf $(1).so.$(VERSION) $(BUILD)/$(1).so.$(SOMAJOR) && ln -sf $(1).so.$(SOMAJOR) $$@
+endef
+comma := ,
+IO_SO_LIBS = -L$(BUILD) -lsph2d $(IO_LIBS)
+RENDER_SO_LIBS = -L$(BUILD) -lsph2d $(RENDER_LIBS)
+$(eval $(call library_rules,libsph2d,$(CORE_OBJ),CORE_LIBS))
+$(eval $(call library_rules,libsph2d-io,$(IO_OBJ) $(BASE_OBJ),IO_SO_LIBS,$(BUILD)/libsph2d.so))
+$(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
+
+$(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
+	$(call link,,$(ARCHIVE_LIBS))
+$(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
+	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
+$(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
+	$(call link,,$(ARCHIVE_LIBS))
+
+$(BUILD)/variant: $(if $(filter $(VARIANT),$(file <$(BUILD)/variant)),,FORCE)
+	@mkdir -p $(@D) && echo '$(VARIANT)' >$@
+FORCE:
+
+# The shaders become arrays of numbers, since ISO C promises string literals of 4095 characters only.
+$(BUILD)/gen/shaders.h: Makefile
+	$(call say,GEN,$@)mkdir -p $(@D) && printf '%s\n' '#include <stddef.h>' '' \
+	    'extern const struct sph2d__shader_source {' '    const char *name, *text;' '} sph2d__shader_sources[];' \
+	    'extern const size_t sph2d__shader_source_count;' >$@
+$(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/shaders.h
+	$(call say,GEN,$@){ printf '#include "shaders.h"\n\n'; \
+	for f in $(SHADERS); do \
+	    echo "static const char $$(basename $$f | tr . _)[] = {"; \
+	    od -An -v -td1 $$f | sed 's/ *\(-*[0-9][0-9]*\)/\1,/g'; echo '0};'; \
+	done; \
+	printf '\nconst struct sph2d__shader_source sph2d__shader_sources[] = {\n'; \
+	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
+	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
+
+MISSING_PACKAGES = $(subst +, ,$(foreach m,$(MISSING),$(patsubst $(m)=%,%,$(filter $(m)=%,$(PACKAGES)))))
+packages:
+	@printf '%s\n' 'sph2d: pkg-config does not find $(MISSING). "make demo" and "make test" install it; or run:' \
+	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
+
+-include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(EXAMPLE_OBJ))
+
+# ---- demo and tests --------------------------------------------------------------------------------------------------
+demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
+	$(hush)$(BUILD)/sph2d run examples/dam_break/scene.yaml -o $(BUILD)/demo --force
+	@echo "The pictures are in $(BUILD)/demo/frames: $$(ls $(BUILD)/demo/frames | wc -l) files."
+
+test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
+test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
+test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
+test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(EXAMPLE_BIN) ## the tests (installs missing packages)
+	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
+	$(hush)$(BUILD)/tests/check_all
+
+test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
+	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
+
+# The long tests last, so that their summary closes the output.
+OTHER_CC := $(if $(CLANG),gcc,clang)
+test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
+	$(hush)$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test
+	$(hush)$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test
+	$(hush)if echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1; \
+	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
+	$(hush)$(MAKE) test-sanitize
+	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+
+# ---- checks ----------------------------------------------------------------------------------------------------------
+HEADERS := $(filter-out $(if $(WITH_RENDER),,%/render.h),$(sort $(wildcard include/sph2d/*.h)))
+HEADER_LANGUAGES := 'c -std=c11' 'c -std=c17' $(if $(shell command -v $(firstword $(CXX))),'c++ -std=c++17')
+check-headers: ## each public header compiles alone, as C11, C17 and C++17
+	$(hush)for h in $(HEADERS:include/%=%); do for lang in $(HEADER_LANGUAGES); do \
+	    case $$lang in c++*) cc='$(CXX)';; *) cc='$(CC)';; esac; \
+	    printf '#include <%s>\ntypedef int not_empty;\n' "$$h" | \
+	        $$cc -x $$lang -Wall -Wextra -Wpedantic -Werror -Iinclude -fsyntax-only - || exit 1; \
+	done; done; echo 'headers: ok'
+
+check-symbols: lib ## what the shared libraries export and need
+	$(hush)nm -D --defined-only $(LIBRARIES:%=$(BUILD)/%.so) | sed -n 's/@.*//; s/^[0-9a-f]* [A-Z] //p' | \
+	    grep -v '^SPH2D_' | sort >$(BUILD)/exported; \
+	sed -n 's/^SPH2D_API .*\<\(sph2d_[a-z0-9_]*\)(.*/\1/p' $(HEADERS) | sort >$(BUILD)/declared; \
+	diff $(BUILD)/declared $(BUILD)/exported || { echo 'symbols: declared (<) and exported (>) differ'; exit 1; }; \
+	needed=$$(readelf -d $(BUILD)/libsph2d.so | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | \
+	    grep -Ev '^(lib(c|m|gomp|pthread)\.so|libomp|ld-linux)'); \
+	test -z "$$needed" || { echo "symbols: libsph2d.so needs $$needed"; exit 1; }; echo 'symbols: ok'
+
+STAGING := $(abspath $(BUILD)/staging)
+STAGE := DESTDIR=$(STAGING) prefix=/usr libdir=/usr/lib pkgconfigdir=/usr/lib/pkgconfig
+check-install: all ## install into a scratch folder, build the examples there with pkg-config alone, run them
+	$(hush)rm -rf $(STAGING); mkdir -p $(STAGING)/run
+	$(hush)$(MAKE) install $(STAGE) >/dev/null
+	$(hush)sed -i 's|^prefix=.*|prefix=$(STAGING)/usr|' $(STAGING)/usr/lib/pkgconfig/*.pc; \
+	export PKG_CONFIG_PATH=$(STAGING)/usr/lib/pkgconfig LD_LIBRARY_PATH=$(STAGING)/usr/lib; \
+	for static in '' --static; do \
+	    test -z "$$static" || rm $(STAGING)/usr/lib/*.so*; \
+	    for e in $(EXAMPLES); do \
+	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|render\)\.h>.*/sph2d-\1/p' $$e); \
+	        flags=$$($(PKG_CONFIG) $$static --cflags --libs $${uses:-sph2d}) && \
+	        $(CC) $$e -o $(STAGING)/run/example $$flags $(SANITIZERS) && \
+	        (cd $(STAGING)/run && timeout 300 ./example >log) || { echo "install: $$e fails $$static"; exit 1; }; \
+	    done; \
+	done; \
+	$(STAGING)/usr/bin/sph2d --version >/dev/null || exit 1
+	$(hush)$(MAKE) uninstall $(STAGE) >/dev/null
+	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
+	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
+
+C_FILES := $(sort $(CORE_SRC) $(wildcard src/files/*.c src/render/*.c examples/*.c) $(CLI_SRC) $(TEST_SRC))
+ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h))
+LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
+    $(TEST_FLAGS) $(OMP_CFLAGS)
+if_installed = if ! command -v $(1) >/dev/null; then echo '$(1): not installed'; else echo '$(1)';
+check-lint: check-walls $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h) ## clang-format, shellcheck, cppcheck, clang-tidy
+	$(hush)$(call if_installed,clang-format) bad=; \
+	    for f in $(ALL_C); do clang-format $$f | cmp -s $$f || bad="$$bad $$f"; done; \
+	    test -z "$$bad" || { echo "make format changes$$bad"; exit 1; }; fi
+	$(hush)$(call if_installed,shellcheck) shellcheck $(SCRIPTS); fi
+	$(hush)$(call if_installed,cppcheck) cppcheck --quiet --std=c11 --enable=warning,performance,portability \
+	    --inline-suppr --error-exitcode=1 -j "$$(nproc)" -Iinclude -Isrc -DSPH2D__ISA=baseline $(C_FILES); fi
+	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(C_FILES) | \
+	    xargs -P "$$(nproc)" -I{} clang-tidy --quiet {} -- $(LINT_FLAGS) 2>$(BUILD)/clang-tidy.log; fi
+
+# A folder uses only those before it; files and render use base alone, the command only the public headers.
+check-walls: ## no folder includes what it must not know
+	$(hush)set -- base kernels scene particles flows physics methods sim; below=$$*; \
+	for d in files render $$*; do \
+	    case $$d in files|render) bad=$${below#base };; *) shift; bad="$$* files render";; esac; \
+	    ! grep -rnsE "#include [<\"]($$(echo $$bad | tr ' ' '|'))/" src/$$d || exit 1; \
+	done; ! grep -rn '#include ".*\.\./\(src\|include\)/' cli || exit 1; echo 'walls: ok'
+
+format: ## rewrite the C files with clang-format
+	clang-format -i $(ALL_C)
+
+# ---- installation ----------------------------------------------------------------------------------------------------
+pc_dir = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
+pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
+    s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|; s|@gl@|$(GL)|; \
+    s|@openmp@|$(if $(WITH_OPENMP),-fopenmp )|'
+MAN_PAGES := $(sort $(wildcard cli/*.1))
+D = $(DESTDIR)
+install: all ## to prefix (/usr/local), below DESTDIR
+	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(mandir)/man1'
+	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
+	$(INSTALL) -m 644 $(LIBRARIES:%=$(BUILD)/%.a) '$D$(libdir)'
+	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
+	cp -P $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so.$(SOMAJOR) $(BUILD)/$(l).so) '$D$(libdir)'
+	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
+	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in >'$D$(pkgconfigdir)/$(l).pc' &&) true
+	$(if $(MAN_PAGES),$(INSTALL) -m 644 $(MAN_PAGES) '$D$(mandir)/man1')
+
+uninstall: ## the reverse of install, with the same settings
+	rm -f '$D$(bindir)/sph2d' $(MAN_PAGES:cli/%='$D$(mandir)/man1/%') $(foreach l,$(LIBRARIES),'$D$(libdir)/$(l).a' \
+	    '$D$(libdir)/$(l).so' '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
+	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
+	rm -rf '$D$(includedir)/sph2d'
+
+# ---- the rest --------------------------------------------------------------------------------------------------------
+dist: ## a source archive of the last commit
+	mkdir -p $(BUILD) && git archive --prefix=sph2d-$(VERSION)/ -o $(BUILD)/sph2d-$(VERSION).tar.gz HEAD
+
+clean: ## remove BUILD
+	rm -rf '$(BUILD)'
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):[^=]*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
+	@printf '%s\n' '' 'Settings: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS' \
+	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
+	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
+
+.PHONY: all lib cli examples packages demo test test-sanitize test-full check-headers check-symbols check-install \
+    check-lint check-walls format install uninstall dist clean help FORCE
+endif

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check.c
+ *  `sph2d check SCENE`: every fault of a scene, then what running it will take. */
+#include <math.h>
+#include <stdio.h>
+
+#include "clock.h"
+#include "command.h"
+#include "exit.h"
+#include "json.h"
+#include "message.h"
+#include "painter.h"
+#include "text.h"
+#include "threads.h"
+
+/* What is known about a scene when it has been checked. */
+typedef struct checked {
+    const cli_options *options;
+    sph2d_scene_file *file;
+    const sph2d_scene *scene;
+    sph2d_sim *sim;
+    sph2d_plan plan;
+    thread_choice threads;
+    double step_seconds; /* measured, a step */
+    uint64_t steps_measured;
+    sph2d_report report;
+} checked;
+
+static int told(checked *c, sph2d_status status) {
+    message_report(status, &c->report, c->file);
+    return exit_of_status(status);
+}
+
+/* Steps for a moment, to say how long a run will take. The first step warms up caches and threads, and is not counted.
+ */
+static int measure(checked *c) {
+    const double longest = 0.3;
+    double begun = 0;
+    sph2d_status status = sph2d_sim_step(c->sim, &c->report);
+    for (begun = clock_wall(); status == SPH2D_OK && c->steps_measured < 50; ++c->steps_measured) {
+        if (c->steps_measured > 0 && clock_wall() - begun >= longest)
+            break;
+        status = sph2d_sim_step(c->sim, &c->report);
+    }
+    if (c->steps_measured > 0)
+        c->step_seconds = (clock_wall() - begun) / (double)c->steps_measured;
+    return told(c, status);
+}
+
+static int draw_preview(checked *c) {
+    cli_look look = look_of_scene(c->scene);
+    cli_painter *painter = NULL;
+    sph2d_status status = painter_create(&look, c->options, &painter, &c->report);
+    particle_source source = {.sim = c->sim};
+    if (status == SPH2D_OK)
+        status = painter_paint(painter, &source, &look, c->options->preview, &c->report);
+    painter_destroy(painter);
+    if (status == SPH2D_OK)
+        message_note("the first frame is in '%s'", c->options->preview);
+    return told(c, status);
+}
+
+/* ---- the table --------------------------------------------------------------------------------------------------- */
+
+static void print_terms(const sph2d_scene *scene) {
+    static const char *const forms[] = {"spring walls", "heavy walls", "reflecting walls"};
+    const struct {
+        size_t count;
+        const char *name;
+    } lists[] = {{scene->block_count, "blocks"},
+                 {scene->source_count, "sources"},
+                 {scene->drain_count, "drains"},
+                 {scene->obstacle_count, "obstacles"},
+                 {scene->interaction_count, "interactions"},
+                 {scene->probe_count, "probes"}};
+    printf("%-22s pressure", "active");
+    if (scene->fluid.dynamic_viscosity > 0)
+        printf(", viscosity");
+    if (scene->gravity.x != 0 || scene->gravity.y != 0)
+        printf(", gravity");
+    printf(", %s", forms[scene->walls]);
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; ++i)
+        if (lists[i].count > 0)
+            printf(", %s: %zu", lists[i].name, lists[i].count);
+    putchar('\n');
+}
+
+static double expected_compression(const sph2d_plan *plan) {
+    return plan->sound_speed > 0 ? plan->head / (plan->sound_speed * plan->sound_speed) : NAN;
+}
+
+static void print_table(const checked *c) {
+    const sph2d_plan *plan = &c->plan;
+    char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE];
+    text_row("scene", "%s: no faults", c->scene->name);
+    print_terms(c->scene);
+    text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
+    if (plan->places_left_free > 0)
+        text_row("", "%zu places left free at obstacles", plan->places_left_free);
+    text_row("particle mass", "%.6g kg/m", plan->particle_mass);
+    text_row("support radius", "%.6g m (%.3g spacings)", plan->support_radius,
+             plan->support_radius / c->scene->spacing);
+    text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
+    text_row("compression", "%.3g %% under its own head; %.3g %% for a moment in a full impact",
+             100 * expected_compression(plan), 100 * plan->impact_compression);
+    text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
+    text_row("steps", "about %.6g, to t = %g s", plan->steps, c->scene->run.until);
+    text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
+    text_row("snapshots", "%.0f, %s without compression", plan->snapshots, text_bytes(disk, plan->disk));
+    text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
+             (unsigned)c->scene->run.frames.size[1]);
+    if (c->steps_measured > 0)
+        text_row("time", "%s %s without outputs, by %u steps with %d threads (%s)",
+                 c->scene->source_count > 0 ? "at least" : "about",
+                 text_seconds(duration, plan->steps * c->step_seconds), (unsigned)c->steps_measured,
+                 sph2d_sim_threads(c->sim), c->threads.source);
+}
+
+static void print_object(const checked *c) {
+    const sph2d_plan *plan = &c->plan;
+    cli_json line = json_begin(stdout);
+    json_text(&line, "scene", c->scene->name);
+    json_count(&line, "particles", plan->fluid_particles);
+    json_count(&line, "wall_particles", plan->wall_particles);
+    json_count(&line, "places_left_free", plan->places_left_free);
+    json_number(&line, "particle_mass", plan->particle_mass);
+    json_number(&line, "support_radius", plan->support_radius);
+    json_number(&line, "sound_speed", plan->sound_speed);
+    json_text(&line, "sound_speed_formula", plan->sound_speed_formula);
+    json_number(&line, "compression", expected_compression(plan));
+    json_number(&line, "impact_compression", plan->impact_compression);
+    json_number(&line, "time_step", plan->time_step);
+    json_text(&line, "time_step_limit", plan->time_step_limit);
+    json_number(&line, "steps", plan->steps);
+    json_number(&line, "until", c->scene->run.until);
+    json_number(&line, "memory_bytes", plan->memory);
+    json_number(&line, "snapshots", plan->snapshots);
+    json_number(&line, "frames", plan->frames);
+    json_number(&line, "disk_bytes", plan->disk);
+    json_number(&line, "seconds", c->steps_measured > 0 ? plan->steps * c->step_seconds : NAN);
+    json_count(&line, "threads", (uint64_t)sph2d_sim_threads(c->sim));
+    json_end(&line);
+}
+
+/* ---- the command ------------------------------------------------------------------------------------------------- */
+
+/* Each step finds the warnings of the one before again, so they are told once, by the last. */
+static int prepare(checked *c) {
+    const cli_options *options = c->options;
+    sph2d_status status =
+        sph2d_scene_file_read(options->operands[0], options->overrides, options->override_count, &c->file, &c->report);
+    if (status != SPH2D_OK)
+        return told(c, status);
+    sph2d_report_clear(&c->report);
+    c->scene = sph2d_scene_file_scene(c->file);
+    cli_look look = look_of_scene(c->scene);
+    sph2d_status look_status = look_check(&look, &c->report);
+    status = sph2d_scene_plan(c->scene, &c->plan, &c->report);
+    if (status != SPH2D_OK || look_status != SPH2D_OK)
+        return told(c, status != SPH2D_OK ? status : look_status);
+    sph2d_report_clear(&c->report);
+    sph2d_sim_options sim_options = sph2d_sim_options_default();
+    sim_options.threads = c->threads.count;
+    sim_options.isa = options->isa;
+    return told(c, sph2d_sim_create(c->scene, &sim_options, &c->sim, &c->report));
+}
+
+int command_check(const cli_options *options) {
+    if (options->operand_count != 1) {
+        message_usage("check", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
+        return CLI_EXIT_USAGE;
+    }
+    checked c = {.options = options, .threads = threads_choose(options)};
+    int code = prepare(&c);
+    if (code == CLI_EXIT_SUCCESS && options->preview != NULL)
+        code = draw_preview(&c);
+    if (code == CLI_EXIT_SUCCESS)
+        code = measure(&c);
+    if (code == CLI_EXIT_SUCCESS && options->json)
+        print_object(&c);
+    else if (code == CLI_EXIT_SUCCESS && !options->quiet)
+        print_table(&c);
+    sph2d_sim_destroy(c.sim);
+    sph2d_scene_file_destroy(c.file);
+    return code;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/** @file command.h
+ *  The subcommands, in one table: dispatch, help, suggestions and the options of each come from it. */
+#ifndef SPH2D_CLI_COMMAND_H
+#define SPH2D_CLI_COMMAND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "options.h"
+
+/** Name, upper-case name, operands, one line. */
+#define CLI_COMMAND_MAP(X)                                                                                             \
+    X(run, RUN, "SCENE -o DIR", "simulate a scene; write snapshots, probes and frames")                                \
+    X(resume, RESUME, "DIR", "go on with a run from its newest complete snapshot")                                     \
+    X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \
+    X(check, CHECK, "SCENE", "tell every fault of a scene, then what running it will take")                            \
+    X(info, INFO, "FILE...", "tell what a snapshot holds")                                                             \
+    X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
+    X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene")
+
+/** A bit for each command, so that an option can name the commands that take it. */
+enum {
+#define CLI__COMMAND_INDEX(name, NAME, operands, text) CLI__##NAME,
+    CLI_COMMAND_MAP(CLI__COMMAND_INDEX)
+#undef CLI__COMMAND_INDEX
+        CLI_COMMAND_COUNT
+};
+enum {
+#define CLI__COMMAND_BIT(name, NAME, operands, text) CLI_##NAME = 1 << CLI__##NAME,
+    CLI_COMMAND_MAP(CLI__COMMAND_BIT)
+#undef CLI__COMMAND_BIT
+        CLI_ALL = (1 << CLI_COMMAND_COUNT) - 1
+};
+
+typedef struct cli_command {
+    const char *name, *operands, *text;
+    unsigned bit;
+    int (*act)(const cli_options *options); /**< returns the exit code */
+} cli_command;
+
+/** The table; CLI_COMMAND_COUNT rows. */
+extern const cli_command commands[];
+
+/** The command of that name, or NULL. */
+const cli_command *command_find(const char *name);
+
+#define CLI__COMMAND_ACT(name, NAME, operands, text) int command_##name(const cli_options *options);
+CLI_COMMAND_MAP(CLI__COMMAND_ACT)
+#undef CLI__COMMAND_ACT
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/** @file exit.c
+ *  From the library's status to the process's exit code. */
+#include "exit.h"
+
+int exit_of_status(sph2d_status status) {
+    /* Without a default, so that the compiler names a status that was added and forgotten here. */
+    switch (status) {
+    case SPH2D_OK:
+        return CLI_EXIT_SUCCESS;
+    case SPH2D_GUARD:
+        return CLI_EXIT_GUARD;
+    case SPH2D_SCENE:
+        return CLI_EXIT_DATA;
+    case SPH2D_FORMAT:
+        return CLI_EXIT_DATA;
+    case SPH2D_NOINPUT:
+        return CLI_EXIT_NOINPUT;
+    case SPH2D_RENDER:
+        return CLI_EXIT_UNAVAILABLE;
+    case SPH2D_CANTCREAT:
+        return CLI_EXIT_CANTCREAT;
+    case SPH2D_IO:
+        return CLI_EXIT_IO;
+    /* The command line was checked before the library saw it: what it calls invalid now is our fault. */
+    case SPH2D_INVALID:
+        return CLI_EXIT_SOFTWARE;
+    case SPH2D_NOMEM:
+        return CLI_EXIT_SOFTWARE;
+    }
+    return CLI_EXIT_SOFTWARE;
+}

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT */
+/** @file folder.c
+ *  The folder that outputs go to. */
+#include "folder.h"
+
+#include <ctype.h>
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "exit.h"
+#include "message.h"
+
+/* ---- names ------------------------------------------------------------------------------------------------------- */
+
+bool folder_numbered(const char *name, const char *prefix, const char *suffix, uint64_t *number) {
+    size_t skip = strlen(prefix);
+    if (strncmp(name, prefix, skip) != 0)
+        return false;
+    const char *digits = name + skip;
+    size_t count = strspn(digits, "0123456789");
+    if (count < 6 || count > 19 || strcmp(digits + count, suffix) != 0)
+        return false;
+    *number = strtoull(digits, NULL, 10);
+    return true;
+}
+
+static bool is_cleared(const char *name, folder_clearing clearing) {
+    uint64_t number;
+    if (clearing == FOLDER_KEEP)
+        return false;
+    if (folder_numbered(name, "frame_", ".png", &number))
+        return true;
+    return clearing == FOLDER_CLEAR_RUN && (folder_numbered(name, "snapshot_", ".h5", &number) ||
+                                            strcmp(name, "checkpoint.h5") == 0 || strcmp(name, "guard.h5") == 0);
+}
+
+/* ".NAME.tmp.PID": what a writer that was killed leaves behind. */
+static bool is_leftover(const char *name) {
+    const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
+    if (mark == NULL || !isdigit((unsigned char)mark[5]))
+        return false;
+    return mark[5 + strspn(mark + 5, "0123456789")] == '\0';
+}
+
+static bool is_dot(const char *name) {
+    return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+}
+
+const char *folder_file(cli_folder *f, const char *format, ...) {
+    va_list values, again;
+    va_start(values, format);
+    va_copy(again, values);
+    int length = vsnprintf(NULL, 0, format, again);
+    va_end(again);
+    size_t start = strlen(f->path);
+    size_t size = start + (size_t)(length > 0 ? length : 0) + 2;
+    char *grown = realloc(f->file, size);
+    if (grown != NULL) {
+        f->file = grown;
+        bool slash = start > 0 && f->path[start - 1] == '/';
+        snprintf(grown, size, "%s%s", f->path, slash ? "" : "/");
+        start = strlen(grown);
+        vsnprintf(grown + start, size - start, format, values);
+    }
+    va_end(values);
+    return grown;
+}
+
+/* ---- taking it --------------------------------------------------------------------------------------------------- */
+
+static int refuse(const char *path, const char *what, int error) {
+    message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot %s '%s': %s", what, path, strerror(error));
+    return CLI_EXIT_CANTCREAT;
+}
+
+static int refuse_memory(void) {
+    message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
+    return CLI_EXIT_SOFTWARE;
+}
+
+static bool is_empty(DIR *listing) {
+    const struct dirent *entry;
+    while ((entry = readdir(listing)) != NULL)
+        if (!is_dot(entry->d_name))
+            return false;
+    return true;
+}
+
+int folder_refuse(const char *path, bool force) {
+    DIR *listing = opendir(path);
+    if (listing == NULL)
+        return errno == ENOENT && path[0] != '\0' ? CLI_EXIT_SUCCESS : refuse(path, "write to", errno);
+    bool empty = is_empty(listing);
+    closedir(listing);
+    if (!empty && !force) {
+        message_error(SPH2D_CODE_FILE_EXISTS, "choose another with -o, or add --force to replace the outputs in it",
+                      "the folder '%s' exists and is not empty", path);
+        return CLI_EXIT_CANTCREAT;
+    }
+    if (access(path, W_OK | X_OK) != 0)
+        return refuse(path, "write to", errno);
+    return CLI_EXIT_SUCCESS;
+}
+
+/* mkdir -p */
+static int make_path(const char *path) {
+    char *part = strdup(path);
+    if (part == NULL)
+        return refuse_memory();
+    int code = CLI_EXIT_SUCCESS;
+    for (char *end = part; code == CLI_EXIT_SUCCESS && end != NULL;) {
+        end = strchr(end + 1, '/');
+        if (end != NULL)
+            *end = '\0';
+        /* A parent that cannot be made may be there all the same: what counts is the last one. */
+        if (mkdir(part, 0777) != 0 && errno != EEXIST && end == NULL)
+            code = refuse(path, "make the folder", errno);
+        if (end != NULL)
+            *end = '/';
+    }
+    free(part);
+    return code;
+}
+
+/* Two sessions in one folder would overwrite each other. The lock is the kernel's and goes with the process; a file
+ *  system that has none is no reason to refuse. */
+static int take_lock(cli_folder *f) {
+    f->lock = open(f->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (f->lock < 0)
+        return refuse(f->path, "open the folder", errno);
+    if (flock(f->lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        message_error(SPH2D_CODE_FILE_WRITE, "wait for it to end, or stop it", "another sph2d is writing to '%s'",
+                      f->path);
+        return CLI_EXIT_CANTCREAT;
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
+/* Removes leftovers, and what `clearing` says, from one folder; `inside` is "" or ends in a slash. */
+static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers) {
+    const struct dirent *entry;
+    while ((entry = readdir(listing)) != NULL) {
+        bool leftover = is_leftover(entry->d_name);
+        if (!leftover && !is_cleared(entry->d_name, clearing))
+            continue;
+        const char *path = folder_file(f, "%s%s", inside, entry->d_name);
+        if (path == NULL)
+            return refuse_memory();
+        if (unlink(path) != 0)
+            return refuse(path, "remove", errno);
+        *leftovers += leftover;
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
+static int clean(cli_folder *f, const char *inside, folder_clearing clearing) {
+    const char *path = folder_file(f, "%s", inside);
+    if (path == NULL)
+        return refuse_memory();
+    DIR *listing = opendir(path);
+    if (listing == NULL)
+        return errno == ENOENT ? CLI_EXIT_SUCCESS : refuse(path, "read the folder", errno);
+    size_t leftovers = 0;
+    int code = clean_listing(f, listing, inside, clearing, &leftovers);
+    closedir(listing);
+    if (leftovers > 0)
+        message_note("removed %zu unfinished file%s of an earlier run from '%s/%s'", leftovers,
+                     leftovers == 1 ? "" : "s", f->path, inside);
+    return code;
+}
+
+static int take(cli_folder *f, const char *path, folder_clearing clearing) {
+    *f = (cli_folder){path, -1, NULL};
+    int code = take_lock(f);
+    if (code == CLI_EXIT_SUCCESS)
+        code = clean(f, "", clearing);
+    /* A run's frames have a folder of their own. */
+    if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
+        code = clean(f, "frames/", clearing);
+    return code;
+}
+
+int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing) {
+    *f = (cli_folder)FOLDER_CLOSED;
+    int code = make_path(path);
+    if (code == CLI_EXIT_SUCCESS)
+        code = take(f, path, clearing);
+    if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
+        /* Frames of a run that drew some; stays when something of somebody else's is in it. */
+        const char *frames = folder_file(f, "frames");
+        if (frames != NULL)
+            rmdir(frames);
+    }
+    return code;
+}
+
+int folder_open_again(cli_folder *f, const char *path) {
+    *f = (cli_folder)FOLDER_CLOSED;
+    struct stat status;
+    if (stat(path, &status) != 0 || !S_ISDIR(status.st_mode)) {
+        message_error(SPH2D_CODE_FILE_OPEN, "give the folder that 'sph2d run -o' wrote", "no folder '%s'", path);
+        return CLI_EXIT_NOINPUT;
+    }
+    return take(f, path, FOLDER_KEEP);
+}
+
+int folder_make_inside(cli_folder *f, const char *name) {
+    const char *path = folder_file(f, "%s", name);
+    if (path == NULL)
+        return refuse_memory();
+    if (mkdir(path, 0777) != 0 && errno != EEXIST)
+        return refuse(path, "make the folder", errno);
+    return CLI_EXIT_SUCCESS;
+}
+
+void folder_close(cli_folder *f) {
+    if (f->lock >= 0)
+        close(f->lock);
+    free(f->file);
+    *f = (cli_folder)FOLDER_CLOSED;
+}

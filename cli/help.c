@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/** @file help.c
+ *  What --help, --version and `sph2d help` print. */
+#include "help.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <sph2d/version.h>
+
+#include "exit.h"
+#include "json.h"
+#include "keys.h"
+#include "message.h"
+#include "options.h"
+#include "painter.h"
+#include "templates.h"
+#include "text.h"
+
+/* ---- commands ---------------------------------------------------------------------------------------------------- */
+
+/* More about a command than its one line, in the order of the table of commands. */
+static const char *const details[CLI_COMMAND_COUNT] = {
+    [CLI__RUN] =
+        "Writes to DIR what the scene asks for: snapshot_000000.h5 and on, frames/frame_000000.png and on, and\n"
+        "NAME.csv for each probe. At the end prints speed and error. The first Ctrl-C finishes the step and\n"
+        "writes a checkpoint.h5; 'sph2d resume DIR' goes on, and the files come out the same byte for byte.\n"
+        "A guard that stops a run leaves guard.h5.\n"
+        "\n"
+        "  sph2d run scene.yaml -o out\n"
+        "  sph2d run scene.yaml -o out --set run.until=0.5 --set 'gravity=[0, -1.62]' --threads 2\n",
+    [CLI__RESUME] =
+        "Goes on from the newest complete snapshot or checkpoint in DIR, with the scene that is in it. What\n"
+        "was written after it is written again, the same byte for byte. Only run.until can be changed.\n"
+        "\n"
+        "  sph2d resume out\n"
+        "  sph2d resume out --set run.until=5\n",
+    [CLI__RENDER] =
+        "Writes frame_000000.png and on, one a snapshot in the order given. Size, style, radius and colours are\n"
+        "those of the scene's own frames unless an option says otherwise.\n"
+        "\n"
+        "  sph2d render out/snapshot_*.h5 -o pictures\n"
+        "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
+    [CLI__CHECK] =
+        "Tells every fault at once, with its line. When there is none: particles, derived numbers and what sets\n"
+        "them, steps, memory, disk and time.\n"
+        "\n"
+        "  sph2d check scene.yaml --preview first.png\n",
+    [CLI__INFO] = "Tells each field with type, shape, unit and range, and the state of the run.\n"
+                  "\n"
+                  "  sph2d info out/snapshot_000042.h5\n",
+    [CLI__INIT] =
+        "Writes NAME/scene.yaml, or NAME itself when it ends in .yaml. Every key stands in it with its meaning,\n"
+        "unit, range and default.\n"
+        "\n"
+        "  sph2d init basin --template stir\n",
+    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file).\n",
+};
+
+void help_print(void) {
+    printf("sph2d simulates liquids in two dimensions with smoothed particle hydrodynamics.\n\n");
+    printf("usage: sph2d COMMAND ...\n\n");
+    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
+        printf("  %-8s %-20s %s\n", commands[i].name, commands[i].operands, commands[i].text);
+    printf("\n'sph2d COMMAND --help' tells the options of a command, 'sph2d --version' what this build has.\n");
+}
+
+void help_print_command(const cli_command *about) {
+    printf("usage: sph2d %s %s [options]\n\n", about->name, about->operands);
+    printf("%s.\n\n%s\n", about->text, details[about - commands]);
+    if (about->bit == CLI_INIT) {
+        printf("templates:\n");
+        for (size_t i = 0; i < scene_template_count; ++i)
+            printf("  %-24s %s\n", scene_templates[i].name, scene_templates[i].text);
+        putchar('\n');
+    }
+    printf("options:\n");
+    options_print(about->bit);
+}
+
+/* ---- version ----------------------------------------------------------------------------------------------------- */
+
+static void list_isas(char *out, size_t size) {
+    out[0] = '\0';
+    for (int isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa) {
+        size_t used = strlen(out);
+        if (sph2d_isa_available((sph2d_isa)isa))
+            snprintf(out + used, size - used, "%s%s", used > 0 ? " " : "", sph2d_isa_name((sph2d_isa)isa));
+    }
+}
+
+void help_print_version(bool json) {
+#ifdef _OPENMP
+    const bool openmp = true;
+#else
+    const bool openmp = false;
+#endif
+    char isas[64];
+    list_isas(isas, sizeof isas);
+    if (json) {
+        cli_json line = json_begin(stdout);
+        json_text(&line, "name", "sph2d");
+        json_text(&line, "version", sph2d_version());
+        json_text(&line, "license", "MIT");
+        json_text(&line, "hdf5", sph2d_io_hdf5_version());
+        json_text(&line, "rendering", painter_backends());
+        json_flag(&line, "openmp", openmp);
+        json_text(&line, "isa", isas);
+        json_end(&line);
+        return;
+    }
+    printf("sph2d %s\n", sph2d_version());
+    printf("License MIT: free to use, change and share, without any warranty.\n\n");
+    text_row("HDF5", "%s", sph2d_io_hdf5_version());
+    text_row("rendering", "%s", painter_backends());
+    text_row("OpenMP", "%s", openmp ? "yes" : "no");
+    text_row("instruction sets", "%s", isas);
+}
+
+/* ---- topics ------------------------------------------------------------------------------------------------------ */
+
+static void print_exits(void) {
+    static const struct {
+        int value;
+        const char *sysexit, *text;
+    } exits[] = {
+#define EXIT_ROW(name, value, sysexit, text) {value, sysexit, text},
+        CLI_EXIT_MAP(EXIT_ROW)
+#undef EXIT_ROW
+    };
+    for (size_t i = 0; i < sizeof exits / sizeof *exits; ++i)
+        printf("%4d  %-14s %s\n", exits[i].value, exits[i].sysexit, exits[i].text);
+}
+
+static void print_codes(void) {
+    static const struct {
+        const char *code, *text;
+    } codes[] = {
+#define CODE_ROW(name, code, text) {code, text},
+        SPH2D_CODE_MAP(CODE_ROW)
+#undef CODE_ROW
+    };
+    for (size_t i = 0; i < sizeof codes / sizeof *codes; ++i)
+        printf("%s  %s\n", codes[i].code, codes[i].text);
+}
+
+static const struct {
+    const char *name;
+    void (*print)(void);
+} topics[] = {{"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}};
+enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
+
+static void unknown_topic(const char *topic) {
+    const char *names[CLI_COMMAND_COUNT + TOPIC_COUNT];
+    size_t count = 0;
+    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
+        names[count++] = commands[i].name;
+    for (size_t i = 0; i < TOPIC_COUNT; ++i)
+        names[count++] = topics[i].name;
+    const char *nearest = text_nearest(topic, names, count);
+    if (nearest != NULL)
+        message_usage("help", "no topic '%s'; did you mean '%s'?", topic, nearest);
+    else
+        message_usage("help", "no topic '%s'", topic);
+}
+
+int command_help(const cli_options *options) {
+    if (options->operand_count == 0) {
+        help_print();
+        return CLI_EXIT_SUCCESS;
+    }
+    if (options->operand_count > 1) {
+        message_usage("help", "one topic at a time");
+        return CLI_EXIT_USAGE;
+    }
+    const char *topic = options->operands[0];
+    const cli_command *about = command_find(topic);
+    if (about != NULL) {
+        help_print_command(about);
+        return CLI_EXIT_SUCCESS;
+    }
+    for (size_t i = 0; i < TOPIC_COUNT; ++i) {
+        if (strcmp(topics[i].name, topic) == 0) {
+            topics[i].print();
+            return CLI_EXIT_SUCCESS;
+        }
+    }
+    unknown_topic(topic);
+    return CLI_EXIT_USAGE;
+}

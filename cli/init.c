@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/** @file init.c
+ *  `sph2d init NAME`: writes a scene in which every key stands, those of the template with a value, all others as
+ *  comments, and each with its meaning, unit, range and default from the table of keys. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "exit.h"
+#include "keys.h"
+#include "message.h"
+#include "parse.h"
+#include "templates.h"
+#include "text.h"
+
+enum { PATH_SIZE = 128, WIDTH = 100 };
+
+typedef struct writer {
+    FILE *out;
+    const scene_template *template;
+    const char *name; /* of the scene */
+} writer;
+
+/* ---- what the template says -------------------------------------------------------------------------------------- */
+
+static const char *find_value(const writer *w, const char *path) {
+    if (strcmp(path, "name") == 0)
+        return w->name;
+    for (size_t i = 0; i < w->template->count; ++i)
+        if (strcmp(w->template->values[i].path, path) == 0)
+            return w->template->values[i].value;
+    return NULL;
+}
+
+/* Whether it says something about a key inside. */
+static bool has_inside(const writer *w, const char *path) {
+    size_t length = strlen(path);
+    for (size_t i = 0; i < w->template->count; ++i) {
+        const char *given = w->template->values[i].path;
+        if (strncmp(given, path, length) == 0 && (given[length] == '.' || given[length] == '['))
+            return true;
+    }
+    return false;
+}
+
+/* ---- lines ------------------------------------------------------------------------------------------------------- */
+
+/* A key's description, broken at spaces. */
+static void write_comment(const writer *w, int indent, const sph2d_key *key) {
+    char text[400];
+    keys_describe(key, text, sizeof text);
+    size_t room = (size_t)(WIDTH - indent - 2);
+    const char *rest = text;
+    while (*rest != '\0') {
+        size_t length = strlen(rest);
+        if (length > room) {
+            length = room;
+            while (length > 0 && rest[length] != ' ')
+                --length;
+            if (length == 0)
+                length = room;
+        }
+        fprintf(w->out, "%*s# %.*s\n", indent, "", (int)length, rest);
+        rest += length;
+        rest += strspn(rest, " ");
+    }
+}
+
+/* A default that could stand in a file as it is; some are words about it. */
+static const char *literal_default(const sph2d_key *key) {
+    double number;
+    const char *text = key->standard;
+    if (text == NULL)
+        return "";
+    bool word = false;
+    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
+        word = word || strcmp(key->words[i], text) == 0;
+    return word || text[0] == '[' || parse_number(text, &number) ? text : "";
+}
+
+/* Where the lines of a struct go. In a list's item `lead` stands before each key: "- " before the first, then "  ". */
+typedef struct place {
+    int indent;
+    const char *lead;
+} place;
+
+/* A key that the template does not give is switched off with a #: without it the line is right. */
+static void write_key(const writer *w, place *p, bool given, const char *name, const char *value) {
+    const char *space = value[0] != '\0' ? " " : "";
+    fprintf(w->out, "%*s%s%s%s:%s%s\n", p->indent, "", p->lead, given ? "" : "#", name, space, value);
+    if (p->lead[0] != '\0')
+        p->lead = "  ";
+}
+
+static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p);
+
+static void write_items(const writer *w, const sph2d_key *key, const char *path, int indent) {
+    char item[PATH_SIZE];
+    snprintf(item, sizeof item, "%.100s[0]", path);
+    for (size_t i = 1; has_inside(w, item); ++i) {
+        write_struct(w, key->keys, item, (place){indent, "- "});
+        snprintf(item, sizeof item, "%.100s[%zu]", path, i);
+    }
+}
+
+static void write_one(const writer *w, const sph2d_key *key, const char *path, bool given, place *p) {
+    int indent = p->indent + (int)strlen(p->lead);
+    if (indent == 0)
+        fputc('\n', w->out);
+    write_comment(w, indent, key);
+    if (key->kind == SPH2D_KEY_LIST) {
+        write_key(w, p, given, key->name, given ? "" : "[] # 'sph2d help scene' tells what goes into one");
+        write_items(w, key, path, indent + 2);
+    } else if (key->kind == SPH2D_KEY_GROUP) {
+        write_key(w, p, given, key->name, "");
+        write_struct(w, key->keys, path, (place){indent + 2, ""});
+    } else {
+        write_key(w, p, given, key->name, given ? find_value(w, path) : literal_default(key));
+    }
+}
+
+static bool is_given(const writer *w, const sph2d_key *key, const char *prefix, char path[PATH_SIZE]) {
+    snprintf(path, PATH_SIZE, "%.90s%s%.30s", prefix, prefix[0] != '\0' ? "." : "", key->name);
+    return find_value(w, path) != NULL || has_inside(w, path);
+}
+
+/* Whether `key` is one of a choice in which the template takes another. */
+static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_key *key, const char *prefix) {
+    char path[PATH_SIZE];
+    for (size_t i = 0; key->choice != 0 && i < keys->count; ++i) {
+        const sph2d_key *other = &keys->items[i];
+        if (other != key && other->choice != 0 && other->choice_offset == key->choice_offset &&
+            is_given(w, other, prefix, path))
+            return true;
+    }
+    return false;
+}
+
+/* In a list's item the keys that have a value come first, since the dash must stand on one of them. */
+static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p) {
+    bool item = p.lead[0] != '\0';
+    for (int pass = 0; pass < (item ? 2 : 1); ++pass) {
+        for (size_t i = 0; i < keys->count; ++i) {
+            char path[PATH_SIZE];
+            bool given = is_given(w, &keys->items[i], prefix, path);
+            if ((!item || given == (pass == 0)) && !is_passed_over(w, keys, &keys->items[i], prefix))
+                write_one(w, &keys->items[i], path, given, &p);
+        }
+    }
+}
+
+/* ---- the file ---------------------------------------------------------------------------------------------------- */
+
+static bool ends_with(const char *text, const char *end) {
+    size_t length = strlen(text), tail = strlen(end);
+    return length > tail && strcmp(text + length - tail, end) == 0;
+}
+
+/* The scene's name: that of the file or folder, kept to letters that YAML takes as they are. */
+static void name_scene(const char *operand, char *name, size_t size) {
+    const char *slash = strrchr(operand, '/');
+    snprintf(name, size, "%s", slash != NULL && slash[1] != '\0' ? slash + 1 : operand);
+    char *dot = strrchr(name, '.');
+    if (dot != NULL)
+        *dot = '\0';
+    const char *plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    if (name[0] == '\0' || strspn(name, plain) != strlen(name))
+        snprintf(name, size, "scene");
+}
+
+static int write_scene(const char *path, const scene_template *template, const char *name, bool force) {
+    /* "x" creates it or fails, so that nothing that came between is lost */
+    FILE *out = fopen(path, force ? "w" : "wx");
+    if (out == NULL) {
+        bool exists = errno == EEXIST;
+        message_error(exists ? SPH2D_CODE_FILE_EXISTS : SPH2D_CODE_FILE_WRITE,
+                      exists ? "add --force to replace it" : NULL, "cannot write '%s': %s", path, strerror(errno));
+        return CLI_EXIT_CANTCREAT;
+    }
+    fprintf(out,
+            "# %s\n# Check it: sph2d check %s\n# Run it:   sph2d run %s -o out\n"
+            "# Units are SI. A line #KEY: is a key that is not used; take the # away to use it.\n",
+            template->text, path, path);
+    writer w = {out, template, name};
+    write_struct(&w, sph2d_scene_keys(), "", (place){0, ""});
+    bool failed = ferror(out) != 0;
+    if (fclose(out) != 0 || failed) {
+        message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot write '%s': %s", path, strerror(errno));
+        unlink(path);
+        return CLI_EXIT_IO;
+    }
+    message_note("wrote '%s'; next: sph2d check %s", path, path);
+    return CLI_EXIT_SUCCESS;
+}
+
+static const scene_template *find_template(const char *name) {
+    if (name == NULL)
+        return &scene_templates[0];
+    const char *names[8];
+    for (size_t i = 0; i < scene_template_count; ++i) {
+        names[i] = scene_templates[i].name;
+        if (strcmp(names[i], name) == 0)
+            return &scene_templates[i];
+    }
+    const char *nearest = text_nearest(name, names, scene_template_count);
+    if (nearest != NULL)
+        message_usage("init", "--template: no template '%s'; did you mean '%s'?", name, nearest);
+    else
+        message_usage("init", "--template: no template '%s'", name);
+    return NULL;
+}
+
+int command_init(const cli_options *options) {
+    if (options->operand_count != 1 || options->operands[0][0] == '\0') {
+        message_usage("init", "one name must be given: a folder for scene.yaml, or a file NAME.yaml");
+        return CLI_EXIT_USAGE;
+    }
+    const scene_template *template = find_template(options->template_name);
+    if (template == NULL)
+        return CLI_EXIT_USAGE;
+    const char *operand = options->operands[0];
+    bool file = ends_with(operand, ".yaml") || ends_with(operand, ".yml");
+    if (!file && mkdir(operand, 0777) != 0 && errno != EEXIST) {
+        message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot make the folder '%s': %s", operand, strerror(errno));
+        return CLI_EXIT_CANTCREAT;
+    }
+    char name[64];
+    name_scene(operand, name, sizeof name);
+    size_t size = strlen(operand) + sizeof "/scene.yaml";
+    char *path = malloc(size);
+    if (path == NULL) {
+        message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
+        return CLI_EXIT_SOFTWARE;
+    }
+    snprintf(path, size, "%s%s", operand, file ? "" : "/scene.yaml");
+    int code = write_scene(path, template, name, options->force);
+    free(path);
+    return code;
+}

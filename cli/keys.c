@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/** @file keys.c
+ *  The scene's keys in words. */
+#include "keys.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+static void append(char *out, size_t size, const char *format, ...) {
+    size_t used = strlen(out);
+    va_list values;
+    va_start(values, format);
+    vsnprintf(out + used, size - used, format, values);
+    va_end(values);
+}
+
+static bool is_number(sph2d_key_kind kind) {
+    return kind == SPH2D_KEY_NUMBER || kind == SPH2D_KEY_COUNT || kind == SPH2D_KEY_COUNTS2 ||
+           kind == SPH2D_KEY_NUMBERS;
+}
+
+static void append_range(char *out, size_t size, const sph2d_key *key) {
+    const char *from = key->min_excluded ? "above" : "at least";
+    bool below = isfinite(key->min), above = isfinite(key->max);
+    if (below && above && !key->min_excluded)
+        append(out, size, "; %g to %g", key->min, key->max);
+    else if (below && above)
+        append(out, size, "; above %g, at most %g", key->min, key->max);
+    else if (below)
+        append(out, size, "; %s %g", from, key->min);
+    else if (above)
+        append(out, size, "; at most %g", key->max);
+}
+
+char *keys_describe(const sph2d_key *key, char *out, size_t size) {
+    snprintf(out, size, "%s", key->text);
+    if (key->unit[0] != '\0')
+        append(out, size, " [%s]", key->unit);
+    if (is_number(key->kind))
+        append_range(out, size, key);
+    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
+        append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
+    if (key->required)
+        append(out, size, "; must be given");
+    else if (key->standard != NULL && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
+        append(out, size, "; default %s", key->standard);
+    return out;
+}
+
+static void print_keys(const sph2d_keys *keys, int depth, bool list) {
+    for (size_t i = 0; i < keys->count; ++i) {
+        const sph2d_key *key = &keys->items[i];
+        char left[48], description[400];
+        bool nested = key->kind == SPH2D_KEY_GROUP || key->kind == SPH2D_KEY_LIST;
+        /* The first key of a list's item carries the dash, as in a file. */
+        snprintf(left, sizeof left, "%*s%s%s%s", 2 * depth, "", list ? (i == 0 ? "- " : "  ") : "", key->name,
+                 nested ? ":" : "");
+        printf("%-28s %s\n", left, keys_describe(key, description, sizeof description));
+        if (nested)
+            print_keys(key->keys, depth + 1 + list, key->kind == SPH2D_KEY_LIST);
+    }
+}
+
+void keys_print_all(void) {
+    print_keys(sph2d_scene_keys(), 0, false);
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/** @file keys.h
+ *  The scene's keys in words, for `sph2d help scene` and the comments of `sph2d init`. */
+#ifndef SPH2D_CLI_KEYS_H
+#define SPH2D_CLI_KEYS_H
+
+#include <stddef.h>
+
+#include <sph2d/key.h>
+
+/** "between particles [m]; above 0; must be given". Returns `out`. */
+char *keys_describe(const sph2d_key *key, char *out, size_t size);
+
+/** Prints every key of a scene, indented as in a file, to stdout. */
+void keys_print_all(void);
+
+#endif

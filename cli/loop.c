@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/** @file loop.c
+ *  Step after step until the end of a run. */
+#include "loop.h"
+
+#include <inttypes.h>
+
+#include "clock.h"
+#include "signals.h"
+
+/* Outputs have their own clock: the speed of a run is that of its steps. */
+static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report *report) {
+    double begun = clock_wall();
+    sph2d_status status = outputs_write_due(o, report);
+    result->output_wall += clock_wall() - begun;
+    return status;
+}
+
+static sph2d_status step(sph2d_sim *sim, loop_result *result, sph2d_report *report) {
+    double wall = clock_wall(), cpu = clock_cpu();
+    sph2d_status status = sph2d_sim_step(sim, report);
+    result->step_wall += clock_wall() - wall;
+    result->step_cpu += clock_cpu() - cpu;
+    return status;
+}
+
+static void fail(loop_result *result, sph2d_status status) {
+    result->end = status == SPH2D_GUARD ? LOOP_GUARD : LOOP_FAILED;
+    result->status = status;
+}
+
+bool loop_done(const sph2d_sim *sim) {
+    /* A sum of many steps may miss the end by a rounding error, and should not take one more for it. Whether an output
+     * is due is decided with the same margin. */
+    return sph2d_sim_time(sim) * (1 + 1e-12) >= sph2d_sim_scene(sim)->run.until;
+}
+
+/* Steps until there is a reason to stop. At least one step is taken before the deadline is looked at, so that a session
+ * always gets somewhere, however little time it has. */
+static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, loop_result *result,
+                    sph2d_report *report) {
+    const double until = sph2d_sim_scene(sim)->run.until;
+    /* What a resumed run was restored from is written in full; an output that comes more often than a step would seem
+     * due again. */
+    sph2d_status status = o->saved == SAVED_NOWHERE ? write_due(o, result, report) : SPH2D_OK;
+    while (status == SPH2D_OK && !loop_done(sim)) {
+        if ((result->signal = signals_caught()) != 0) {
+            result->end = LOOP_SIGNAL;
+            return;
+        }
+        status = step(sim, result, report);
+        if (status == SPH2D_OK)
+            status = write_due(o, result, report);
+        double time = sph2d_sim_time(sim);
+        progress_update(p, time, "t %.4g of %.4g s  step %" PRIu64 "  %zu particles", time, until, sph2d_sim_steps(sim),
+                        sph2d_sim_fluid(sim).count);
+        if (status == SPH2D_OK && deadline > 0 && !loop_done(sim) && clock_wall() >= deadline) {
+            result->end = LOOP_MAX_WALL;
+            return;
+        }
+    }
+    if (status != SPH2D_OK)
+        fail(result, status);
+}
+
+loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, sph2d_report *report) {
+    loop_result result = {.end = LOOP_FINISHED, .status = SPH2D_OK};
+    sph2d_summary before = sph2d_sim_summary(sim);
+    advance(sim, o, p, deadline, &result, report);
+    progress_end(p);
+    double begun = clock_wall();
+    if (result.end == LOOP_GUARD) {
+        /* The guard is what the user must hear of, also when its moment cannot be written. */
+        outputs_write_guard(o, report);
+    } else if (result.end != LOOP_FAILED) {
+        sph2d_status status = outputs_finish(o, result.end != LOOP_FINISHED, report);
+        if (status != SPH2D_OK)
+            fail(&result, status);
+    }
+    result.output_wall += clock_wall() - begun;
+    sph2d_summary after = sph2d_sim_summary(sim);
+    result.steps = after.steps - before.steps;
+    result.particle_steps = after.particle_steps - before.particle_steps;
+    result.simulated = after.time - before.time;
+    return result;
+}

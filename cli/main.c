@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT */
+/** @file main.c
+ *  Finds the command, reads its options, does it, and makes sure that what was printed got out. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "exit.h"
+#include "help.h"
+#include "message.h"
+#include "text.h"
+#include "threads.h"
+
+const cli_command commands[CLI_COMMAND_COUNT] = {
+#define COMMAND_ROW(name, NAME, operands, text) {#name, operands, text, CLI_##NAME, command_##name},
+    CLI_COMMAND_MAP(COMMAND_ROW)
+#undef COMMAND_ROW
+};
+
+const cli_command *command_find(const char *name) {
+    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
+        if (strcmp(commands[i].name, name) == 0)
+            return &commands[i];
+    return NULL;
+}
+
+/* A standard stream that was closed leaves its number to the first file that is opened, and our messages would go into
+ * that. So the number is taken, in a way that every write to it fails and is noticed. */
+static void hold_standard_streams(void) {
+    static const int ways[] = {O_WRONLY, O_RDONLY, O_RDONLY};
+    for (int number = 0; number < 3; ++number)
+        if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", ways[number]) != number)
+            return; /* nothing to be done about it */
+}
+
+/* Output that is still in the buffer may find the disk full: only the close tells. */
+static int close_output(int code) {
+    bool failed = ferror(stdout) != 0;
+    errno = 0;
+    if (fclose(stdout) != 0)
+        failed = true;
+    if (!failed)
+        return code;
+    message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot write to standard output%s%s", errno != 0 ? ": " : "",
+                  errno != 0 ? strerror(errno) : "");
+    return code == CLI_EXIT_SUCCESS ? CLI_EXIT_IO : code;
+}
+
+static void unknown_command(const char *word) {
+    const char *names[CLI_COMMAND_COUNT];
+    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
+        names[i] = commands[i].name;
+    const char *nearest = text_nearest(word, names, CLI_COMMAND_COUNT);
+    if (nearest != NULL)
+        message_usage(NULL, "unknown command '%s'; did you mean '%s'?", word, nearest);
+    else
+        message_usage(NULL, "unknown command '%s'", word);
+}
+
+static int act(const cli_command *what, int argc, char **argv) {
+    cli_options options;
+    int code = CLI_EXIT_USAGE;
+    if (options_parse(&options, what->name, what->bit, argc, argv)) {
+        code = CLI_EXIT_SUCCESS;
+        if (options.help)
+            help_print_command(what);
+        else if (options.version)
+            help_print_version(options.json);
+        else
+            code = what->act(&options);
+    }
+    options_free(&options);
+    return code;
+}
+
+/* Without a command: --help and --version alone make sense. */
+static int act_alone(int argc, char **argv) {
+    cli_options options;
+    int code = CLI_EXIT_USAGE;
+    if (options_parse(&options, NULL, CLI_HELP, argc, argv)) {
+        if (options.version || options.help)
+            code = CLI_EXIT_SUCCESS;
+        if (options.version)
+            help_print_version(options.json);
+        else if (options.help)
+            help_print();
+        else if (options.operand_count > 0)
+            message_usage(NULL, "options come after the command: sph2d %s ...", options.operands[0]);
+        else
+            message_usage(NULL, "a command must be given");
+    }
+    options_free(&options);
+    return code;
+}
+
+int main(int argc, char **argv) {
+    hold_standard_streams();
+    if (argc < 2 || argv[1][0] == '-')
+        return close_output(act_alone(argc, argv));
+    const cli_command *what = command_find(argv[1]);
+    if (what == NULL) {
+        unknown_command(argv[1]);
+        return close_output(CLI_EXIT_USAGE);
+    }
+    if ((what->bit & (CLI_RUN | CLI_RESUME | CLI_CHECK)) != 0)
+        threads_wait_passively(argv);
+    return close_output(act(what, argc - 1, argv + 1));
+}

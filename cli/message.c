@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+/** @file message.c
+ *  Messages on stderr. How they look is the one thing that the whole process shares, so it is kept here. */
+#include "message.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "json.h"
+#include "text.h"
+
+static struct {
+    bool json, quiet, color;
+    int verbose;
+    bool status_shown;
+} style;
+
+/* Room for a diagnostic with all its parts. */
+enum { MESSAGE_SIZE = 2048 };
+
+bool message_json(void) {
+    return style.json;
+}
+
+bool message_terminal(void) {
+    const char *term = getenv("TERM");
+    return isatty(STDERR_FILENO) && term != NULL && strcmp(term, "dumb") != 0;
+}
+
+void message_setup(const cli_options *options) {
+    const char *no_color = getenv("NO_COLOR");
+    style.json = options->json;
+    style.quiet = options->quiet;
+    style.verbose = options->verbose;
+    style.color = !options->no_color && (no_color == NULL || no_color[0] == '\0') && message_terminal();
+}
+
+void message_status(const char *text) {
+    if (text == NULL && !style.status_shown)
+        return;
+    style.status_shown = text != NULL;
+    /* back to the first column, erase to the end of the line */
+    fprintf(stderr, "\r\033[K%s", text != NULL ? text : "");
+}
+
+/* ---- text -------------------------------------------------------------------------------------------------------- */
+
+/* Text may come from a file of garbage: whatever could steer a terminal, the control characters of Latin-1 included, is
+ * replaced. */
+static void make_printable(char *text) {
+    for (char *c = text; *c != '\0'; ++c) {
+        unsigned char byte = (unsigned char)*c;
+        size_t length = byte < 0x80 ? 1 : text_utf8_length(c);
+        bool control = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F;
+        if (length == 0 || control || (byte == 0xC2 && (unsigned char)c[1] < 0xA0))
+            *c = '?';
+        else
+            c += length - 1;
+    }
+}
+
+/* One line, or several, in a single write, so that those of several processes do not mix. The word at `mark`, up to its
+ *  colon, is coloured; NULL for none. */
+static void write_text(char *text, const char *mark, const char *color) {
+    message_status(NULL);
+    make_printable(text);
+    char out[MESSAGE_SIZE + 32];
+    size_t before = mark != NULL && style.color ? (size_t)(mark - text) : 0;
+    size_t word = mark != NULL && style.color ? strcspn(mark, ":") : 0;
+    int length = snprintf(out, sizeof out, "%.*s%s%.*s%s%s\n", (int)before, text, word > 0 ? color : "", (int)word,
+                          text + before, word > 0 ? "\033[0m" : "", text + before + word);
+    if (length > 0)
+        fwrite(out, 1, (size_t)length < sizeof out ? (size_t)length : sizeof out - 1, stderr);
+}
+
+static void write_diagnostic_text(const sph2d_diagnostic *diagnostic) {
+    char text[MESSAGE_SIZE] = "";
+    /* What has a file starts with its name; the rest gets ours, and no code where it is none of the table. */
+    bool warning = diagnostic->severity == SPH2D_WARNING;
+    const char *kind = warning ? "warning" : "error";
+    if (diagnostic->file[0] == '\0')
+        snprintf(text, sizeof text, "sph2d: ");
+    size_t used = strlen(text);
+    if (diagnostic->file[0] == '\0' && diagnostic->path[0] == '\0' && diagnostic->code == SPH2D_CODE_GENERAL)
+        snprintf(text + used, sizeof text - used, "%s: %s%s%s", kind, diagnostic->message,
+                 diagnostic->hint[0] != '\0' ? "\n    hint: " : "", diagnostic->hint);
+    else
+        sph2d_diagnostic_format(diagnostic, text + used, sizeof text - used);
+    /* The file's name may hold the same word, so look behind it. */
+    size_t name = strlen(diagnostic->file);
+    write_text(text, strstr(text + name, kind), warning ? "\033[1;35m" : "\033[1;31m");
+}
+
+/* ---- JSON -------------------------------------------------------------------------------------------------------- */
+
+/* A stream into memory, so that the object reaches stderr in one write. NULL without memory: then it goes straight. */
+static void write_object(const char *severity, const sph2d_diagnostic *d) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    cli_json line = json_begin(stream != NULL ? stream : stderr);
+    json_text(&line, "severity", severity);
+    json_text(&line, "code", sph2d_code_text(d->code));
+    if (d->file[0] != '\0')
+        json_text(&line, "file", d->file);
+    if (d->line > 0) {
+        json_count(&line, "line", (uint64_t)d->line);
+        json_count(&line, "column", (uint64_t)d->column);
+    }
+    if (d->path[0] != '\0')
+        json_text(&line, "path", d->path);
+    json_text(&line, "message", d->message);
+    if (d->hint[0] != '\0')
+        json_text(&line, "hint", d->hint);
+    json_end(&line);
+    if (stream != NULL && fclose(stream) == 0)
+        fwrite(text, 1, size, stderr);
+    free(text);
+}
+
+static void write_diagnostic(const sph2d_diagnostic *diagnostic) {
+    if (style.json)
+        write_object(diagnostic->severity == SPH2D_WARNING ? "warning" : "error", diagnostic);
+    else
+        write_diagnostic_text(diagnostic);
+}
+
+/* ---- what the rest of the command calls -------------------------------------------------------------------------- */
+
+#define FORMAT_INTO(buffer, format)                                                                                    \
+    do {                                                                                                               \
+        va_list values;                                                                                                \
+        va_start(values, format);                                                                                      \
+        vsnprintf(buffer, sizeof(buffer), format, values);                                                             \
+        va_end(values);                                                                                                \
+    } while (0)
+
+void message_usage(const char *command, const char *format, ...) {
+    sph2d_diagnostic d = {0};
+    FORMAT_INTO(d.message, format);
+    if (style.json) {
+        write_diagnostic(&d);
+        return;
+    }
+    char text[MESSAGE_SIZE];
+    const char *space = command != NULL ? " " : "";
+    const char *name = command != NULL ? command : "";
+    snprintf(text, sizeof text, "sph2d%s%s: %s\nTry 'sph2d%s%s --help'.", space, name, d.message, space, name);
+    write_text(text, NULL, NULL);
+}
+
+void message_error(sph2d_code code, const char *hint, const char *format, ...) {
+    sph2d_diagnostic d = {.code = code};
+    FORMAT_INTO(d.message, format);
+    snprintf(d.hint, sizeof d.hint, "%s", hint != NULL ? hint : "");
+    write_diagnostic(&d);
+}
+
+void message_warning(sph2d_code code, const char *format, ...) {
+    sph2d_diagnostic d = {.severity = SPH2D_WARNING, .code = code};
+    FORMAT_INTO(d.message, format);
+    write_diagnostic(&d);
+}
+
+static void write_note(sph2d_diagnostic *d) {
+    if (style.json) {
+        write_object("note", d);
+        return;
+    }
+    char text[MESSAGE_SIZE];
+    snprintf(text, sizeof text, "sph2d: %s", d->message);
+    write_text(text, NULL, NULL);
+}
+
+void message_note(const char *format, ...) {
+    if (style.quiet)
+        return;
+    sph2d_diagnostic d = {0};
+    FORMAT_INTO(d.message, format);
+    write_note(&d);
+}
+
+void message_detail(const char *format, ...) {
+    if (style.verbose == 0)
+        return;
+    sph2d_diagnostic d = {0};
+    FORMAT_INTO(d.message, format);
+    write_note(&d);
+}
+
+void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene_file *file) {
+    for (size_t i = 0; i < report->count; ++i) {
+        if (file != NULL && report->items[i].file[0] == '\0' && report->items[i].path[0] != '\0')
+            sph2d_scene_file_locate(file, &report->items[i]);
+        write_diagnostic(&report->items[i]);
+    }
+    if (report->dropped > 0)
+        message_note("%zu more not shown", report->dropped);
+    if (status != SPH2D_OK && report->errors == 0)
+        message_error(SPH2D_CODE_GENERAL, NULL, "%s", sph2d_status_text(status));
+    sph2d_report_clear(report);
+}

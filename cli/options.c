@@ -1,0 +1,358 @@
+/* SPDX-License-Identifier: MIT */
+/** @file options.c
+ *  The table of options, and getopt_long driven by it. */
+#include "options.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "message.h"
+#include "parse.h"
+#include "picture.h"
+#include "text.h"
+
+/* Options without a letter of their own. */
+enum {
+    OPTION_JSON = 256,
+    OPTION_NO_COLOR,
+    OPTION_PROGRESS,
+    OPTION_ISA,
+    OPTION_MAX_WALL,
+    OPTION_NO_FRAMES,
+    OPTION_GL,
+    OPTION_SHADER_DIR,
+    OPTION_SIZE,
+    OPTION_STYLE,
+    OPTION_RADIUS,
+    OPTION_COLOR,
+    OPTION_RANGE,
+    OPTION_PREVIEW,
+    OPTION_TEMPLATE
+};
+
+enum {
+    SIMULATES = CLI_RUN | CLI_RESUME | CLI_CHECK,
+    DRAWS = CLI_RUN | CLI_RESUME | CLI_RENDER | CLI_CHECK,
+};
+
+typedef struct option_row {
+    int id;           /* the letter, or one of the enum above */
+    const char *name; /* the long name */
+    const char *argument;
+    unsigned commands; /* bits of the commands that take it */
+    const char *text;
+} option_row;
+
+static const option_row rows[] = {
+    {'o', "output", "DIR", CLI_RUN | CLI_RENDER, "folder for the files; must be empty or new"},
+    {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT,
+     "replace what an earlier run left there (only files of ours)"},
+    {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK, "change a key of the scene: fluid.density=800"},
+    {'n', "dry-run", NULL, CLI_RUN, "only check the scene, as 'sph2d check' does"},
+    {'j', "threads", "N", DRAWS, "threads; else OMP_NUM_THREADS, else every processor this process may use"},
+    {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK, "instruction set: auto, baseline, avx2 or avx512"},
+    {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
+    {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
+    {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "what to start from; 'sph2d help init' lists them"},
+    {OPTION_SIZE, "size", "WxH", CLI_RENDER, "size of the frames in pixels"},
+    {OPTION_STYLE, "style", "NAME", CLI_RENDER, "metaballs or points"},
+    {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
+    {OPTION_COLOR, "color", "FIELD", CLI_RENDER, "colour points by a field: speed, Pressures, Densities"},
+    {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
+    {OPTION_PREVIEW, "preview", "FILE", CLI_CHECK, "draw the first frame into a PNG file"},
+    {OPTION_GL, "gl", "NAME", DRAWS, "OpenGL context: osmesa or egl"},
+    {OPTION_SHADER_DIR, "shader-dir", "DIR", DRAWS, "read the shaders from DIR instead of the built-in ones"},
+    {OPTION_PROGRESS, "progress", "WHEN", CLI_RUN | CLI_RESUME | CLI_RENDER, "auto, always (a bar) or never"},
+    {OPTION_JSON, "json", NULL, CLI_ALL, "results and messages as JSON, one object a line"},
+    {'q', "quiet", NULL, CLI_ALL, "no notices, progress or summary; errors only"},
+    {'v', "verbose", NULL, CLI_ALL, "say more"},
+    {OPTION_NO_COLOR, "no-color", NULL, CLI_ALL, "no colour, as with NO_COLOR set"},
+    {'h', "help", NULL, CLI_ALL, "show this help"},
+    {'V', "version", NULL, CLI_ALL, "show the version"},
+};
+enum { ROW_COUNT = sizeof rows / sizeof *rows };
+
+void options_print(unsigned command) {
+    for (size_t i = 0; i < ROW_COUNT; ++i) {
+        if ((rows[i].commands & command) == 0)
+            continue;
+        char left[48];
+        char letter[5] = "    ";
+        if (rows[i].id < 256)
+            snprintf(letter, sizeof letter, "-%c, ", rows[i].id);
+        snprintf(left, sizeof left, "%s--%s%s%s", letter, rows[i].name, rows[i].argument != NULL ? " " : "",
+                 rows[i].argument != NULL ? rows[i].argument : "");
+        printf("  %-24s %s\n", left, rows[i].text);
+    }
+}
+
+/* ---- faults ------------------------------------------------------------------------------------------------------ */
+
+static bool bad_value(const char *name, const char *option, const char *value, const char *wanted) {
+    message_usage(name, "--%s: '%s' is not %s", option, value, wanted);
+    return false;
+}
+
+static void unknown_option(const char *name, unsigned command, const char *given) {
+    char word[64];
+    snprintf(word, sizeof word, "%s", given[0] == '-' && given[1] == '-' ? given + 2 : given);
+    word[strcspn(word, "=")] = '\0';
+    const char *names[ROW_COUNT];
+    size_t count = 0;
+    for (size_t i = 0; i < ROW_COUNT; ++i) {
+        if ((rows[i].commands & command) != 0) {
+            names[count++] = rows[i].name;
+        } else if (strcmp(rows[i].name, word) == 0) {
+            message_usage(name, "'--%s' is not an option %s", word,
+                          name != NULL ? "of this command" : "without a command");
+            return;
+        }
+    }
+    const char *nearest = text_nearest(word, names, count);
+    if (nearest != NULL)
+        message_usage(name, "unknown option '%s'; did you mean '--%s'?", given, nearest);
+    else
+        message_usage(name, "unknown option '%s'", given);
+}
+
+/* ---- values ------------------------------------------------------------------------------------------------------ */
+
+/* The place of `value` in a NULL-terminated list, or -1. */
+static int find_word(const char *value, const char *const *words) {
+    for (int i = 0; words[i] != NULL; ++i)
+        if (strcmp(value, words[i]) == 0)
+            return i;
+    return -1;
+}
+
+static bool take_override(cli_options *options, const char *name, char *pair) {
+    char *equals = strchr(pair, '=');
+    if (equals == NULL || equals == pair)
+        return bad_value(name, "set", pair, "KEY=VALUE");
+    sph2d_override *grown = realloc(options->overrides, (options->override_count + 1) * sizeof *grown);
+    if (grown == NULL) {
+        message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
+        return false;
+    }
+    *equals = '\0';
+    grown[options->override_count++] = (sph2d_override){pair, equals + 1};
+    options->overrides = grown;
+    return true;
+}
+
+static bool take_isa(cli_options *options, const char *name, const char *value) {
+    static const char *const words[] = {"auto", "baseline", "avx2", "avx512", NULL};
+    int isa = find_word(value, words);
+    if (isa < 0)
+        return bad_value(name, "isa", value, "auto, baseline, avx2 or avx512");
+    options->isa = (sph2d_isa)isa;
+    if (options->isa != SPH2D_ISA_AUTO && !sph2d_isa_available(options->isa)) {
+        message_usage(name, "--isa: this processor or this build has no %s", value);
+        return false;
+    }
+    return true;
+}
+
+static bool take_progress(cli_options *options, const char *name, const char *value) {
+    static const char *const words[] = {"auto", "always", "never", NULL};
+    int mode = find_word(value, words);
+    if (mode < 0)
+        return bad_value(name, "progress", value, "auto, always or never");
+    options->progress = (progress_mode)mode;
+    return true;
+}
+
+static bool take_style(cli_options *options, const char *name, const char *value) {
+    static const char *const words[] = {"metaballs", "points", NULL};
+    int style = find_word(value, words);
+    if (style < 0)
+        return bad_value(name, "style", value, "metaballs or points");
+    options->style = (sph2d_style)style;
+    options->style_given = true;
+    return true;
+}
+
+static bool take_gl(cli_options *options, const char *name, const char *value) {
+    static const char *const words[] = {"osmesa", "egl", NULL};
+    if (find_word(value, words) < 0)
+        return bad_value(name, "gl", value, "osmesa or egl");
+    options->gl = value;
+    return true;
+}
+
+static bool take_threads(cli_options *options, const char *name, const char *value) {
+    long threads;
+    if (!parse_count(value, 1, 1024, &threads))
+        return bad_value(name, "threads", value, "a number from 1 to 1024");
+    options->threads = (int)threads;
+    return true;
+}
+
+static bool take_color(cli_options *options, const char *name, const char *value) {
+    if (!picture_color_known(value)) {
+        char colors[200];
+        return bad_value(name, "color", value, picture_colors(colors, sizeof colors));
+    }
+    options->color = value;
+    return true;
+}
+
+static bool take_radius(cli_options *options, const char *name, const char *value) {
+    if (!parse_number(value, &options->radius) || options->radius <= 0)
+        return bad_value(name, "radius", value, "a number above 0, in metres");
+    return true;
+}
+
+static bool take_option(cli_options *options, const char *name, int id, char *value) {
+    switch (id) {
+    case 'o':
+        options->output = value;
+        return true;
+    case 'f':
+        options->force = true;
+        return true;
+    case 's':
+        return take_override(options, name, value);
+    case 'n':
+        options->dry_run = true;
+        return true;
+    case 'j':
+        return take_threads(options, name, value);
+    case 'q':
+        options->quiet = true;
+        return true;
+    case 'v':
+        ++options->verbose;
+        return true;
+    case 'h':
+        options->help = true;
+        return true;
+    case 'V':
+        options->version = true;
+        return true;
+    case OPTION_JSON:
+        options->json = true;
+        return true;
+    case OPTION_NO_COLOR:
+        options->no_color = true;
+        return true;
+    case OPTION_PROGRESS:
+        return take_progress(options, name, value);
+    case OPTION_ISA:
+        return take_isa(options, name, value);
+    case OPTION_NO_FRAMES:
+        options->no_frames = true;
+        return true;
+    case OPTION_TEMPLATE:
+        options->template_name = value;
+        return true;
+    case OPTION_PREVIEW:
+        options->preview = value;
+        return true;
+    case OPTION_GL:
+        return take_gl(options, name, value);
+    case OPTION_SHADER_DIR:
+        options->shader_dir = value;
+        return true;
+    case OPTION_STYLE:
+        return take_style(options, name, value);
+    case OPTION_RADIUS:
+        return take_radius(options, name, value);
+    case OPTION_COLOR:
+        return take_color(options, name, value);
+    case OPTION_MAX_WALL:
+        return parse_duration(value, &options->max_wall) ||
+               bad_value(name, "max-wall", value, "a time such as 90s, 45m or 1h30m");
+    case OPTION_SIZE:
+        return parse_size(value, &options->width, &options->height) ||
+               bad_value(name, "size", value, "WIDTHxHEIGHT, each from 16 to 16384");
+    case OPTION_RANGE:
+        return parse_range(value, &options->range[0], &options->range[1]) ||
+               bad_value(name, "range", value, "MIN,MAX with MIN below MAX");
+    default:
+        return false;
+    }
+}
+
+/* ---- getopt ------------------------------------------------------------------------------------------------------ */
+
+/* The two descriptions that getopt_long wants, for one command. */
+typedef struct getopt_tables {
+    char letters[2 * ROW_COUNT + 2];
+    struct option longs[ROW_COUNT + 1];
+} getopt_tables;
+
+static void make_tables(getopt_tables *tables, unsigned command) {
+    memset(tables, 0, sizeof *tables);
+    char *letter = tables->letters;
+    struct option *next = tables->longs;
+    *letter++ = ':'; /* tells a missing argument from an unknown option */
+    for (size_t i = 0; i < ROW_COUNT; ++i) {
+        if ((rows[i].commands & command) == 0)
+            continue;
+        int has_argument = rows[i].argument != NULL ? required_argument : no_argument;
+        *next++ = (struct option){rows[i].name, has_argument, NULL, rows[i].id};
+        if (rows[i].id < 256) {
+            *letter++ = (char)rows[i].id;
+            if (has_argument == required_argument)
+                *letter++ = ':';
+        }
+    }
+}
+
+static bool is_long(const char *given) {
+    return given[0] == '-' && given[1] == '-' && given[2] != '\0';
+}
+
+/* Says what getopt_long stumbled over. It tells least about long options: there optopt is 0 for an unknown one, and the
+ * option's own id for one that takes no argument but got one. */
+static void explain_fault(const char *name, unsigned command, int result, const char *given) {
+    char letter[3] = {'-', (char)optopt, '\0'};
+    if (result == ':')
+        message_usage(name, "'%s' needs an argument", is_long(given) ? given : letter);
+    else if (is_long(given) && optopt != 0)
+        message_usage(name, "'%.*s' takes no argument", (int)strcspn(given, "="), given);
+    else
+        unknown_option(name, command, is_long(given) ? given : letter);
+}
+
+/* --json changes how faults of the options themselves are told, so it must be known before. */
+static void look_ahead(cli_options *options, int argc, char **argv) {
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; ++i) {
+        options->json = options->json || strcmp(argv[i], "--json") == 0;
+        options->no_color = options->no_color || strcmp(argv[i], "--no-color") == 0;
+    }
+    message_setup(options);
+}
+
+bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv) {
+    *options = (cli_options){0};
+    look_ahead(options, argc, argv);
+    getopt_tables tables;
+    make_tables(&tables, command);
+    opterr = 0;
+    int id;
+    int before = optind;
+    while ((id = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
+        if (id == '?' || id == ':') {
+            /* In a group of letters optind has not moved on yet: the fault is in the word it stands on. */
+            explain_fault(name, command, id, argv[optind > before ? optind - 1 : optind]);
+            return false;
+        }
+        if (!take_option(options, name, id, optarg))
+            return false;
+        before = optind;
+    }
+    options->operands = argv + optind;
+    options->operand_count = (size_t)(argc - optind);
+    message_setup(options);
+    return true;
+}
+
+void options_free(cli_options *options) {
+    free(options->overrides);
+    options->overrides = NULL;
+}

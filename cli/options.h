@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/** @file options.h
+ *  The options of all subcommands, read with getopt_long from one table (options.c) that also prints their help. */
+#ifndef SPH2D_CLI_OPTIONS_H
+#define SPH2D_CLI_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <sph2d/io.h>
+#include <sph2d/sim.h>
+
+typedef enum progress_mode { PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER } progress_mode;
+
+/** What the command line says. Zero means not given. Strings are borrowed from argv. */
+typedef struct cli_options {
+    char *const *operands; /**< what is no option: scenes, folders, snapshots */
+    size_t operand_count;
+    bool help, version;
+
+    bool quiet, json, no_color;
+    int verbose;
+    progress_mode progress;
+
+    const char *output;
+    bool force;
+    int threads;
+    sph2d_isa isa;
+    double max_wall; /**< [s] */
+    bool no_frames, dry_run;
+    sph2d_override *overrides; /**< owned; freed by options_free */
+    size_t override_count;
+
+    const char *gl, *shader_dir, *preview, *template_name;
+    unsigned width, height; /**< [pixels] */
+    bool style_given;
+    sph2d_style style;
+    double radius; /**< [m] */
+    const char *color;
+    double range[2]; /**< equal: not given */
+} cli_options;
+
+/** Reads argv[1] and on for the command `name`, whose bit is `command`; argv[0] is the command's own name. After a
+ * fault says so and returns false. */
+bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv);
+void options_free(cli_options *options);
+
+/** Prints the options that a command takes, one a line, to stdout. */
+void options_print(unsigned command);
+
+#endif

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/** @file outputs.c
+ *  What a run writes. */
+#include "outputs.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const sph2d_scene *scene_of(const cli_outputs *o) {
+    return sph2d_sim_scene(o->sim);
+}
+
+bool outputs_want_frames(const sph2d_scene *scene) {
+    return sph2d_rate_interval(scene->run.frames.rate) > 0;
+}
+
+sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, const sph2d_scene_file *file,
+                          cli_painter *painter, saved_in saved, sph2d_report *report) {
+    const sph2d_scene *scene = sph2d_sim_scene(sim);
+    *o = (cli_outputs){.folder = folder,
+                       .sim = sim,
+                       .file = file,
+                       .painter = painter,
+                       .look = look_of_scene(scene),
+                       .saved_step = sph2d_sim_steps(sim),
+                       .saved = saved};
+    if (scene->probe_count == 0)
+        return SPH2D_OK;
+    o->series = calloc(scene->probe_count, sizeof *o->series);
+    if (o->series == NULL)
+        return SPH2D_NOMEM;
+    o->series_count = scene->probe_count;
+    for (size_t i = 0; i < o->series_count; ++i) {
+        const char *path = folder_file(folder, "%s.csv", scene->probes[i].name);
+        if (path == NULL)
+            return SPH2D_NOMEM;
+        uint64_t rows = sph2d_sim_output_count(sim, SPH2D_OUTPUT_PROBE + i);
+        sph2d_status status =
+            sph2d_series_open(path, sph2d_probe_columns(scene->probes[i].kind), rows, &o->series[i], report);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return SPH2D_OK;
+}
+
+/* ---- one file ---------------------------------------------------------------------------------------------------- */
+
+static sph2d_status write_probe(cli_outputs *o, size_t index, sph2d_report *report) {
+    double values[SPH2D_PROBE_MAX_COLUMNS];
+    size_t count = sph2d_sim_probe(o->sim, index, values);
+    sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_PROBE + index);
+    return sph2d_series_append(o->series[index], sph2d_sim_time(o->sim), values, count, report);
+}
+
+static sph2d_status write_frame(cli_outputs *o, sph2d_report *report) {
+    uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_FRAME);
+    sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_FRAME);
+    if (o->painter == NULL)
+        return SPH2D_OK;
+    const char *path = folder_file(o->folder, "frames/frame_%06" PRIu64 ".png", number);
+    if (path == NULL)
+        return SPH2D_NOMEM;
+    particle_source source = {.sim = o->sim};
+    return painter_paint(o->painter, &source, &o->look, path, report);
+}
+
+static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report) {
+    if (path == NULL)
+        return SPH2D_NOMEM;
+    unsigned compress = (unsigned)scene_of(o)->run.snapshots.compress;
+    sph2d_status status = sph2d_snapshot_write(o->sim, o->file, compress, path, report);
+    if (status == SPH2D_OK) {
+        o->saved = saved;
+        o->saved_step = sph2d_sim_steps(o->sim);
+    }
+    return status;
+}
+
+static sph2d_status remove_checkpoint(cli_outputs *o, sph2d_report *report) {
+    const char *path = folder_file(o->folder, "checkpoint.h5");
+    if (path == NULL)
+        return SPH2D_NOMEM;
+    if (unlink(path) == 0 || errno == ENOENT)
+        return SPH2D_OK;
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_WRITE, NULL, "cannot remove '%s': %s", path, strerror(errno));
+    return SPH2D_IO;
+}
+
+static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report) {
+    uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_SNAPSHOT);
+    sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_SNAPSHOT);
+    const char *path = folder_file(o->folder, "snapshot_%06" PRIu64 ".h5", number);
+    sph2d_status status = write_state(o, path, SAVED_IN_SNAPSHOT, report);
+    /* Now there is a newer moment to go on from. */
+    return status == SPH2D_OK ? remove_checkpoint(o, report) : status;
+}
+
+/* ---- all that is due --------------------------------------------------------------------------------------------- */
+
+/* The snapshot comes last: its state says that everything else at this step is written, so it must be. */
+sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report) {
+    sph2d_status status = SPH2D_OK;
+    for (size_t i = 0; i < o->series_count && status == SPH2D_OK; ++i)
+        if (sph2d_sim_output_due(o->sim, SPH2D_OUTPUT_PROBE + i))
+            status = write_probe(o, i, report);
+    if (status == SPH2D_OK && sph2d_sim_output_due(o->sim, SPH2D_OUTPUT_FRAME))
+        status = write_frame(o, report);
+    if (status == SPH2D_OK && sph2d_sim_output_due(o->sim, SPH2D_OUTPUT_SNAPSHOT))
+        status = write_snapshot(o, report);
+    return status;
+}
+
+sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report) {
+    return write_state(o, folder_file(o->folder, "guard.h5"), SAVED_NOWHERE, report);
+}
+
+sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report) {
+    bool here = o->saved_step == sph2d_sim_steps(o->sim);
+    bool wanted = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
+    if (here && o->saved == SAVED_IN_CHECKPOINT && wanted)
+        return SPH2D_OK;
+    if (wanted && !(here && o->saved == SAVED_IN_SNAPSHOT))
+        return write_state(o, folder_file(o->folder, "checkpoint.h5"), SAVED_IN_CHECKPOINT, report);
+    return remove_checkpoint(o, report);
+}
+
+sph2d_status outputs_close(cli_outputs *o, sph2d_report *report) {
+    sph2d_status status = SPH2D_OK;
+    for (size_t i = 0; i < o->series_count; ++i) {
+        sph2d_status closed = sph2d_series_close(o->series[i], report);
+        if (status == SPH2D_OK)
+            status = closed;
+    }
+    free(o->series);
+    o->series = NULL;
+    o->series_count = 0;
+    return status;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/** @file parse.c
+ *  Values of options, from text. The command never calls setlocale, so strtod reads points, not commas. */
+#include "parse.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A number at the start of `text`; *end is what follows. strtod alone would skip spaces and take "nan" and "0x10". */
+static bool leading_number(const char *text, double *value, const char **end) {
+    const char *digits = text + (*text == '-' || *text == '+');
+    if (!isdigit((unsigned char)digits[0]) && digits[0] != '.')
+        return false;
+    if (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X'))
+        return false;
+    char *after;
+    *value = strtod(text, &after);
+    *end = after;
+    return after != text && isfinite(*value);
+}
+
+bool parse_number(const char *text, double *value) {
+    const char *end;
+    return leading_number(text, value, &end) && *end == '\0';
+}
+
+bool parse_count(const char *text, long min, long max, long *value) {
+    if (!isdigit((unsigned char)text[0]))
+        return false;
+    char *end;
+    errno = 0;
+    *value = strtol(text, &end, 10);
+    return errno == 0 && *end == '\0' && *value >= min && *value <= max;
+}
+
+/* Seconds in a unit, 0 for no unit of ours. */
+static double unit_seconds(char unit) {
+    switch (unit) {
+    case 'd':
+        return 86400;
+    case 'h':
+        return 3600;
+    case 'm':
+        return 60;
+    case 's':
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+bool parse_duration(const char *text, double *seconds) {
+    *seconds = 0;
+    do {
+        double value;
+        if (!leading_number(text, &value, &text) || value < 0)
+            return false;
+        if (*text == '\0') { /* without a unit: seconds, and the last part */
+            *seconds += value;
+            break;
+        }
+        double unit = unit_seconds(*text);
+        if (unit == 0)
+            return false;
+        *seconds += value * unit;
+        ++text;
+    } while (*text != '\0');
+    return *seconds > 0 && isfinite(*seconds);
+}
+
+bool parse_size(const char *text, unsigned *width, unsigned *height) {
+    char first[8];
+    size_t length = strcspn(text, "x");
+    if (length == 0 || length >= sizeof first || text[length] != 'x')
+        return false;
+    memcpy(first, text, length);
+    first[length] = '\0';
+    long across, down;
+    /* The limits are those of sph2d_render_options. */
+    if (!parse_count(first, 16, 16384, &across) || !parse_count(text + length + 1, 16, 16384, &down))
+        return false;
+    *width = (unsigned)across;
+    *height = (unsigned)down;
+    return true;
+}
+
+bool parse_range(const char *text, double *min, double *max) {
+    const char *comma;
+    if (!leading_number(text, min, &comma) || *comma != ',')
+        return false;
+    return parse_number(comma + 1, max) && *min < *max;
+}

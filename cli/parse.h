@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/** @file parse.h
+ *  Values of options, from text. Each function takes the whole text or says no. */
+#ifndef SPH2D_CLI_PARSE_H
+#define SPH2D_CLI_PARSE_H
+
+#include <stdbool.h>
+
+/** A finite number. */
+bool parse_number(const char *text, double *value);
+/** A whole number from `min` to `max`. */
+bool parse_count(const char *text, long min, long max, long *value);
+/** A duration in seconds: "90", "90s", "1.5h", "1h30m"; units d, h, m, s. Above 0. */
+bool parse_duration(const char *text, double *seconds);
+/** A size in pixels: "1280x720". */
+bool parse_size(const char *text, unsigned *width, unsigned *height);
+/** Two numbers with a comma between them, the first below the second. */
+bool parse_range(const char *text, double *min, double *max);
+
+#endif

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/** @file picture.c
+ *  From particles to what the renderer draws. */
+#include "picture.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text.h"
+
+cli_look look_of_scene(const sph2d_scene *scene) {
+    return (cli_look){scene->run.frames, scene->domain, scene->spacing};
+}
+
+cli_look look_of_snapshot(const sph2d_snapshot *snapshot) {
+    sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
+    return (cli_look){info.frames, info.domain, info.spacing};
+}
+
+/* ---- fields ------------------------------------------------------------------------------------------------------ */
+
+/* A field by name; its name is NULL when there is none. */
+static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name) {
+    if (source->snapshot != NULL) {
+        const sph2d_array *array = sph2d_snapshot_array(source->snapshot, group, name);
+        return array != NULL ? *array : (sph2d_array){0};
+    }
+    for (size_t i = 0; i < sph2d_field_count(group); ++i) {
+        sph2d_array array = sph2d_field(source->sim, group, i);
+        if (strcmp(array.name, name) == 0)
+            return array;
+    }
+    return (sph2d_array){0};
+}
+
+/* A field of two numbers a particle, as doubles one after the other; its name is NULL when it is of another form. */
+static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name) {
+    sph2d_array array = find_field(source, group, name);
+    bool usable = array.name != NULL && array.type == SPH2D_F64 && array.components == 2;
+    return usable && (array.stride == 1 || array.count <= 1) ? array : (sph2d_array){0};
+}
+
+static sph2d_status missing_field(sph2d_report *report, const char *name) {
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "no usable field '%s' to draw", name);
+    return SPH2D_FORMAT;
+}
+
+/* ---- colours ----------------------------------------------------------------------------------------------------- */
+
+bool picture_color_known(const char *name) {
+    if (strcmp(name, "speed") == 0)
+        return true;
+    for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
+        sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
+        if (field.components == 1 && strcmp(field.name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
+char *picture_colors(char *out, size_t size) {
+    snprintf(out, size, "speed");
+    for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
+        sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
+        size_t used = strlen(out);
+        if (field.components == 1)
+            snprintf(out + used, size - used, ", %s", field.name);
+    }
+    return out;
+}
+
+sph2d_status look_check(const cli_look *look, sph2d_report *report) {
+    const char *color = look->frames.color;
+    if (look->frames.style != SPH2D_STYLE_POINTS || color == NULL || picture_color_known(color))
+        return SPH2D_OK;
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, "run.frames.color",
+                                           "'%s' is no field to colour by", color);
+    char colors[200];
+    sph2d_diagnostic_hint(d, "there are: %s", picture_colors(colors, sizeof colors));
+    return SPH2D_SCENE;
+}
+
+static bool make_room(picture_buffers *buffers, size_t count) {
+    if (count <= buffers->capacity)
+        return true;
+    double *grown = realloc(buffers->values, count * sizeof *grown);
+    if (grown == NULL)
+        return false;
+    buffers->values = grown;
+    buffers->capacity = count;
+    return true;
+}
+
+static void fill_speeds(double *values, const sph2d_array *velocities) {
+    const double *vx = velocities->data[0], *vy = velocities->data[1];
+    for (size_t i = 0; i < velocities->count; ++i)
+        values[i] = sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
+}
+
+static void fill_values(double *values, const sph2d_array *field) {
+    for (size_t i = 0; i < field->count; ++i)
+        values[i] = field->type == SPH2D_F64 ? ((const double *)field->data[0])[i * field->stride]
+                                             : (double)((const uint64_t *)field->data[0])[i * field->stride];
+}
+
+/* The numbers that colour the points, and the text at the colour bar. */
+static sph2d_status make_values(const particle_source *source, const cli_look *look, picture_buffers *buffers,
+                                sph2d_picture *picture, sph2d_report *report) {
+    const char *name = look->frames.color;
+    bool speed = strcmp(name, "speed") == 0;
+    sph2d_array field =
+        speed ? find_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : find_field(source, SPH2D_GROUP_FLUID, name);
+    if (field.name == NULL || field.count != picture->count || (!speed && field.components != 1))
+        return missing_field(report, speed ? "Velocities" : name);
+    if (!make_room(buffers, field.count))
+        return SPH2D_NOMEM;
+    if (speed)
+        fill_speeds(buffers->values, &field);
+    else
+        fill_values(buffers->values, &field);
+    char unit[TEXT_SIZE];
+    text_unit(unit, field.unit);
+    snprintf(buffers->label, sizeof buffers->label, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
+    picture->values = buffers->values;
+    picture->value_min = look->frames.color_range.x;
+    picture->value_max = look->frames.color_range.y;
+    picture->value_label = buffers->label;
+    return SPH2D_OK;
+}
+
+/* ---- the picture ------------------------------------------------------------------------------------------------- */
+
+sph2d_status picture_make(const particle_source *source, const cli_look *look, picture_buffers *buffers,
+                          sph2d_picture *picture, sph2d_report *report) {
+    sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
+    sph2d_array walls = find_vectors(source, SPH2D_GROUP_WALL, "Coordinates");
+    if (fluid.name == NULL || walls.name == NULL)
+        return missing_field(report, "Coordinates");
+    bool points = look->frames.style == SPH2D_STYLE_POINTS;
+    double standard_radius = (points ? 0.5 : 2) * look->spacing;
+    *picture = (sph2d_picture){
+        .view = look->domain,
+        .radius = look->frames.radius > 0 ? look->frames.radius : standard_radius,
+        .count = fluid.count,
+        .x = fluid.data[0],
+        .y = fluid.data[1],
+        .wall_count = walls.count,
+        .wall_x = walls.data[0],
+        .wall_y = walls.data[1],
+        .wall_radius = 0.5 * look->spacing,
+    };
+    if (!points || look->frames.color == NULL)
+        return SPH2D_OK;
+    return make_values(source, look, buffers, picture, report);
+}
+
+void picture_free(picture_buffers *buffers) {
+    free(buffers->values);
+    *buffers = (picture_buffers){0};
+}

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/** @file resume.c
+ *  `sph2d resume DIR`: goes on with a run from its newest complete snapshot. */
+#include <dirent.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "exit.h"
+#include "message.h"
+#include "session.h"
+#include "summary.h"
+
+/* ---- which snapshot ---------------------------------------------------------------------------------------------- */
+
+static int compare_descending(const void *a, const void *b) {
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x < y) - (x > y);
+}
+
+/* The numbers of all snapshots in the folder, the highest first; the caller frees them. */
+static uint64_t *list_snapshots(const char *path, size_t *count) {
+    *count = 0;
+    DIR *listing = opendir(path);
+    if (listing == NULL)
+        return NULL;
+    uint64_t *numbers = NULL;
+    uint64_t number;
+    const struct dirent *entry;
+    while ((entry = readdir(listing)) != NULL) {
+        if (!folder_numbered(entry->d_name, "snapshot_", ".h5", &number))
+            continue;
+        if ((*count & (*count + 1)) == 0) { /* full: 0, 1, 3, 7, ... */
+            uint64_t *grown = realloc(numbers, (2 * *count + 1) * sizeof *grown);
+            if (grown == NULL)
+                break;
+            numbers = grown;
+        }
+        numbers[(*count)++] = number;
+    }
+    closedir(listing);
+    if (*count > 0)
+        qsort(numbers, *count, sizeof *numbers, compare_descending);
+    return numbers;
+}
+
+/* Reads one snapshot; one that cannot be used is told as a warning, since an older one may do. */
+static sph2d_snapshot *try_snapshot(cli_session *s, const char *path) {
+    sph2d_snapshot *snapshot = NULL;
+    if (path == NULL || sph2d_snapshot_read(path, &snapshot, &s->report) == SPH2D_OK)
+        return snapshot;
+    for (size_t i = 0; i < s->report.count; ++i)
+        s->report.items[i].severity = SPH2D_WARNING;
+    s->report.errors = 0;
+    message_report(SPH2D_OK, &s->report, NULL);
+    message_warning(SPH2D_CODE_FILE_INCOMPLETE, "'%s' is skipped", path);
+    return NULL;
+}
+
+/* The numbered snapshots of a run are in the order of its steps, so the first good one from the end is the newest; a
+ *  checkpoint is newer when it has more steps. */
+static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved) {
+    size_t count;
+    uint64_t *numbers = list_snapshots(s->folder.path, &count);
+    sph2d_snapshot *newest = NULL;
+    for (size_t i = 0; i < count && newest == NULL; ++i)
+        newest = try_snapshot(s, folder_file(&s->folder, "snapshot_%06" PRIu64 ".h5", numbers[i]));
+    free(numbers);
+    *saved = SAVED_IN_SNAPSHOT;
+    const char *path = folder_file(&s->folder, "checkpoint.h5");
+    if (path == NULL || access(path, F_OK) != 0)
+        return newest;
+    sph2d_snapshot *checkpoint = try_snapshot(s, path);
+    if (checkpoint == NULL)
+        return newest;
+    if (newest != NULL && sph2d_snapshot_get_info(newest).steps >= sph2d_snapshot_get_info(checkpoint).steps) {
+        sph2d_snapshot_destroy(checkpoint);
+        return newest;
+    }
+    sph2d_snapshot_destroy(newest);
+    *saved = SAVED_IN_CHECKPOINT;
+    return checkpoint;
+}
+
+/* ---- going on ---------------------------------------------------------------------------------------------------- */
+
+/* Only the end of a run may change: with anything else it would not be the same run any more. */
+static int usage_fault(const cli_options *options) {
+    if (options->operand_count != 1) {
+        message_usage("resume",
+                      options->operand_count == 0 ? "the folder of a run must be given" : "one folder at a time");
+        return CLI_EXIT_USAGE;
+    }
+    for (size_t i = 0; i < options->override_count; ++i) {
+        if (strcmp(options->overrides[i].path, "run.until") == 0)
+            continue;
+        message_usage("resume", "--set: '%s' cannot change in the middle of a run; only run.until can",
+                      options->overrides[i].path);
+        return CLI_EXIT_USAGE;
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
+static int restore(cli_session *s, const sph2d_snapshot *snapshot) {
+    sph2d_state state = sph2d_snapshot_state(snapshot);
+    sph2d_sim_options options = session_sim_options(s);
+    sph2d_status status = sph2d_sim_restore(sph2d_scene_file_scene(s->file), &options, &state, &s->sim, &s->report);
+    return session_told(s, status);
+}
+
+/* There may be nothing left to do; then nothing in the folder changes. */
+static int go_on(cli_session *s, saved_in saved) {
+    const sph2d_scene *scene = sph2d_sim_scene(s->sim);
+    if (loop_done(s->sim)) {
+        message_note("the run in '%s' is complete: t = %g s, run.until = %g s", s->folder.path, sph2d_sim_time(s->sim),
+                     scene->run.until);
+        loop_result nothing = {.end = LOOP_FINISHED};
+        if (s->options->json)
+            summary_print(s->sim, &nothing, "complete", &s->threads, s->options);
+        return CLI_EXIT_SUCCESS;
+    }
+    int code = session_make_painter(s);
+    if (code == CLI_EXIT_SUCCESS && s->painter != NULL)
+        code = folder_make_inside(&s->folder, "frames");
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    /* A guard that fires again writes it again. */
+    const char *guard = folder_file(&s->folder, "guard.h5");
+    if (guard != NULL)
+        unlink(guard);
+    return session_run(s, saved);
+}
+
+int command_resume(const cli_options *options) {
+    int code = usage_fault(options);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    cli_session session;
+    session_begin(&session, options);
+    sph2d_snapshot *snapshot = NULL;
+    saved_in saved = SAVED_NOWHERE;
+    code = folder_open_again(&session.folder, options->operands[0]);
+    if (code == CLI_EXIT_SUCCESS) {
+        snapshot = newest_snapshot(&session, &saved);
+        if (snapshot == NULL) {
+            message_error(SPH2D_CODE_FILE_OPEN,
+                          "a run writes some when its scene has run.snapshots, or when it is stopped",
+                          "no complete snapshot in '%s'", session.folder.path);
+            code = CLI_EXIT_NOINPUT;
+        }
+    }
+    if (code == CLI_EXIT_SUCCESS) {
+        sph2d_status status =
+            sph2d_snapshot_scene(snapshot, options->overrides, options->override_count, &session.file, &session.report);
+        code = session_told_scene(&session, status);
+    }
+    if (code == CLI_EXIT_SUCCESS)
+        code = restore(&session, snapshot);
+    sph2d_snapshot_destroy(snapshot);
+    if (code == CLI_EXIT_SUCCESS)
+        code = go_on(&session, saved);
+    session_end(&session);
+    return code;
+}

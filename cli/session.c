@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT */
+/** @file session.c
+ *  What `run` and `resume` have in common. */
+#include "session.h"
+
+#include <signal.h>
+
+#include "clock.h"
+#include "exit.h"
+#include "message.h"
+#include "signals.h"
+#include "summary.h"
+#include "text.h"
+
+void session_begin(cli_session *s, const cli_options *options) {
+    *s = (cli_session){.options = options, .begun = clock_wall(), .folder = FOLDER_CLOSED};
+    s->threads = threads_choose(options);
+    signals_install();
+}
+
+sph2d_sim_options session_sim_options(const cli_session *s) {
+    sph2d_sim_options sim = sph2d_sim_options_default();
+    sim.threads = s->threads.count;
+    sim.isa = s->options->isa;
+    return sim;
+}
+
+int session_told_scene(cli_session *s, sph2d_status status) {
+    if (status == SPH2D_OK)
+        sph2d_report_clear(&s->report);
+    return session_told(s, status);
+}
+
+int session_told(cli_session *s, sph2d_status status) {
+    message_report(status, &s->report, s->file);
+    return exit_of_status(status);
+}
+
+int session_make_painter(cli_session *s) {
+    const sph2d_scene *scene = sph2d_sim_scene(s->sim);
+    if (!outputs_want_frames(scene) || s->options->no_frames)
+        return CLI_EXIT_SUCCESS;
+    cli_look look = look_of_scene(scene);
+    sph2d_status status = painter_create(&look, s->options, &s->painter, &s->report);
+    char description[200];
+    if (status == SPH2D_OK)
+        message_detail("drawing with %s", painter_describe(s->painter, description, sizeof description));
+    int code = session_told(s, status);
+    if (status == SPH2D_RENDER)
+        message_note("the scene asks for frames; --no-frames simulates without them");
+    return code;
+}
+
+static void tell_start(const cli_session *s) {
+    const sph2d_plan *plan = sph2d_sim_plan(s->sim);
+    message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
+                 sph2d_sim_fluid(s->sim).count, sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
+                 sph2d_sim_scene(s->sim)->run.until);
+    message_detail("support radius %g m, sound speed %g m/s (%s)", plan->support_radius, plan->sound_speed,
+                   plan->sound_speed_formula);
+    message_detail("next step %g s; %d threads (%s), %s", sph2d_sim_time_step(s->sim), sph2d_sim_threads(s->sim),
+                   s->threads.source, sph2d_isa_name(sph2d_sim_isa(s->sim)));
+}
+
+static const char *end_name(const loop_result *result) {
+    switch (result->end) {
+    case LOOP_FINISHED:
+        return "finished";
+    case LOOP_SIGNAL:
+        return result->signal == SIGINT ? "SIGINT" : "SIGTERM";
+    case LOOP_MAX_WALL:
+        return "max-wall";
+    case LOOP_GUARD:
+        return "guard";
+    case LOOP_FAILED:
+        return "failed";
+    }
+    return "failed";
+}
+
+static int end_code(const loop_result *result) {
+    switch (result->end) {
+    case LOOP_FINISHED:
+        return CLI_EXIT_SUCCESS;
+    case LOOP_SIGNAL:
+        return 128 + result->signal;
+    case LOOP_MAX_WALL:
+        return CLI_EXIT_STOPPED;
+    case LOOP_GUARD:
+    case LOOP_FAILED:
+        break;
+    }
+    return exit_of_status(result->status);
+}
+
+int session_run(cli_session *s, saved_in saved) {
+    const sph2d_scene *scene = sph2d_sim_scene(s->sim);
+    cli_outputs outputs;
+    sph2d_status status = outputs_open(&outputs, &s->folder, s->sim, s->file, s->painter, saved, &s->report);
+    int code = session_told(s, status);
+    if (status == SPH2D_OK) {
+        tell_start(s);
+        cli_progress progress = progress_begin(s->options, sph2d_sim_time(s->sim), scene->run.until);
+        double deadline = s->options->max_wall > 0 ? s->begun + s->options->max_wall : 0;
+        loop_result result = loop_run(s->sim, &outputs, &progress, deadline, &s->report);
+        session_told(s, result.status);
+        if (result.end == LOOP_SIGNAL || result.end == LOOP_MAX_WALL)
+            message_note("stopped by %s at t = %g s; 'sph2d resume %s' goes on", end_name(&result),
+                         sph2d_sim_time(s->sim), s->folder.path);
+        if (result.end == LOOP_GUARD)
+            message_note("the moment is in '%s/guard.h5'", s->folder.path);
+        summary_print(s->sim, &result, end_name(&result), &s->threads, s->options);
+        code = end_code(&result);
+    }
+    sph2d_status closed = outputs_close(&outputs, &s->report);
+    int close_code = session_told(s, closed);
+    return code == CLI_EXIT_SUCCESS ? close_code : code;
+}
+
+void session_end(cli_session *s) {
+    painter_destroy(s->painter);
+    sph2d_sim_destroy(s->sim);
+    sph2d_scene_file_destroy(s->file);
+    folder_close(&s->folder);
+}

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/** @file summary.c
+ *  What a run was: its speed and its errors, side by side. */
+#include "summary.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "json.h"
+#include "text.h"
+
+static const char *const side_names[] = {"left", "right", "bottom", "top"};
+static const char *const limit_names[] = {"acoustic", "force", "viscous", "fixed"};
+
+static double ratio(double above, double below) {
+    return below > 0 ? above / below : NAN;
+}
+
+/* What became of the energy that nobody fed in or took out. */
+static double energy_change(const sph2d_summary *s) {
+    return s->kinetic + s->potential - s->energy_start - s->energy_fed;
+}
+
+/* ---- the table --------------------------------------------------------------------------------------------------- */
+
+static void print_speed(const sph2d_sim *sim, const loop_result *result, const thread_choice *threads) {
+    char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE], output[TEXT_SIZE];
+    if (result->steps > 0) {
+        double done = (double)result->particle_steps;
+        text_row("speed", "%s particle-steps/s; %s per CPU second", text_count(rate, ratio(done, result->step_wall)),
+                 text_count(cpu_rate, ratio(done, result->step_cpu)));
+        text_row("", "%.3g simulated seconds a second", ratio(result->simulated, result->step_wall));
+    }
+    text_row("", "stepping %s, CPU %s; output %s", text_seconds(wall, result->step_wall),
+             text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall));
+    text_row("", "%d threads (%s), %s", sph2d_sim_threads(sim), threads->source, sph2d_isa_name(sph2d_sim_isa(sim)));
+}
+
+static void print_errors(const sph2d_summary *s) {
+    double change = energy_change(s);
+    text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
+             100 * s->compression_mean, 100 * s->compression_max);
+    if (s->energy_start != 0)
+        text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
+    else
+        text_row("energy", "%+.4g J/m", change);
+    text_row("", "start %.6g, now %.6g, fed %.6g J/m", s->energy_start, s->kinetic + s->potential, s->energy_fed);
+    text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
+    text_row("fastest now", "%.4g m/s", s->speed_max);
+}
+
+static void print_particles(const sph2d_summary *s) {
+    text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
+    if (s->fed > 0 || s->blocked > 0)
+        text_row("", "fed %" PRIu64 ", places taken %" PRIu64, s->fed, s->blocked);
+    uint64_t lost = s->drained;
+    for (int i = 0; i < 4; ++i)
+        lost += s->left_open[i];
+    text_row("particles lost", "%" PRIu64, lost);
+    if (s->drained > 0)
+        text_row("", "%" PRIu64 " through drains", s->drained);
+    for (int i = 0; i < 4; ++i)
+        if (s->left_open[i] > 0)
+            text_row("", "%" PRIu64 " through the open side: %s", s->left_open[i], side_names[i]);
+    text_row("walls", "%" PRIu64 " backstop hits, %" PRIu64 " reflections", s->backstop_hits, s->reflections);
+}
+
+static void print_steps(const sph2d_summary *s) {
+    text_row("steps", "%" PRIu64 ", of %.3g to %.3g s", s->steps, s->time_step_min, s->time_step_max);
+    for (int i = 0; i < 4; ++i)
+        if (s->limited_by[i] > 0)
+            text_row("", "%s: %" PRIu64, limit_names[i], s->limited_by[i]);
+}
+
+static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
+                        const thread_choice *threads) {
+    const sph2d_scene *scene = sph2d_sim_scene(sim);
+    text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
+    print_speed(sim, result, threads);
+    print_errors(s);
+    print_particles(s);
+    print_steps(s);
+}
+
+/* ---- JSON -------------------------------------------------------------------------------------------------------- */
+
+static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads) {
+    double done = (double)result->particle_steps;
+    json_open_object(line, "speed");
+    json_number(line, "particle_steps_per_second", ratio(done, result->step_wall));
+    json_number(line, "particle_steps_per_cpu_second", ratio(done, result->step_cpu));
+    json_number(line, "real_time_factor", ratio(result->simulated, result->step_wall));
+    json_number(line, "step_seconds", result->step_wall);
+    json_number(line, "step_cpu_seconds", result->step_cpu);
+    json_number(line, "output_seconds", result->output_wall);
+    json_count(line, "steps", result->steps);
+    json_count(line, "particle_steps", result->particle_steps);
+    json_count(line, "threads", (uint64_t)sph2d_sim_threads(sim));
+    json_text(line, "threads_from", threads->source);
+    json_text(line, "isa", sph2d_isa_name(sph2d_sim_isa(sim)));
+    json_close_object(line);
+}
+
+static void add_errors(cli_json *line, const sph2d_summary *s) {
+    json_open_object(line, "error");
+    json_number(line, "compression_p99", s->compression_p99);
+    json_number(line, "compression_mean", s->compression_mean);
+    json_number(line, "compression_max", s->compression_max);
+    json_number(line, "energy_change", energy_change(s));
+    json_number(line, "energy_start", s->energy_start);
+    json_number(line, "energy_kinetic", s->kinetic);
+    json_number(line, "energy_potential", s->potential);
+    json_number(line, "energy_fed", s->energy_fed);
+    json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
+    json_number(line, "speed_max", s->speed_max);
+    json_close_object(line);
+}
+
+static void add_particles(cli_json *line, const sph2d_summary *s) {
+    json_open_object(line, "particles");
+    json_count(line, "now", s->particles);
+    json_number(line, "neighbours", s->neighbours);
+    json_count(line, "fed", s->fed);
+    json_count(line, "blocked", s->blocked);
+    json_count(line, "drained", s->drained);
+    json_open_object(line, "left");
+    for (int i = 0; i < 4; ++i)
+        json_count(line, side_names[i], s->left_open[i]);
+    json_close_object(line);
+    json_count(line, "backstop_hits", s->backstop_hits);
+    json_count(line, "reflections", s->reflections);
+    json_close_object(line);
+}
+
+static void add_steps(cli_json *line, const sph2d_summary *s) {
+    json_count(line, "steps", s->steps);
+    json_count(line, "particle_steps", s->particle_steps);
+    json_pair(line, "time_step", s->time_step_min, s->time_step_max);
+    json_open_object(line, "limited_by");
+    for (int i = 0; i < 4; ++i)
+        json_count(line, limit_names[i], s->limited_by[i]);
+    json_close_object(line);
+}
+
+static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
+                         const thread_choice *threads) {
+    const sph2d_scene *scene = sph2d_sim_scene(sim);
+    cli_json line = json_begin(stdout);
+    json_text(&line, "scene", scene->name);
+    json_text(&line, "end", reason);
+    json_number(&line, "time", s->time);
+    json_number(&line, "until", scene->run.until);
+    add_speed(&line, sim, result, threads);
+    add_errors(&line, s);
+    add_particles(&line, s);
+    add_steps(&line, s);
+    json_end(&line);
+}
+
+void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
+                   const cli_options *options) {
+    sph2d_summary s = sph2d_sim_summary(sim);
+    if (options->json)
+        print_object(sim, &s, result, reason, threads);
+    else if (!options->quiet)
+        print_table(sim, &s, result, reason, threads);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/** @file templates.h
+ *  The scenes that `sph2d init` starts from: for each key that has something to say, its path and value. */
+#ifndef SPH2D_CLI_TEMPLATES_H
+#define SPH2D_CLI_TEMPLATES_H
+
+#include <stddef.h>
+
+typedef struct template_value {
+    const char *path, *value; /* "blocks[0].box.min", "[0, 0]" */
+} template_value;
+
+typedef struct scene_template {
+    const char *name, *text;
+    const template_value *values;
+    size_t count;
+} scene_template;
+
+/** All of them, the standard one first. */
+extern const scene_template scene_templates[];
+extern const size_t scene_template_count;
+
+#endif

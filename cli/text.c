@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/** @file text.c
+ *  Small text for people. */
+#include "text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Longest word that suggestions look at; longer ones get none. */
+#define WORD_MAX 48
+
+static size_t smallest(size_t a, size_t b, size_t c) {
+    size_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+/* How many letters must be put in, left out, changed or swapped with their neighbour to come from a to b. Three rows of
+ * the table of all beginnings of a against all of b are enough: this one, the one before, and the one before that. */
+static size_t edit_distance(const char *a, const char *b) {
+    size_t length_b = strlen(b);
+    size_t rows[3][WORD_MAX + 1];
+    for (size_t j = 0; j <= length_b; ++j)
+        rows[0][j] = j;
+    for (size_t i = 1; a[i - 1] != '\0'; ++i) {
+        size_t *row = rows[i % 3];
+        const size_t *last = rows[(i + 2) % 3], *last_but_one = rows[(i + 1) % 3];
+        row[0] = i;
+        for (size_t j = 1; j <= length_b; ++j) {
+            row[j] = smallest(last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
+            bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped && last_but_one[j - 2] + 1 < row[j])
+                row[j] = last_but_one[j - 2] + 1;
+        }
+    }
+    return rows[strlen(a) % 3][length_b];
+}
+
+const char *text_nearest(const char *word, const char *const *words, size_t count) {
+    size_t length = strlen(word);
+    if (length == 0 || length > WORD_MAX)
+        return NULL;
+    /* A third of the letters may be wrong, and at least one: more is a guess, not a suggestion. */
+    size_t best = length < 4 ? 1 : length / 3;
+    const char *nearest = NULL;
+    for (size_t i = 0; i < count; ++i) {
+        if (strlen(words[i]) > WORD_MAX)
+            continue;
+        size_t distance = edit_distance(word, words[i]);
+        if (distance < best || (distance == best && nearest == NULL)) {
+            best = distance;
+            nearest = words[i];
+        }
+    }
+    return nearest;
+}
+
+/* Overlong forms, surrogates and stray bytes are refused. */
+size_t text_utf8_length(const char *text) {
+    static const struct {
+        unsigned char first_min, first_max, second_min, second_max;
+        size_t length;
+    } forms[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3}, {0xE1, 0xEC, 0x80, 0xBF, 3},
+                 {0xED, 0xED, 0x80, 0x9F, 3}, {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
+                 {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
+    const unsigned char *s = (const unsigned char *)text;
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; ++i) {
+        if (s[0] < forms[i].first_min || s[0] > forms[i].first_max)
+            continue;
+        if (s[1] < forms[i].second_min || s[1] > forms[i].second_max)
+            return 0;
+        for (size_t k = 2; k < forms[i].length; ++k)
+            if (s[k] < 0x80 || s[k] > 0xBF)
+                return 0;
+        return forms[i].length;
+    }
+    return 0;
+}
+
+char *text_bytes(char out[TEXT_SIZE], double bytes) {
+    static const char *const units[] = {"B", "KiB", "MiB", "GiB", "TiB", "PiB"};
+    size_t unit = 0;
+    while (bytes >= 1024 && unit + 1 < sizeof units / sizeof *units) {
+        bytes /= 1024;
+        ++unit;
+    }
+    snprintf(out, TEXT_SIZE, unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
+    return out;
+}
+
+char *text_seconds(char out[TEXT_SIZE], double seconds) {
+    if (!(seconds >= 0) || seconds > 1e15) {
+        snprintf(out, TEXT_SIZE, "unknown");
+    } else if (seconds < 60) {
+        snprintf(out, TEXT_SIZE, seconds < 10 ? "%.2g s" : "%.0f s", seconds);
+    } else if (seconds < 3600) {
+        snprintf(out, TEXT_SIZE, "%d min %02d s", (int)(seconds / 60), (int)fmod(seconds, 60));
+    } else if (seconds < 48 * 3600.0) {
+        snprintf(out, TEXT_SIZE, "%d h %02d min", (int)(seconds / 3600), (int)(fmod(seconds, 3600) / 60));
+    } else {
+        snprintf(out, TEXT_SIZE, "%.3g days", seconds / 86400);
+    }
+    return out;
+}
+
+char *text_count(char out[TEXT_SIZE], double count) {
+    static const char *const units[] = {"", " k", " M", " G", " T"};
+    size_t unit = 0;
+    while (count >= 999.5 && unit + 1 < sizeof units / sizeof *units) {
+        count /= 1000;
+        ++unit;
+    }
+    snprintf(out, TEXT_SIZE, "%.3g%s", count, units[unit]);
+    return out;
+}
+
+/* Appends the base units whose exponent has the wanted sign; returns how many there were. */
+static int append_units(char out[TEXT_SIZE], const signed char unit[3], int sign) {
+    static const char *const names[] = {"m", "kg", "s"};
+    /* kg before m before s, as everyone writes them */
+    static const int order[] = {1, 0, 2};
+    int written = 0;
+    for (int i = 0; i < 3; ++i) {
+        int exponent = unit[order[i]] * sign;
+        if (exponent <= 0)
+            continue;
+        size_t used = strlen(out);
+        snprintf(out + used, TEXT_SIZE - used, "%s%s", written > 0 ? " " : "", names[order[i]]);
+        if (exponent > 1) {
+            used = strlen(out);
+            snprintf(out + used, TEXT_SIZE - used, "^%d", exponent);
+        }
+        ++written;
+    }
+    return written;
+}
+
+char *text_unit(char out[TEXT_SIZE], const signed char unit[3]) {
+    out[0] = '\0';
+    if (unit[0] == -1 && unit[1] == 1 && unit[2] == -2) {
+        snprintf(out, TEXT_SIZE, "Pa");
+        return out;
+    }
+    char below[TEXT_SIZE] = "";
+    int above_count = append_units(out, unit, 1);
+    int below_count = append_units(below, unit, -1);
+    if (below_count > 0) {
+        size_t used = strlen(out);
+        const char *format = below_count > 1 ? "%s/(%.40s)" : "%s/%.40s";
+        snprintf(out + used, TEXT_SIZE - used, format, above_count > 0 ? "" : "1", below);
+    }
+    return out;
+}
+
+void text_row(const char *name, const char *format, ...) {
+    printf("%-22s ", name);
+    va_list values;
+    va_start(values, format);
+    vprintf(format, values);
+    va_end(values);
+    putchar('\n');
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/** @file text.h
+ *  Small text for people: sizes, durations, units, table rows, and the word that someone may have meant. */
+#ifndef SPH2D_CLI_TEXT_H
+#define SPH2D_CLI_TEXT_H
+
+#include <stddef.h>
+
+/** Long enough for everything that the text_ functions write. */
+#define TEXT_SIZE 64
+
+/** The one of `words` nearest to `word`, or NULL when none is near enough to suggest. */
+const char *text_nearest(const char *word, const char *const *words, size_t count);
+
+/** Length of the UTF-8 sequence of two bytes or more that `text` starts with; 0 when there is none. */
+size_t text_utf8_length(const char *text);
+
+/** "12.3 MiB". Returns `out`. */
+char *text_bytes(char out[TEXT_SIZE], double bytes);
+/** "4.2 s", "3 min 12 s", "2 h 05 min". Returns `out`. */
+char *text_seconds(char out[TEXT_SIZE], double seconds);
+/** "6.91 M": a count of things, in three digits. Returns `out`. */
+char *text_count(char out[TEXT_SIZE], double count);
+/** A unit from its exponents of metre, kilogram and second: "kg/m^3", "Pa", "" for none. Returns `out`. */
+char *text_unit(char out[TEXT_SIZE], const signed char unit[3]);
+
+/** Prints a table row to stdout: the name padded to a column, then printf's text. */
+void text_row(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

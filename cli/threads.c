@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/** @file threads.c
+ *  How many threads, and that those which wait let others run. */
+#define _GNU_SOURCE /* sched_getaffinity */
+#include "threads.h"
+
+#include <sched.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { THREADS_MAX = 1024 };
+
+/* OMP_NUM_THREADS may be a list, one number a nesting level; the first counts. 0 when there is none. */
+static int environment_threads(void) {
+    const char *text = getenv("OMP_NUM_THREADS");
+    if (text == NULL)
+        return 0;
+    char *end;
+    long count = strtol(text, &end, 10);
+    return end != text && (*end == '\0' || *end == ',') && count >= 1 && count <= THREADS_MAX ? (int)count : 0;
+}
+
+/* 0 when the system does not say. */
+static int affinity_threads(void) {
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0)
+        return 0;
+    return CPU_COUNT(&set);
+}
+
+static thread_choice choose(const cli_options *options) {
+    int count = options->threads;
+    if (count > 0)
+        return (thread_choice){count, "--threads"};
+    if ((count = environment_threads()) > 0)
+        return (thread_choice){count, "OMP_NUM_THREADS"};
+    if ((count = affinity_threads()) > 0)
+        return (thread_choice){count, "processors allowed to this process"};
+    long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return (thread_choice){online < 1 ? 1 : online > THREADS_MAX ? THREADS_MAX : (int)online, "processors online"};
+}
+
+thread_choice threads_choose(const cli_options *options) {
+    thread_choice choice = choose(options);
+    char count[16];
+    snprintf(count, sizeof count, "%d", choice.count);
+    setenv("LP_NUM_THREADS", count, 0); /* failing leaves Mesa its own choice */
+    return choice;
+}
+
+void threads_wait_passively(char **argv) {
+    /* Once set it is found here again, so that this happens only once. */
+    if (getenv("OMP_WAIT_POLICY") != NULL || getenv("GOMP_SPINCOUNT") != NULL)
+        return;
+    if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
+        execv("/proc/self/exe", argv);
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/** @file threads.h
+ *  How many threads, and that those which wait let others run. */
+#ifndef SPH2D_CLI_THREADS_H
+#define SPH2D_CLI_THREADS_H
+
+#include "options.h"
+
+/** A number of threads, and where it comes from, in words. */
+typedef struct thread_choice {
+    int count;
+    const char *source;
+} thread_choice;
+
+/** -j, else OMP_NUM_THREADS, else the processors that this process may use. Also tells the software renderer, unless
+ * the environment does (LP_NUM_THREADS). */
+thread_choice threads_choose(const cli_options *options);
+
+/** OpenMP's idle threads spin by default: beside another job that costs both a lot. The policy is read when the OpenMP
+ *  library is loaded, so this sets it in the environment and starts the program again. Returns when there is nothing to
+ *  do, or when it cannot be done. */
+void threads_wait_passively(char **argv);
+
+#endif

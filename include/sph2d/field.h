@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/** @file field.h
+ *  The field table: what each particle carries, with name, type, unit and meaning. Snapshots, `info`, colouring and the
+ *  documentation all read it, so a new field is one new row. */
+#ifndef SPH2D_FIELD_H
+#define SPH2D_FIELD_H
+
+#include "sph2d/array.h"
+#include "sph2d/sim.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The number of fields in a group (SPH2D_GROUP_FLUID or SPH2D_GROUP_WALL); the same for every simulation. */
+SPH2D_API size_t sph2d_field_count(sph2d_group group);
+
+/** Field `index` of a group with the data of `sim`, valid until its next change; with `sim` NULL the description alone,
+ *  count 0 and data NULL. `index` must be below sph2d_field_count(group), else an array without name is returned. */
+SPH2D_API sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

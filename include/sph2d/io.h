@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/** @file io.h
+ *  Files: scene files (YAML, so JSON too), snapshots (HDF5), time series (CSV). Library libsph2d-io.
+ *
+ *  Nothing under its final name is ever partial: a file is written beside, synced and renamed. HDF5 is not safe for
+ *  several threads, so one thread at a time may be in this library. */
+#ifndef SPH2D_IO_H
+#define SPH2D_IO_H
+
+#include "sph2d/sph2d.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- scene files ------------------------------------------------------------------------------------------------- */
+
+/** A scene that was read, with all that it points at. */
+typedef struct sph2d_scene_file sph2d_scene_file;
+
+/** A change of one key on top of a file: path `blocks[0].velocity`, value as YAML, `[1, 0]`. Borrowed strings. */
+typedef struct sph2d_override {
+    const char *path, *value;
+} sph2d_override;
+
+/** Reads and checks a scene file. Every fault is reported at once with file, line, column and source line. At most
+ *  64 MiB are read. Errors: SPH2D_NOINPUT, SPH2D_SCENE, SPH2D_NOMEM. The caller owns *file (NULL after a failure). */
+SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
+                                             sph2d_scene_file **file, sph2d_report *report);
+
+/** The same from memory. `name` stands for the file in messages. */
+SPH2D_API sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name,
+                                              const sph2d_override *overrides, size_t override_count,
+                                              sph2d_scene_file **file, sph2d_report *report);
+
+/** Frees a scene file and the scene in it; NULL is fine. */
+SPH2D_API void sph2d_scene_file_destroy(sph2d_scene_file *file);
+
+/** The scene, valid as long as the file. */
+SPH2D_API const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file);
+/** The text as it was read, NUL-terminated, and the overrides on top of it; valid as long as the file. */
+SPH2D_API const char *sph2d_scene_file_text(const sph2d_scene_file *file);
+SPH2D_API const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_file *file, size_t *count);
+
+/** Completes a diagnostic about a key path (from sph2d_sim_create, say) with file, line, column and source line. */
+SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic);
+
+/* ---- snapshots --------------------------------------------------------------------------------------------------- */
+
+/** Writes a simulation's fields and state. `file` is the scene it came from, kept verbatim in the snapshot so that it
+ *  can be resumed alone; NULL for a scene built from structs. Same simulation, same bytes. `compress` is a deflate level,
+ *  0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
+                                            const char *path, sph2d_report *report);
+
+/** A snapshot that was read into memory. */
+typedef struct sph2d_snapshot sph2d_snapshot;
+
+/** What a snapshot says about itself. */
+typedef struct sph2d_snapshot_info {
+    const char *scene_name;
+    const char *code_version;  /**< of the program that wrote it */
+    const char *method;
+    const char *isa;
+    const char *scene_text;    /**< NULL when it was built from structs */
+    double time;               /**< [s] */
+    double time_step;          /**< [s] */
+    uint64_t steps;
+    sph2d_box domain;          /**< [m] */
+    double spacing;            /**< [m] */
+    double support_radius;     /**< [m] */
+    sph2d_frames frames;       /**< how the run draws itself; `color` is valid as long as the snapshot */
+} sph2d_snapshot_info;
+
+/** Reads a snapshot. Errors: SPH2D_NOINPUT, SPH2D_FORMAT (not HDF5, incomplete, a field missing or misshapen, another
+ *  version), SPH2D_NOMEM. The caller owns *snapshot (NULL after a failure). */
+SPH2D_API sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report);
+
+/** Frees a snapshot; NULL is fine. */
+SPH2D_API void sph2d_snapshot_destroy(sph2d_snapshot *snapshot);
+
+SPH2D_API sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot);
+/** Everything in it, for sph2d_sim_restore; lent, valid as long as the snapshot. */
+SPH2D_API sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot);
+/** One array by group and name, lent; NULL when there is none. */
+SPH2D_API const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name);
+/** The scene it was written with, read again with its overrides and `more` on top. Errors: as sph2d_scene_file_parse,
+ *  and SPH2D_FORMAT when it holds no scene text. */
+SPH2D_API sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_override *more,
+                                            size_t more_count, sph2d_scene_file **file, sph2d_report *report);
+
+/* ---- time series ------------------------------------------------------------------------------------------------- */
+
+/** A CSV file that grows row by row: a header line, then `time` and values with 17 significant digits. */
+typedef struct sph2d_series sph2d_series;
+
+/** Opens a series for writing. `columns` is the header after "time [s],". With `keep_rows` above 0 the file must exist
+ *  with that header; it is cut to so many rows, and goes on. Errors: SPH2D_CANTCREAT, SPH2D_FORMAT, SPH2D_IO. */
+SPH2D_API sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t keep_rows,
+                                         sph2d_series **series, sph2d_report *report);
+/** Adds a row and flushes it. Errors: SPH2D_IO. */
+SPH2D_API sph2d_status sph2d_series_append(sph2d_series *series, double time, const double *values, size_t count,
+                                           sph2d_report *report);
+/** Closes; NULL is fine. Errors: SPH2D_IO. */
+SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *report);
+
+/** The version of the HDF5 library in use, "1.10.8". Static storage. */
+SPH2D_API const char *sph2d_io_hdf5_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

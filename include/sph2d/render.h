@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+/** @file render.h
+ *  Pictures without a window: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library
+ *  libsph2d-render.
+ *
+ *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program that
+ *  draws with OpenGL itself makes its own current again afterwards.
+ *
+ *  The same picture gives the same pixels from one version of OpenGL's driver. Mesa's software drivers behind "osmesa"
+ * and "egl" give the same, for any number of threads; "egl" uses a graphics card where it finds one. */
+#ifndef SPH2D_RENDER_H
+#define SPH2D_RENDER_H
+
+#include "sph2d/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct sph2d_renderer sph2d_renderer;
+
+/** How to draw. Make one with sph2d_render_options_default(). */
+typedef struct sph2d_render_options {
+    size_t struct_size;
+    unsigned width, height; /**< pixels, 16 to 16384; default 1280 x 720 */
+    sph2d_style style;      /**< default metaballs */
+    const char *gl;         /**< "osmesa" or "egl"; default NULL: the first that this build has and that works */
+    const char *shader_dir; /**< reads the GLSL from this folder instead of the built-in text; default NULL */
+} sph2d_render_options;
+
+SPH2D_API sph2d_render_options sph2d_render_options_default(void);
+
+/** What to draw: borrowed arrays. Particles whose position is not finite are left out; particles beside the view are
+ * drawn where the image has room for them. With `values` the right side of an image that is wide enough belongs to a
+ * colour bar. Start it with `{0}`. */
+typedef struct sph2d_picture {
+    sph2d_box view; /**< the part of the plane to show [m]; fitted into the image with its aspect kept */
+    double radius;  /**< of a metaball (R, where its field would rise again; it ends at R/sqrt 2) or of a point [m] */
+    size_t count;   /**< fluid particles */
+    const double *x, *y;           /**< [m] */
+    const double *values;          /**< points: one number a particle to colour by, NaN is grey; NULL: one colour */
+    double value_min, value_max;   /**< ends of the colour bar; both 0: the smallest and largest value */
+    const char *value_label;       /**< text at the colour bar, "speed [m/s]"; NULL for none */
+    size_t wall_count;             /**< boundary particles */
+    const double *wall_x, *wall_y; /**< [m] */
+    double wall_radius;            /**< of a boundary particle's dot [m] */
+} sph2d_picture;
+
+/** Makes a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a sentence that names the missing library or the
+ * shader's line), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL after
+ * a failure). */
+SPH2D_API sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer,
+                                             sph2d_report *report);
+
+/** Frees a renderer; NULL is fine. */
+SPH2D_API void sph2d_renderer_destroy(sph2d_renderer *renderer);
+
+/** Draws a picture. Errors: SPH2D_INVALID, SPH2D_RENDER, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture,
+                                           sph2d_report *report);
+
+/** The last picture: width * height pixels of 4 bytes (red, green, blue, 255), top row first; valid until the next call
+ *  with this renderer. NULL before the first draw. */
+SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer);
+
+/** Writes the last picture as an RGB PNG, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
+ *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
+
+/** The context in use, "osmesa" or "egl", and what OpenGL says of itself; valid as long as the renderer. */
+SPH2D_API const char *sph2d_renderer_gl(const sph2d_renderer *renderer);
+SPH2D_API const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer);
+
+/** The contexts that this build has, "osmesa egl"; empty for none. Static storage. */
+SPH2D_API const char *sph2d_render_backends(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

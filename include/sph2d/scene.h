@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/** @file scene.h
+ *  What a scene is: plain structs. SI units throughout; in two dimensions masses and forces are per metre of depth.
+ *
+ *  Start from sph2d_scene_default(), set what you need, hand it to sph2d_sim_create(), which copies everything: lists
+ *  and strings are borrowed from the caller and may live on the stack. A scene file has the same keys in the same
+ *  places (sph2d/key.h is the table of both), so a C program and a file get the same checks and the same sentences.
+ *
+ *  In fields documented with "0: derived" or "0: none" zero means that the value is not given. */
+#ifndef SPH2D_SCENE_H
+#define SPH2D_SCENE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "sph2d/export.h"
+#include "sph2d/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A point, velocity or acceleration. */
+typedef struct sph2d_vec2 {
+    double x, y;
+} sph2d_vec2;
+
+/** An axis-aligned rectangle, min < max in both directions [m]. */
+typedef struct sph2d_box {
+    sph2d_vec2 min, max;
+} sph2d_box;
+
+/** A disc or circle [m], radius > 0. */
+typedef struct sph2d_disc {
+    sph2d_vec2 center;
+    double radius;
+} sph2d_disc;
+
+/** A list of points [m], borrowed. */
+typedef struct sph2d_points {
+    const sph2d_vec2 *items;
+    size_t count;
+} sph2d_points;
+
+/** How often an output is due. Give one of the two, or neither for no output. */
+typedef struct sph2d_rate {
+    double per_second; /**< outputs per simulated second [1/s], >= 0; default 0: none */
+    double every;      /**< simulated seconds between outputs [s], >= 0; default 0: none */
+} sph2d_rate;
+
+/** What closes a side of the domain. */
+typedef enum sph2d_side {
+    SPH2D_SIDE_WALL = 0, /**< closed, by the form of wall that the scene names */
+    SPH2D_SIDE_OPEN = 1  /**< liquid may leave; it is followed for one more domain width or height, then removed and
+                              counted */
+} sph2d_side;
+
+/** How walls push. */
+typedef enum sph2d_wall_form {
+    SPH2D_WALL_SPRING = 0, /**< a spring along the normal within half a spacing of the side: sides of the domain only */
+    SPH2D_WALL_HEAVY = 1,  /**< fixed boundary particles, heavy enough to hold rest density alone, acting by pressure */
+    SPH2D_WALL_REFLECT = 2 /**< boundary particles that reflect what comes within one spacing; for large steps */
+} sph2d_wall_form;
+
+/** Which solver moves the liquid. */
+typedef enum sph2d_method {
+    SPH2D_METHOD_MULLER = 0 /**< summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with
+                                 two-dimensional kernel constants */
+} sph2d_method;
+
+/** The area of a block or drain. */
+typedef enum sph2d_shape_kind {
+    SPH2D_SHAPE_NONE = 0,
+    SPH2D_SHAPE_BOX,
+    SPH2D_SHAPE_DISC,
+    SPH2D_SHAPE_POLYGON /**< closed by itself, 3 points or more, without self-crossing */
+} sph2d_shape_kind;
+
+typedef struct sph2d_shape {
+    sph2d_shape_kind kind;
+    sph2d_box box;
+    sph2d_disc disc;
+    sph2d_points polygon;
+} sph2d_shape;
+
+/** The line of an obstacle. */
+typedef enum sph2d_outline_kind {
+    SPH2D_OUTLINE_NONE = 0,
+    SPH2D_OUTLINE_LINE,     /**< two points */
+    SPH2D_OUTLINE_POLYLINE, /**< two points or more, open */
+    SPH2D_OUTLINE_CIRCLE,
+    SPH2D_OUTLINE_BOX
+} sph2d_outline_kind;
+
+typedef struct sph2d_outline {
+    sph2d_outline_kind kind;
+    sph2d_points line;
+    sph2d_points polyline;
+    sph2d_disc circle;
+    sph2d_box box;
+} sph2d_outline;
+
+/** What closes the four sides of the domain. */
+typedef struct sph2d_boundary {
+    sph2d_side left, right, bottom, top; /**< default: wall, wall, wall, open */
+} sph2d_boundary;
+
+/** The liquid. */
+typedef struct sph2d_fluid {
+    double density;           /**< rest density [kg/m^3], > 0; default 1000 */
+    double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
+} sph2d_fluid;
+
+/** The solver and its numbers. */
+typedef struct sph2d_method_options {
+    sph2d_method name;      /**< default muller */
+    double max_compression; /**< wanted rho/rho0 - 1 under the liquid's own head, 0 < x < 1; default 0.1. Gives the sound
+                                 speed: c0^2 = (g h + U^2/2 + pull) / max_compression with h the height of the liquid
+                                 above the lowest side, U its fastest start or source, and pull the strongest
+                                 interaction's acceleration * radius / 2 */
+    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
+    double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 2.0 */
+    double cfl;             /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0.3 */
+    double time_step;       /**< fixed step [s]; default 0: adaptive */
+} sph2d_method_options;
+
+/** A piece of liquid at the start: particles on a square lattice. Places inside or too close to an obstacle stay free. */
+typedef struct sph2d_block {
+    sph2d_shape shape;   /**< box, disc or polygon */
+    sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
+    double spacing;      /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
+                              the scene's spacing, so a smaller one starts compressed */
+} sph2d_block;
+
+/** A nozzle: feeds in rows of particles. A place that is taken stays empty, and is counted. */
+typedef struct sph2d_source {
+    sph2d_vec2 at;        /**< centre of the nozzle [m] */
+    sph2d_vec2 direction; /**< of the jet, any length but zero; default (0, -1) */
+    double width;         /**< of the nozzle [m], >= 0; at least one particle */
+    double speed;         /**< of the jet [m/s], > 0 */
+    double spread;        /**< random change of each velocity component, as a fraction of speed, 0 to 1; default 0 */
+    double rate;          /**< area of liquid per second [m^2/s], at most width * speed; default 0: width * speed */
+    double start, stop;   /**< [s]; default 0 and 0: from the start, for ever */
+    uint64_t seed;        /**< of the random spread; default 1 */
+} sph2d_source;
+
+/** An area where liquid vanishes, and is counted. */
+typedef struct sph2d_drain {
+    sph2d_shape shape;
+    double start, stop; /**< [s]; default 0 and 0: from the start, for ever */
+} sph2d_drain;
+
+/** A fixed line of boundary particles, one thick. Nothing passes it, at any speed. */
+typedef struct sph2d_obstacle {
+    sph2d_outline outline;
+    sph2d_wall_form form; /**< heavy or reflect; default heavy */
+    double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
+} sph2d_obstacle;
+
+/** A point of a path: where something is at a time. */
+typedef struct sph2d_path_point {
+    double t, x, y; /**< [s], [m], [m] */
+} sph2d_path_point;
+
+/** Straight lines between points in time; before the first and after the last there is nothing. A single point lasts
+ *  for ever. */
+typedef struct sph2d_path {
+    const sph2d_path_point *items;
+    size_t count;
+} sph2d_path;
+
+/** A pull or push towards a moving point: acceleration * (1 - r/radius) inside `radius`. */
+typedef struct sph2d_interaction {
+    sph2d_path path;
+    double radius;       /**< [m], > 0 */
+    double acceleration; /**< at the point [m/s^2]; positive pulls, negative pushes */
+} sph2d_interaction;
+
+/** What a probe writes. */
+typedef enum sph2d_probe_kind {
+    SPH2D_PROBE_ENERGY = 0, /**< kinetic and potential energy [J/m], momentum [kg/s], particles, largest speed [m/s] */
+    SPH2D_PROBE_SPEED = 1   /**< velocity at a point [m/s], kernel-averaged, with the number of neighbours */
+} sph2d_probe_kind;
+
+/** A time series, written while the run goes on. */
+typedef struct sph2d_probe {
+    const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
+    sph2d_probe_kind kind;
+    sph2d_vec2 at;    /**< [m]; for the kinds at a point */
+    sph2d_rate rate;  /**< must be given */
+} sph2d_probe;
+
+/** How a frame looks. */
+typedef enum sph2d_style { SPH2D_STYLE_METABALLS = 0, SPH2D_STYLE_POINTS = 1 } sph2d_style;
+
+/** Pictures of a run. */
+typedef struct sph2d_frames {
+    sph2d_rate rate;   /**< default: none */
+    uint64_t size[2];  /**< width and height in pixels, 16 to 16384 each; default 1280 x 720 */
+    sph2d_style style; /**< default metaballs */
+    double radius;     /**< of a metaball or point [m]; default 0: 2 spacings (metaballs), half a spacing (points) */
+    const char *color; /**< points: "speed" or a field's name, "Pressures", "Densities"; default NULL: one colour */
+    sph2d_vec2 color_range; /**< values at the two ends of the colour bar; default (0, 0): those of each frame */
+} sph2d_frames;
+
+/** Snapshots of a run. */
+typedef struct sph2d_snapshots {
+    sph2d_rate rate;   /**< default: none */
+    uint64_t compress; /**< deflate level 1 to 9; default 0: no filter */
+} sph2d_snapshots;
+
+/** How long, and what is written. */
+typedef struct sph2d_run {
+    double until; /**< simulated end [s], >= 0; default 1 */
+    sph2d_snapshots snapshots;
+    sph2d_frames frames;
+    struct {
+        const double *items;
+        size_t count;
+    } impacts; /**< times [s] of impacts that the author knows: the mean compression leaves out 0.05 s after each */
+} sph2d_run;
+
+/** A scene. Make one with sph2d_scene_default(). */
+typedef struct sph2d_scene {
+    size_t struct_size; /**< set by sph2d_scene_default(); tells versions and uninitialised structs apart */
+    const char *name;   /**< for people; default "scene" */
+    sph2d_box domain;   /**< must be given */
+    sph2d_boundary boundary;
+    sph2d_wall_form walls; /**< form of the domain's wall sides; default spring */
+    double wall_damping;   /**< spring walls: damping over critical damping, 0 to 1; default 0.1 */
+    sph2d_vec2 gravity;    /**< [m/s^2]; default (0, -9.81) */
+    double spacing;        /**< between particles, dx [m], > 0; must be given. Particle mass is density dx^2 */
+    sph2d_fluid fluid;
+    sph2d_method_options method;
+    const sph2d_block *blocks;
+    size_t block_count;
+    const sph2d_source *sources;
+    size_t source_count;
+    const sph2d_drain *drains;
+    size_t drain_count;
+    const sph2d_obstacle *obstacles;
+    size_t obstacle_count;
+    const sph2d_interaction *interactions;
+    size_t interaction_count;
+    const sph2d_probe *probes;
+    size_t probe_count;
+    sph2d_run run;
+} sph2d_scene;
+
+/** A scene with every default of this page, and nothing in it. */
+SPH2D_API sph2d_scene sph2d_scene_default(void);
+SPH2D_API sph2d_block sph2d_block_default(void);
+SPH2D_API sph2d_source sph2d_source_default(void);
+SPH2D_API sph2d_drain sph2d_drain_default(void);
+SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
+SPH2D_API sph2d_interaction sph2d_interaction_default(void);
+SPH2D_API sph2d_probe sph2d_probe_default(void);
+
+/** Finds every fault that the structs alone show: ranges, conflicts, places outside the domain. Overlaps of blocks are
+ *  found when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */
+SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report);
+
+/** Seconds between outputs [s]; 0 for none. */
+SPH2D_API double sph2d_rate_interval(sph2d_rate rate);
+/** When output number `n` (0, 1, ...) is due [s]: n times the interval without accumulated rounding. */
+SPH2D_API double sph2d_rate_due(sph2d_rate rate, uint64_t n);
+
+/** What a scene will be, before it runs. */
+typedef struct sph2d_plan {
+    size_t fluid_particles;        /**< at the start */
+    size_t wall_particles;
+    size_t places_left_free;       /**< lattice places inside or too close to an obstacle */
+    double particle_mass;          /**< [kg/m] */
+    double support_radius;         /**< H [m]: kernels are zero beyond it */
+    double sound_speed;            /**< c0 [m/s] */
+    char sound_speed_formula[160]; /**< how c0 came about, with its numbers */
+    double head;                   /**< g h + U^2/2 + pull [m^2/s^2], from which c0 is derived */
+    double impact_compression;     /**< U/c0 with U = sqrt(2 head): what a full impact may reach for a moment */
+    double time_step;              /**< first step [s] */
+    const char *time_step_limit;   /**< "acoustic", "viscous", "force" or "fixed" */
+    double steps;                  /**< to run.until at that step */
+    double memory;                 /**< bytes, at the start */
+    double snapshots, frames;      /**< numbers of outputs to run.until */
+    double disk;                   /**< bytes of snapshots, uncompressed */
+} sph2d_plan;
+
+/** Checks a scene and places its particles to tell what it will be. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

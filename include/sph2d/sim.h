@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/** @file sim.h
+ *  A simulation: make it from a scene, step it, look at its particles, ask for its errors and its speed.
+ *
+ *      sph2d_sim *sim = NULL;
+ *      if (sph2d_sim_create(&scene, NULL, &sim, &report) != SPH2D_OK) ...;
+ *      while (sph2d_sim_time(sim) < 1.0)
+ *          if (sph2d_sim_step(sim, &report) != SPH2D_OK) ...;
+ *      sph2d_view fluid = sph2d_sim_fluid(sim);
+ *      sph2d_sim_destroy(sim);
+ *
+ *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. */
+#ifndef SPH2D_SIM_H
+#define SPH2D_SIM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "sph2d/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct sph2d_sim sph2d_sim;
+
+/** The instruction set of the pair loops. Results are the same bits for any number of threads, not across sets. */
+typedef enum sph2d_isa {
+    SPH2D_ISA_AUTO = 0, /**< the widest that the processor and this build have */
+    SPH2D_ISA_BASELINE = 1,
+    SPH2D_ISA_AVX2 = 2,
+    SPH2D_ISA_AVX512 = 3
+} sph2d_isa;
+
+/** Where memory comes from. `resize` works like realloc, with size 0 for free; it gets the old size too. Blocks must be
+ *  aligned to 64 bytes. */
+typedef struct sph2d_allocator {
+    void *(*resize)(void *user, void *block, size_t old_size, size_t new_size);
+    void *user;
+} sph2d_allocator;
+
+/** What does not change the result. Make one with sph2d_sim_options_default(). */
+typedef struct sph2d_sim_options {
+    size_t struct_size;
+    int threads; /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
+    sph2d_isa isa;             /**< default auto */
+    sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
+} sph2d_sim_options;
+
+SPH2D_API sph2d_sim_options sph2d_sim_options_default(void);
+
+/** Name of an instruction set, "avx2"; static storage. */
+SPH2D_API const char *sph2d_isa_name(sph2d_isa isa);
+/** Whether this processor and this build have it. */
+SPH2D_API bool sph2d_isa_available(sph2d_isa isa);
+
+/** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be NULL.
+ *  The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
+                                        sph2d_report *report);
+
+/** Frees a simulation; NULL is fine. */
+SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
+
+/** Advances by one time step. Errors: SPH2D_GUARD when a guard stops the run (the state stays as it is, for a
+ *  snapshot, and every later call fails too), SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
+
+SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);       /**< simulated time [s] */
+SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);    /**< steps taken */
+SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim);  /**< the step that comes next [s] */
+SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);     /**< in use, never auto */
+SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);       /**< in use */
+SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);     /**< bytes allocated */
+/** The simulation's own copy of its scene, valid as long as the simulation. */
+SPH2D_API const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);
+/** The plan of the scene as it stood when the simulation was made. */
+SPH2D_API const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
+
+/** Borrowed arrays of one value a particle, valid until the next call that changes the simulation. Sorting changes the
+ *  order; `id` names a particle for ever. */
+typedef struct sph2d_view {
+    size_t count;
+    const double *x, *y;   /**< position [m] */
+    const double *vx, *vy; /**< velocity [m/s] */
+    const double *ax, *ay; /**< acceleration [m/s^2]; NULL for walls */
+    const double *density; /**< [kg/m^3] */
+    const double *pressure; /**< [Pa] */
+    const uint64_t *id;
+} sph2d_view;
+
+SPH2D_API sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
+SPH2D_API sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
+
+/* ---- steering while it runs -------------------------------------------------------------------------------------- */
+
+/** Sets gravity [m/s^2] from the next step on. Errors: SPH2D_INVALID when not finite. */
+SPH2D_API sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
+
+/** Pulls (acceleration > 0) or pushes (< 0) at a point, like an interaction of the scene; acceleration 0 ends it.
+ *  Part of the state. Errors: SPH2D_INVALID when a value is not finite or radius is not above 0. */
+SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
+
+/* ---- what is due ------------------------------------------------------------------------------------------------- */
+
+/** The outputs that a scene can ask for. Probe p is SPH2D_OUTPUT_PROBE + p. */
+enum { SPH2D_OUTPUT_SNAPSHOT = 0, SPH2D_OUTPUT_FRAME = 1, SPH2D_OUTPUT_PROBE = 2 };
+
+/** Whether an output is due now: the clock has reached its due time and it was not yet taken. */
+SPH2D_API bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
+/** How many of an output were taken: the number of the next file. Part of the state. */
+SPH2D_API uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output);
+/** Takes note that an output was written at this moment. Call it before writing a snapshot, so that the snapshot's own
+ *  state knows of itself. */
+SPH2D_API void sph2d_sim_output_done(sph2d_sim *sim, size_t output);
+
+/** Columns of a probe's rows after `time`, separated by commas, with units: "kinetic [J/m],...". Static storage. */
+SPH2D_API const char *sph2d_probe_columns(sph2d_probe_kind kind);
+#define SPH2D_PROBE_MAX_COLUMNS 8
+/** Evaluates probe `index` of the scene now. Writes the values of its columns and returns how many; 0 for a bad index.
+ *  Values without meaning (no particle near) are NaN. */
+SPH2D_API size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_PROBE_MAX_COLUMNS]);
+
+/* ---- errors and speed -------------------------------------------------------------------------------------------- */
+
+/** What happened so far. "compression" is rho/rho0 - 1 where positive. */
+typedef struct sph2d_summary {
+    double time;               /**< simulated [s] */
+    uint64_t steps;            /**< taken, over all sessions of a resumed run */
+    uint64_t particle_steps;   /**< particles advanced, summed over the steps */
+    uint64_t particles;        /**< fluid, now */
+    double compression_p99;    /**< 99th percentile over particles, time average outside impacts */
+    double compression_mean;   /**< mean over particles, time average outside impacts */
+    double compression_max;    /**< over all particles and steps */
+    double kinetic, potential; /**< energy now [J/m]; potential is 0 at the domain's corner min */
+    double energy_start;       /**< kinetic + potential at the start [J/m] */
+    double energy_fed;         /**< that sources brought less what drains and open sides took [J/m] */
+    double momentum[2];        /**< now [kg/s] */
+    double speed_max;          /**< now [m/s] */
+    uint64_t fed, blocked;     /**< particles that sources fed, and places that were taken */
+    uint64_t drained;          /**< lost to drains */
+    uint64_t left_open[4];     /**< lost through open sides: left, right, bottom, top */
+    uint64_t backstop_hits;    /**< times the swept test against walls had to hold a particle */
+    uint64_t reflections;      /**< immediate reflections at boundary particles */
+    uint64_t limited_by[4];    /**< steps whose length was set by: acoustic, force, viscous limit, the scene */
+    double time_step_min, time_step_max; /**< [s] */
+    double neighbours;         /**< mean number inside the support at the last sample, without the particle itself */
+} sph2d_summary;
+
+SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/** @file sph2d.h
+ *  The solver: everything in libsph2d. Files are sph2d/io.h (libsph2d-io), pictures sph2d/render.h (libsph2d-render). */
+#ifndef SPH2D_SPH2D_H
+#define SPH2D_SPH2D_H
+
+#include "sph2d/array.h"
+#include "sph2d/field.h"
+#include "sph2d/key.h"
+#include "sph2d/scene.h"
+#include "sph2d/sim.h"
+#include "sph2d/state.h"
+#include "sph2d/status.h"
+#include "sph2d/version.h"
+
+#endif

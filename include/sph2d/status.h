@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/** @file status.h
+ *  Everything that can fail, and the report that says what, where and what to do.
+ *
+ *  A function that can fail returns an sph2d_status and takes an sph2d_report, which may be NULL. The report belongs to
+ *  the caller, needs no destruction, never allocates, and collects every diagnostic of the call:
+ *
+ *      sph2d_report report = {0};
+ *      if (sph2d_sim_create(&scene, NULL, &sim, &report) != SPH2D_OK)
+ *          for (size_t i = 0; i < report.count; ++i) fprintf(stderr, "%s\n", report.items[i].message);
+ */
+#ifndef SPH2D_STATUS_H
+#define SPH2D_STATUS_H
+
+#include <stddef.h>
+
+#include "sph2d/export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Name, value, sentence. The values are part of the ABI. */
+#define SPH2D_STATUS_MAP(X)                                                                                            \
+    X(OK, 0, "success")                                                                                                \
+    X(INVALID, 1, "invalid argument")                                                                                  \
+    X(NOMEM, 2, "out of memory")                                                                                       \
+    X(SCENE, 3, "scene rejected")                                                                                      \
+    X(GUARD, 4, "simulation stopped by a guard")                                                                       \
+    X(NOINPUT, 5, "input missing or unreadable")                                                                       \
+    X(FORMAT, 6, "file content rejected")                                                                              \
+    X(CANTCREAT, 7, "output cannot be created")                                                                        \
+    X(IO, 8, "reading or writing failed")                                                                              \
+    X(RENDER, 9, "rendering unavailable")
+
+typedef enum sph2d_status {
+#define SPH2D__STATUS_ENUM(name, value, text) SPH2D_##name = (value),
+    SPH2D_STATUS_MAP(SPH2D__STATUS_ENUM)
+#undef SPH2D__STATUS_ENUM
+} sph2d_status;
+
+/** Stable codes of single diagnostics: name, printed code, what kind of fault it is. The man page lists them. */
+#define SPH2D_CODE_MAP(X)                                                                                              \
+    X(GENERAL, "G000", "anything without a code of its own")                                                           \
+    X(SYNTAX, "S100", "the scene is not well-formed YAML")                                                             \
+    X(UNKNOWN_KEY, "S101", "a key that no scene has")                                                                  \
+    X(DUPLICATE_KEY, "S102", "a key given twice")                                                                      \
+    X(WRONG_TYPE, "S103", "a value of the wrong type")                                                                 \
+    X(OUT_OF_RANGE, "S104", "a number outside its range, NaN or infinite")                                             \
+    X(MISSING_KEY, "S105", "a key that must be given")                                                                 \
+    X(CONFLICT, "S106", "keys or values that exclude each other")                                                      \
+    X(OUTSIDE, "S107", "something lies outside the domain")                                                            \
+    X(OVERLAP, "S108", "two things lie on each other")                                                                 \
+    X(NO_PARTICLES, "S109", "the scene has no particle and no source")                                                 \
+    X(TOO_MANY, "S110", "more particles or boundary particles than memory can hold")                                   \
+    X(UNSUPPORTED, "S111", "the method does not support a feature")                                                    \
+    X(GAP, "S112", "a wall with a gap")                                                                                \
+    X(FILE_OPEN, "F201", "a file cannot be opened")                                                                    \
+    X(FILE_KIND, "F202", "a file of another kind")                                                                     \
+    X(FILE_INCOMPLETE, "F203", "a file that was not written to its end")                                               \
+    X(FILE_FIELD, "F204", "a field is missing or has the wrong shape or type")                                         \
+    X(FILE_VERSION, "F205", "a file of an unknown version")                                                            \
+    X(FILE_WRITE, "F206", "a file cannot be written")                                                                  \
+    X(FILE_EXISTS, "F207", "the output exists already")                                                                \
+    X(NOT_FINITE, "R301", "guard: a value is not finite")                                                              \
+    X(ESCAPED, "R302", "guard: a particle escaped through a wall")                                                     \
+    X(STEP_COLLAPSE, "R303", "guard: the time step collapsed")                                                         \
+    X(STEP_TOO_LARGE, "R304", "guard: a particle moves farther than its support radius in one fixed step")             \
+    X(GL_MISSING, "P401", "no OpenGL context of the wanted kind")                                                      \
+    X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
+    X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")
+
+typedef enum sph2d_code {
+#define SPH2D__CODE_ENUM(name, code, text) SPH2D_CODE_##name,
+    SPH2D_CODE_MAP(SPH2D__CODE_ENUM)
+#undef SPH2D__CODE_ENUM
+    SPH2D_CODE_COUNT
+} sph2d_code;
+
+typedef enum sph2d_severity { SPH2D_ERROR = 0, SPH2D_WARNING = 1 } sph2d_severity;
+
+/** One diagnostic. All strings are NUL-terminated and may be empty; they are cut at their capacity. */
+typedef struct sph2d_diagnostic {
+    sph2d_severity severity;
+    sph2d_code code;
+    char path[96];     /**< Key path in the scene, `blocks[0].box.max`. Empty when no key is to blame. */
+    char file[256];    /**< File, where one is involved. */
+    int line, column;  /**< 1-based place in `file`; 0 where unknown. */
+    char excerpt[160]; /**< The source line, for a caret under `column`. */
+    char message[320]; /**< What is wrong: one sentence without a full stop. */
+    char hint[240];    /**< What to do about it. */
+} sph2d_diagnostic;
+
+#define SPH2D_REPORT_CAPACITY 20
+
+/** A caller-owned list of diagnostics. Start it with `{0}`. */
+typedef struct sph2d_report {
+    size_t count;   /**< Diagnostics kept in `items`, at most SPH2D_REPORT_CAPACITY. */
+    size_t dropped; /**< Diagnostics that found no room. */
+    size_t errors;  /**< Errors among all, kept or dropped; the rest are warnings. */
+    sph2d_diagnostic items[SPH2D_REPORT_CAPACITY];
+} sph2d_report;
+
+/** The enumerator's name without prefix, "SCENE"; "UNKNOWN" for a value that is none. Static storage. */
+SPH2D_API const char *sph2d_status_name(sph2d_status status);
+/** One sentence for a status. Static storage. */
+SPH2D_API const char *sph2d_status_text(sph2d_status status);
+/** The printed code of a diagnostic, "S104"; "G000" for a value that is none. Static storage. */
+SPH2D_API const char *sph2d_code_text(sph2d_code code);
+
+/** Empties a report. NULL is fine. */
+SPH2D_API void sph2d_report_clear(sph2d_report *report);
+
+/** Adds a diagnostic and returns it for the caller to complete (file, line, hint ...); NULL when `report` is NULL or
+ *  full. `path` may be NULL. `format` is printf's. */
+SPH2D_API sph2d_diagnostic *sph2d_report_add(sph2d_report *report, sph2d_severity severity, sph2d_code code,
+                                             const char *path, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 5, 6)))
+#endif
+    ;
+
+/** Sets the hint of a diagnostic; NULL is fine, so that calls can be chained on sph2d_report_add. */
+SPH2D_API void sph2d_diagnostic_hint(sph2d_diagnostic *diagnostic, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/** Writes one diagnostic as text: `scene.yaml:12:9: error[S104]: message`, then the source line with a caret and the
+ *  hint, each on its own line, without a final newline. Works like snprintf: returns the length it needs. */
+SPH2D_API size_t sph2d_diagnostic_format(const sph2d_diagnostic *diagnostic, char *buffer, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/** @file version.h
+ *  The version of the library. While the major number is 0, a new minor number may change the ABI. */
+#ifndef SPH2D_VERSION_H
+#define SPH2D_VERSION_H
+
+#include "sph2d/export.h"
+
+#define SPH2D_VERSION_MAJOR 0
+#define SPH2D_VERSION_MINOR 1
+#define SPH2D_VERSION_PATCH 0
+#define SPH2D_VERSION "0.1.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The version of the library that runs, "major.minor.patch". Compare with SPH2D_VERSION, the one compiled against. */
+SPH2D_API const char *sph2d_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,13 @@
+#version 330 core
+// The field of one metaball, r^4 - r^2 + 1/4 with r in units of R. It falls to zero at r^2 = 1/2 and would rise again
+// beyond; blending sums it up over the particles.
+in vec2 place;
+
+layout(location = 0) out float field;
+
+void main()
+{
+    float s = dot(place, place);
+    float fall = min(s - 0.5, 0.0);
+    field = fall * fall;
+}

@@ -1,0 +1,14 @@
+#version 330 core
+// A round dot whose edge fades over one pixel.
+in vec2 place;
+flat in vec4 tint;
+
+uniform float radius; // [px]
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    float cover = clamp(radius + 0.5 - length(place), 0.0, 1.0);
+    color = vec4(tint.rgb, tint.a * cover);
+}

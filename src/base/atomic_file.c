@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT */
+/** @file atomic_file.c
+ *  Files that appear whole or not at all. The order is write, sync, rename, sync the folder: without the first sync a
+ *  crash may leave the new name on an empty file, without the second it may bring the old file back. */
+#include "base/atomic_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <locale.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+void sph2d__report_errno(sph2d_report *report, sph2d_code code, const char *what, const char *path, int error)
+{
+    /* strerror_l is the one form that is safe in threads and has a single signature */
+    locale_t locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (locale == (locale_t)0) {
+        sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': error %d", what, path, error);
+        return;
+    }
+    sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': %s", what, path, strerror_l(error, locale));
+    freelocale(locale);
+}
+
+/** The length of the folder part of a path with its slash; 0 when there is none. */
+static size_t folder_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
+/** Whether a file can be put under the name: renaming onto a device would replace the device by a file. */
+static bool name_is_free(const char *path, sph2d_report *report)
+{
+    if (path[folder_length(path)] == '\0') {
+        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, path[0] ? EISDIR : ENOENT);
+        return false;
+    }
+    struct stat info;
+    if (stat(path, &info) != 0 || S_ISREG(info.st_mode))
+        return true;
+    if (S_ISDIR(info.st_mode))
+        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, EISDIR);
+    else
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_WRITE, NULL,
+                         "cannot write '%s': it is a device or pipe, not a regular file", path);
+    return false;
+}
+
+sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph2d_report *report)
+{
+    *file = (sph2d__atomic_file){NULL, NULL};
+    if (!name_is_free(path, report))
+        return SPH2D_CANTCREAT;
+    size_t folder = folder_length(path);
+    size_t room = strlen(path) + 32; /* ".", ".tmp." and a process id */
+    file->final_path = malloc(room);
+    file->temp_path = malloc(room);
+    if (!file->final_path || !file->temp_path) {
+        sph2d__atomic_abort(file);
+        return SPH2D_NOMEM;
+    }
+    snprintf(file->final_path, room, "%s", path);
+    snprintf(file->temp_path, room, "%.*s.%s.tmp.%ld", (int)folder, path, path + folder, (long)getpid());
+    return SPH2D_OK;
+}
+
+static bool sync_file(const char *path)
+{
+    int fd = open(path, O_WRONLY | O_CLOEXEC);
+    if (fd < 0)
+        return false;
+    bool fine = fsync(fd) == 0;
+    int error = errno;
+    if (close(fd) != 0 && fine) {
+        fine = false;
+        error = errno;
+    }
+    errno = error;
+    return fine;
+}
+
+/** Syncs the folder of a file. Folders that cannot be opened for reading, and file systems that cannot sync one
+ *  (EINVAL), are left to themselves. */
+static bool sync_folder(const char *path)
+{
+    size_t length = folder_length(path);
+    char *folder = malloc(length + 2);
+    if (!folder) {
+        errno = ENOMEM;
+        return false;
+    }
+    snprintf(folder, length + 2, "%.*s", length ? (int)length : 1, length ? path : ".");
+    int fd = open(folder, O_RDONLY | O_CLOEXEC);
+    free(folder);
+    if (fd < 0)
+        return true;
+    bool fine = fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP;
+    int error = errno;
+    close(fd);
+    errno = error;
+    return fine;
+}
+
+sph2d_status sph2d__atomic_commit(sph2d__atomic_file *file, sph2d_report *report)
+{
+    const char *failed = NULL; /* what was being done when it failed */
+    if (!sync_file(file->temp_path))
+        failed = "write";
+    else if (rename(file->temp_path, file->final_path) != 0)
+        failed = "rename to";
+    else if (!sync_folder(file->final_path))
+        failed = "sync the folder of";
+    if (failed)
+        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, failed, file->final_path, errno);
+    sph2d__atomic_abort(file); /* after the rename there is nothing left to remove */
+    return failed ? SPH2D_IO : SPH2D_OK;
+}
+
+void sph2d__atomic_abort(sph2d__atomic_file *file)
+{
+    int error = errno;
+    if (file->temp_path)
+        unlink(file->temp_path);
+    free(file->temp_path);
+    free(file->final_path);
+    *file = (sph2d__atomic_file){NULL, NULL};
+    errno = error;
+}

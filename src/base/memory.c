@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/** @file memory.c
+ *  Counted memory and arenas. */
+#include "base/memory.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64 };
+
+/** realloc with alignment: C has aligned_alloc but nothing that resizes. */
+static void *resize_aligned(void *user, void *block, size_t old_size, size_t new_size)
+{
+    (void)user;
+    void *fresh = NULL;
+    if (new_size > 0) {
+        if (new_size > SIZE_MAX - ALIGNMENT)
+            return NULL;
+        fresh = aligned_alloc(ALIGNMENT, (new_size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+        if (!fresh)
+            return NULL;
+        if (block)
+            memcpy(fresh, block, old_size < new_size ? old_size : new_size);
+    }
+    free(block);
+    return fresh;
+}
+
+sph2d__memory sph2d__memory_from(sph2d_allocator allocator)
+{
+    if (!allocator.resize)
+        allocator.resize = resize_aligned;
+    return (sph2d__memory){.allocator = allocator};
+}
+
+bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size)
+{
+    if (new_count > SIZE_MAX / size)
+        return false;
+    size_t old_size = old_count * size;
+    size_t new_size = new_count * size;
+    if (!*block && new_size == 0)
+        return true;
+    void *fresh = memory->allocator.resize(memory->allocator.user, *block, old_size, new_size);
+    if (!fresh && new_size > 0)
+        return false;
+    if (new_size > old_size)
+        memset((char *)fresh + old_size, 0, new_size - old_size);
+    *block = fresh;
+    memory->bytes += new_size - old_size;
+    return true;
+}
+
+void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size)
+{
+    void *block = NULL;
+    return sph2d__resize(memory, &block, 0, count, size) ? block : NULL;
+}
+
+void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t size)
+{
+    if (*block)
+        sph2d__resize(memory, block, count, 0, size);
+}
+
+struct sph2d__arena_chunk {
+    struct sph2d__arena_chunk *next;
+    size_t size; /**< of the whole chunk, this header included */
+};
+
+void *sph2d__arena_alloc(sph2d__arena *arena, sph2d__memory *memory, size_t count, size_t size)
+{
+    if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size)
+        return NULL;
+    size_t whole = ALIGNMENT + count * size;
+    struct sph2d__arena_chunk *chunk = sph2d__alloc(memory, whole, 1);
+    if (!chunk)
+        return NULL;
+    chunk->next = arena->first;
+    chunk->size = whole;
+    arena->first = chunk;
+    return (char *)chunk + ALIGNMENT;
+}
+
+void sph2d__arena_free(sph2d__arena *arena, sph2d__memory *memory)
+{
+    while (arena->first) {
+        struct sph2d__arena_chunk *chunk = arena->first;
+        arena->first = chunk->next;
+        void *block = chunk;
+        sph2d__release(memory, &block, chunk->size, 1);
+    }
+}

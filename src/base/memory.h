@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/** @file memory.h
+ *  Memory that is counted, aligned to 64 bytes, and taken from the host's allocator. */
+#ifndef SPH2D_BASE_MEMORY_H
+#define SPH2D_BASE_MEMORY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "sph2d/sim.h"
+
+typedef struct sph2d__memory {
+    sph2d_allocator allocator;
+    size_t bytes; /**< allocated now */
+} sph2d__memory;
+
+/** The C library's allocator where `allocator` is {NULL, NULL}. */
+sph2d__memory sph2d__memory_from(sph2d_allocator allocator);
+
+/** `count` zeroed items of `size` bytes; NULL when memory is short or the product overflows. count 0 gives NULL too. */
+void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size);
+
+/** Resizes *block from `old_count` to `new_count` items, zeroing what is new. On failure *block stays as it was. */
+bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size);
+
+/** Frees *block of `count` items and sets it to NULL. */
+void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t size);
+
+/** Many small blocks with one life. Start it with {0}. */
+typedef struct sph2d__arena {
+    struct sph2d__arena_chunk *first;
+} sph2d__arena;
+
+/** Zeroed memory that lives until sph2d__arena_free; NULL when memory is short. */
+void *sph2d__arena_alloc(sph2d__arena *arena, sph2d__memory *memory, size_t count, size_t size);
+void sph2d__arena_free(sph2d__arena *arena, sph2d__memory *memory);
+
+#endif

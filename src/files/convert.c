@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/** @file convert.c
+ *  Mappings into structs: which keys are there, which are not, and which should not be. */
+#include "files/convert.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "files/suggest.h"
+
+/** More keys than any struct has; a test holds the table to it. */
+enum { MOST_KEYS = 64 };
+
+/** A mapping that is being converted. */
+typedef struct mapping {
+    const sph2d_keys *keys;
+    const sph2d__node *node;
+    const char *path;
+    const sph2d__node *given[MOST_KEYS]; /**< by the key's index: the value that was taken */
+} mapping;
+
+static void join(char path[SPH2D__PATH_SIZE], const char *above, const char *name)
+{
+    snprintf(path, SPH2D__PATH_SIZE, "%s%s%s", above, above[0] ? "." : "", name);
+}
+
+static size_t key_count(const sph2d_keys *keys)
+{
+    return keys->count < MOST_KEYS ? keys->count : MOST_KEYS;
+}
+
+/** The index of a key; the count when there is none of that name. */
+static size_t key_index(const sph2d_keys *keys, const char *name)
+{
+    size_t i = 0;
+    while (i < key_count(keys) && strcmp(keys->items[i].name, name) != 0)
+        ++i;
+    return i;
+}
+
+/** " on line 3", or nothing when the place has no line. */
+static const char *on_line(const sph2d__node *node, char out[32])
+{
+    int line = sph2d__place_line(node->key_place);
+    out[0] = '\0';
+    if (line > 0)
+        snprintf(out, 32, " on line %d", line);
+    return out;
+}
+
+static void report_unknown(sph2d__converter *c, const mapping *m, const sph2d__node *child, const char *path)
+{
+    sph2d_diagnostic *d =
+        sph2d__fault(c->faults, SPH2D_CODE_UNKNOWN_KEY, child->key_place, path, "unknown key '%.60s'", child->key);
+    sph2d__suggest_key(d, child->key, m->keys);
+}
+
+static void report_twice(sph2d__converter *c, const sph2d__node *child, const sph2d__node *first, const char *path)
+{
+    char where[32];
+    sph2d_diagnostic *d =
+        sph2d__fault(c->faults, SPH2D_CODE_DUPLICATE_KEY, child->key_place, path, "'%s' is given twice", child->key);
+    sph2d_diagnostic_hint(d, "first%s; keep one of them", on_line(first, where));
+}
+
+/** Whether a key of the same choice was given before; then that is reported. */
+static bool excluded(sph2d__converter *c, const mapping *m, size_t index, const sph2d__node *child, const char *path)
+{
+    const sph2d_key *key = &m->keys->items[index];
+    const sph2d__node *rival = NULL;
+    char list[160] = "";
+    for (size_t i = 0; i < key_count(m->keys); ++i) {
+        const sph2d_key *other = &m->keys->items[i];
+        if (!other->choice || other->choice_offset != key->choice_offset)
+            continue;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", other->name);
+        if (m->given[i])
+            rival = m->given[i];
+    }
+    if (!key->choice || !rival)
+        return false;
+    char where[32];
+    sph2d_diagnostic *d = sph2d__fault(c->faults, SPH2D_CODE_CONFLICT, child->key_place, path,
+                                       "'%s' excludes '%s'%s", child->key, rival->key, on_line(rival, where));
+    sph2d_diagnostic_hint(d, "give one of %s", list);
+    return true;
+}
+
+static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
+                         void *out)
+{
+    if (node->kind != SPH2D__NODE_SEQUENCE) {
+        sph2d__convert_wrong_type(c, key, node, path, "a list");
+        return;
+    }
+    size_t size = key->keys->size;
+    char *items = sph2d__pool_alloc(c->pool, node->count, size);
+    if (!items) {
+        c->faults->short_of_memory = true;
+        return;
+    }
+    size_t index = 0;
+    for (const sph2d__node *child = node->first; child; child = child->next, ++index) {
+        char item_path[SPH2D__PATH_SIZE];
+        snprintf(item_path, sizeof item_path, "%.200s[%zu]", path, index);
+        void *item = items + index * size;
+        if (key->keys->set_default)
+            key->keys->set_default(item);
+        if (child->kind == SPH2D__NODE_MAPPING)
+            sph2d__convert_mapping(c, key->keys, child, item_path, item);
+        else
+            sph2d__convert_wrong_type(c, key, child, item_path, "a mapping");
+    }
+    memcpy((char *)out + key->offset, &items, sizeof items);
+    memcpy((char *)out + key->count_offset, &index, sizeof index);
+}
+
+static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
+                        void *out)
+{
+    if (key->choice)
+        memcpy((char *)out + key->choice_offset, &key->choice, sizeof key->choice);
+    if (key->kind == SPH2D_KEY_LIST)
+        convert_list(c, key, node, path, out);
+    else if (key->kind != SPH2D_KEY_GROUP)
+        sph2d__convert_value(c, key, node, path, out);
+    else if (node->kind == SPH2D__NODE_MAPPING)
+        sph2d__convert_mapping(c, key->keys, node, path, (char *)out + key->offset);
+    else
+        sph2d__convert_wrong_type(c, key, node, path, "a mapping");
+}
+
+static void report_missing(sph2d__converter *c, const mapping *m)
+{
+    for (size_t i = 0; i < key_count(m->keys); ++i) {
+        const sph2d_key *key = &m->keys->items[i];
+        if (!key->required || m->given[i])
+            continue;
+        char path[SPH2D__PATH_SIZE];
+        join(path, m->path, key->name);
+        /* for the scene itself no line is to blame */
+        sph2d__place place = m->path[0] ? sph2d__node_place(m->node)
+                                        : (sph2d__place){m->node->place.source, SPH2D__NOWHERE};
+        sph2d_diagnostic *d =
+            sph2d__fault(c->faults, SPH2D_CODE_MISSING_KEY, place, path, "'%s' must be given", key->name);
+        sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
+        sph2d__faults_spoil(c->faults, path);
+    }
+}
+
+void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys, const sph2d__node *node,
+                            const char *path, void *out)
+{
+    mapping m = {.keys = keys, .node = node, .path = path};
+    for (const sph2d__node *child = node->first; child; child = child->next) {
+        char child_path[SPH2D__PATH_SIZE];
+        join(child_path, path, child->key);
+        size_t index = key_index(keys, child->key);
+        if (index == key_count(keys)) {
+            report_unknown(converter, &m, child, child_path);
+        } else if (m.given[index]) {
+            report_twice(converter, child, m.given[index], child_path);
+        } else if (!excluded(converter, &m, index, child, child_path)) {
+            m.given[index] = child;
+            convert_key(converter, &keys->items[index], child, child_path, out);
+        }
+    }
+    report_missing(converter, &m);
+}

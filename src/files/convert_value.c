@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/** @file convert_value.c
+ *  Single values into their C types. Ranges are the checker's; here it matters only what a type can hold. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "files/convert.h"
+#include "files/number.h"
+#include "files/suggest.h"
+
+/** What is being converted, for messages. */
+typedef struct value {
+    sph2d__converter *converter;
+    const sph2d_key *key;
+    const char *path;
+} value;
+
+static void hint_key(sph2d_diagnostic *diagnostic, const sph2d_key *key)
+{
+    sph2d_diagnostic_hint(diagnostic, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
+}
+
+void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
+                               const char *path, const char *expected)
+{
+    sph2d__faults_spoil(converter->faults, path);
+    if (node->kind == SPH2D__NODE_FAULTY) /* reported already */
+        return;
+    char got[80];
+    sph2d_diagnostic *d =
+        sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path, "expected %s, got %s",
+                     expected, sph2d__node_words(node, got, sizeof got));
+    hint_key(d, key);
+}
+
+/** Reports what is not a number, or not one that can be stored. */
+static bool number_is_fine(const value *v, const sph2d__node *node, sph2d__number state, const char *expected)
+{
+    if (state == SPH2D__NUMBER_FINE)
+        return true;
+    if (state == SPH2D__NUMBER_NONE) {
+        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
+        return false;
+    }
+    char got[80], reason[80];
+    sph2d__node_words(node, got, sizeof got);
+    if (state == SPH2D__NUMBER_NOT_FINITE)
+        snprintf(reason, sizeof reason, "is not a finite number");
+    else if (v->key->kind == SPH2D_KEY_COUNT || v->key->kind == SPH2D_KEY_COUNTS2)
+        snprintf(reason, sizeof reason, "is out of range: must be at least %g and at most %g", v->key->min,
+                 fmin(v->key->max, (double)UINT64_MAX));
+    else
+        snprintf(reason, sizeof reason, "is beyond the numbers that a double can hold");
+    sph2d__faults *faults = v->converter->faults;
+    sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_OUT_OF_RANGE, sph2d__node_place(node), v->path, "%s %s", got,
+                                       reason);
+    hint_key(d, v->key);
+    sph2d__faults_spoil(faults, v->path);
+    return false;
+}
+
+static bool is_plain(const sph2d__node *node)
+{
+    return node->kind == SPH2D__NODE_SCALAR && !node->quoted;
+}
+
+static void read_real(const value *v, const sph2d__node *node, double *out)
+{
+    double result = 0;
+    sph2d__number state = is_plain(node) ? sph2d__number_real(node->text, &result) : SPH2D__NUMBER_NONE;
+    if (number_is_fine(v, node, state, "a number"))
+        *out = result;
+}
+
+static void read_count(const value *v, const sph2d__node *node, uint64_t *out)
+{
+    uint64_t result = 0;
+    sph2d__number state = is_plain(node) ? sph2d__number_count(node->text, &result) : SPH2D__NUMBER_NONE;
+    if (number_is_fine(v, node, state, "a whole number"))
+        *out = result;
+}
+
+/** Whether a node is a list of exactly `count`; otherwise that is reported. */
+static bool is_tuple(const value *v, const sph2d__node *node, size_t count, const char *expected)
+{
+    if (node->kind == SPH2D__NODE_SEQUENCE && node->count == count)
+        return true;
+    sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
+    return false;
+}
+
+static void read_reals(const value *v, const sph2d__node *node, size_t count, const char *expected, double *out)
+{
+    if (!is_tuple(v, node, count, expected))
+        return;
+    size_t i = 0;
+    for (const sph2d__node *child = node->first; child; child = child->next)
+        read_real(v, child, &out[i++]);
+}
+
+/** Reads a list of tuples of `width` doubles; a width of 1 is a list of numbers. The item types of points and paths are
+ *  structs of doubles without padding. */
+static void read_tuples(const value *v, const sph2d__node *node, size_t width, const char *expected, void *out)
+{
+    _Static_assert(sizeof(sph2d_vec2) == 2 * sizeof(double), "points are read as doubles");
+    _Static_assert(sizeof(sph2d_path_point) == 3 * sizeof(double), "path points are read as doubles");
+    if (node->kind != SPH2D__NODE_SEQUENCE) {
+        char list[64];
+        snprintf(list, sizeof list, "a list of %ss", expected);
+        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, list);
+        return;
+    }
+    double *items = sph2d__pool_alloc(v->converter->pool, node->count, width * sizeof *items);
+    if (!items) {
+        v->converter->faults->short_of_memory = true;
+        return;
+    }
+    char one[64];
+    snprintf(one, sizeof one, "a %s", expected);
+    size_t i = 0;
+    for (const sph2d__node *child = node->first; child; child = child->next, ++i) {
+        if (width == 1)
+            read_real(v, child, &items[i]);
+        else
+            read_reals(v, child, width, one, items + i * width);
+    }
+    memcpy((char *)out + v->key->offset, &items, sizeof items);
+    memcpy((char *)out + v->key->count_offset, &node->count, sizeof node->count);
+}
+
+static void read_text(const value *v, const sph2d__node *node, void *slot)
+{
+    if (node->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(node))
+        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, "a text");
+    else
+        memcpy(slot, &node->text, sizeof node->text);
+}
+
+static void read_word(const value *v, const sph2d__node *node, void *slot)
+{
+    const char *const *words = v->key->words;
+    int index = 0;
+    if (node->kind == SPH2D__NODE_SCALAR) {
+        while (words[index] && strcmp(words[index], node->text) != 0)
+            ++index;
+        if (words[index]) {
+            memcpy(slot, &index, sizeof index);
+            return;
+        }
+    }
+    if (node->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(node)) {
+        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, "a word");
+        return;
+    }
+    char got[80];
+    sph2d__faults *faults = v->converter->faults;
+    sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), v->path,
+                                       "%s is none of the known words", sph2d__node_words(node, got, sizeof got));
+    sph2d__suggest_word(d, node->text, words);
+    sph2d__faults_spoil(faults, v->path);
+}
+
+void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node, const char *path,
+                          void *out)
+{
+    value v = {converter, key, path};
+    void *slot = (char *)out + key->offset;
+    switch (key->kind) {
+    case SPH2D_KEY_NUMBER:
+        read_real(&v, node, slot);
+        break;
+    case SPH2D_KEY_COUNT:
+        read_count(&v, node, slot);
+        break;
+    case SPH2D_KEY_COUNTS2:
+        if (is_tuple(&v, node, 2, "two whole numbers [a, b]")) {
+            read_count(&v, node->first, slot);
+            read_count(&v, node->last, (uint64_t *)slot + 1);
+        }
+        break;
+    case SPH2D_KEY_TEXT:
+        read_text(&v, node, slot);
+        break;
+    case SPH2D_KEY_WORD:
+        read_word(&v, node, slot);
+        break;
+    case SPH2D_KEY_POINT:
+        read_reals(&v, node, 2, "two numbers [x, y]", slot);
+        break;
+    case SPH2D_KEY_POINTS:
+        read_tuples(&v, node, 2, "point [x, y]", out);
+        break;
+    case SPH2D_KEY_PATH:
+        read_tuples(&v, node, 3, "point [t, x, y]", out);
+        break;
+    case SPH2D_KEY_NUMBERS:
+        read_tuples(&v, node, 1, "number", out);
+        break;
+    case SPH2D_KEY_GROUP:
+    case SPH2D_KEY_LIST:
+        break;
+    }
+}

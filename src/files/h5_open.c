@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/** @file h5_open.c
+ *  Opening a file of unknown content as HDF5, and saying what is wrong with it. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
+#include "files/h5_read.h"
+
+sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
+{
+    if (r->status == SPH2D_OK)
+        r->status = SPH2D_FORMAT;
+    char message[sizeof((sph2d_diagnostic *)0)->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    sph2d_diagnostic *d = sph2d_report_add(r->report, SPH2D_ERROR, code, NULL, "%s", message);
+    if (d)
+        snprintf(d->file, sizeof d->file, "%s", r->path);
+    return d;
+}
+
+static void fail(sph2d__h5_reader *r, const char *what, int error)
+{
+    sph2d__report_errno(r->report, SPH2D_CODE_FILE_OPEN, what, r->path, error);
+    r->status = SPH2D_NOINPUT;
+}
+
+/** Looks at a file before HDF5 does: whether it can be read, its size, and the eight bytes that HDF5 starts with. */
+static void look(sph2d__h5_reader *r)
+{
+    static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
+    int fd = open(r->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer must not hold us up */
+    if (fd < 0) {
+        fail(r, "open", errno);
+        return;
+    }
+    struct stat info;
+    unsigned char start[sizeof signature];
+    ssize_t got = -1;
+    if (fstat(fd, &info) != 0)
+        fail(r, "read", errno);
+    else if (S_ISDIR(info.st_mode))
+        fail(r, "read", EISDIR);
+    else if (!S_ISREG(info.st_mode))
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is a device or pipe, not a snapshot");
+    else if ((got = pread(fd, start, sizeof start, 0)) < 0)
+        fail(r, "read", errno);
+    else if ((size_t)got < sizeof start || memcmp(start, signature, sizeof start) != 0)
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, got == 0 ? "this is not an HDF5 file: it is empty"
+                                                           : "this is not an HDF5 file");
+    else
+        r->file_bytes = (uint64_t)info.st_size;
+    close(fd);
+}
+
+void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)
+{
+    *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
+    look(r);
+    if (r->status != SPH2D_OK)
+        return;
+    hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    bool fine = access >= 0 && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
+#if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 12, 0))
+    /* snapshots never change once they have their name, and some file systems cannot lock */
+    fine = fine && H5Pset_file_locking(access, false, true) >= 0;
+#endif
+    r->file = fine ? H5Fopen(path, H5F_ACC_RDONLY, access) : H5I_INVALID_HID;
+    if (r->file < 0) {
+        char cause[160];
+        sph2d__h5_cause(cause, sizeof cause);
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged or cut short: %s", cause);
+    }
+    if (access >= 0)
+        H5Pclose(access);
+}
+
+void sph2d__h5_reader_close(sph2d__h5_reader *r)
+{
+    if (r->file >= 0)
+        H5Fclose(r->file);
+    r->file = H5I_INVALID_HID;
+}

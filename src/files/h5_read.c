@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/** @file h5_read.c
+ *  Attributes and datasets of a file that may be damaged. */
+#include "files/h5_read.h"
+
+#include <string.h>
+
+/** Deflate shrinks to a thousandth at best; more is a lie. */
+enum { MOST_RATIO = 1100 };
+/** Bytes in a chunk; ours have 512 KiB. HDF5 allocates a chunk before it reads one. */
+enum { MOST_CHUNK_BYTES = 64 << 20 };
+
+static sph2d_diagnostic *refuse_item(sph2d__h5_reader *r, const char *name, const char *what)
+{
+    return sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' %s", name, what);
+}
+
+static bool has_attribute(const sph2d__h5_reader *r, const char *group, const char *name)
+{
+    return H5Aexists_by_name(r->file, group, name, H5P_DEFAULT) > 0;
+}
+
+/** Whether there is a dataset of that name in a group. */
+static bool has_dataset(const sph2d__h5_reader *r, const char *group, const char *name)
+{
+    bool top = strcmp(group, "/") == 0;
+    hid_t at = top || H5Lexists(r->file, group, H5P_DEFAULT) > 0 ? H5Gopen2(r->file, group, H5P_DEFAULT) : -1;
+    if (at < 0)
+        return false;
+    bool found = H5Lexists(at, name, H5P_DEFAULT) > 0;
+    H5Gclose(at);
+    return found;
+}
+
+bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *name)
+{
+    return has_attribute(r, group, name) || has_dataset(r, group, name);
+}
+
+/** Opens a dataset and refuses what is none. */
+static hid_t open_dataset(const sph2d__h5_reader *r, const char *group, const char *name)
+{
+    hid_t at = H5Gopen2(r->file, group, H5P_DEFAULT);
+    hid_t id = at >= 0 ? H5Dopen2(at, name, H5P_DEFAULT) : H5I_INVALID_HID;
+    if (at >= 0)
+        H5Gclose(at);
+    return id;
+}
+
+/** Whether a chunked dataset of `bytes` can be what the file holds, without an allocation that it could not. */
+static bool chunks_fit(const sph2d__h5_item *item, hid_t properties, uint64_t bytes, uint64_t stored)
+{
+    hsize_t chunk[2] = {1, 1};
+    if (H5Pget_chunk(properties, 2, chunk) != item->rank)
+        return false;
+    if (chunk[0] == 0 || chunk[1] == 0 || chunk[0] > MOST_CHUNK_BYTES || chunk[1] > MOST_CHUNK_BYTES)
+        return false;
+    return chunk[0] * chunk[1] <= MOST_CHUNK_BYTES / item->bytes && bytes / MOST_RATIO <= stored;
+}
+
+/** Whether an item's values can be in the file at all. */
+static bool fits(const sph2d__h5_reader *r, const sph2d__h5_item *item)
+{
+    uint64_t rows = item->sizes[0], columns = item->sizes[1];
+    if (item->bytes == 0 || (columns > 0 && rows > UINT64_MAX / columns / item->bytes))
+        return false;
+    uint64_t bytes = rows * columns * item->bytes;
+    if (bytes == 0)
+        return true;
+    if (item->is_attribute)
+        return bytes <= r->file_bytes;
+    hid_t properties = H5Dget_create_plist(item->id);
+    if (properties < 0)
+        return false;
+    uint64_t stored = H5Dget_storage_size(item->id);
+    H5D_layout_t layout = H5Pget_layout(properties);
+    bool fine = stored > 0 && stored <= r->file_bytes;
+    if (layout == H5D_CHUNKED)
+        fine = fine && chunks_fit(item, properties, bytes, stored);
+    else
+        fine = fine && (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) && bytes <= stored &&
+               H5Pget_external_count(properties) == 0;
+    H5Pclose(properties);
+    return fine;
+}
+
+bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item)
+{
+    *item = (sph2d__h5_item){.type = H5I_INVALID_HID, .space = H5I_INVALID_HID, .sizes = {1, 1}};
+    item->is_attribute = has_attribute(r, group, name);
+    if (!item->is_attribute && !has_dataset(r, group, name)) {
+        item->id = H5I_INVALID_HID;
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.60s/%.60s' is missing", strcmp(group, "/") ? group : "", name);
+        return false;
+    }
+    item->id = item->is_attribute ? H5Aopen_by_name(r->file, group, name, H5P_DEFAULT, H5P_DEFAULT)
+                                  : open_dataset(r, group, name);
+    if (item->id >= 0) {
+        item->type = item->is_attribute ? H5Aget_type(item->id) : H5Dget_type(item->id);
+        item->space = item->is_attribute ? H5Aget_space(item->id) : H5Dget_space(item->id);
+    }
+    item->rank = item->space >= 0 ? H5Sget_simple_extent_ndims(item->space) : -1;
+    hsize_t sizes[2] = {1, 1};
+    bool fine = item->type >= 0 && item->rank >= 0 && item->rank <= 2 &&
+                H5Sget_simple_extent_dims(item->space, sizes, NULL) >= 0;
+    item->bytes = fine ? H5Tget_size(item->type) : 0;
+    item->sizes[0] = sizes[0];
+    item->sizes[1] = sizes[1];
+    if (fine && H5Sget_simple_extent_type(item->space) != H5S_NULL && fits(r, item))
+        return true;
+    refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: the file cannot hold it");
+    sph2d__h5_item_close(item);
+    return false;
+}
+
+void sph2d__h5_item_close(sph2d__h5_item *item)
+{
+    if (item->space >= 0)
+        H5Sclose(item->space);
+    if (item->type >= 0)
+        H5Tclose(item->type);
+    if (item->id >= 0 && item->is_attribute)
+        H5Aclose(item->id);
+    else if (item->id >= 0)
+        H5Dclose(item->id);
+    item->id = item->type = item->space = H5I_INVALID_HID;
+}
+
+static bool read_failed(sph2d__h5_reader *r, const char *name)
+{
+    char cause[120];
+    sph2d__h5_cause(cause, sizeof cause);
+    sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' cannot be read: %s", name, cause);
+    return false;
+}
+
+bool sph2d__h5_item_read(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, void *out, const char *name)
+{
+    if (item->sizes[0] == 0 || item->sizes[1] == 0)
+        return true;
+    herr_t result = item->is_attribute ? H5Aread(item->id, type, out)
+                                       : H5Dread(item->id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out);
+    return result >= 0 || read_failed(r, name);
+}
+
+bool sph2d__h5_item_read_rows(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, size_t first, size_t count,
+                              void *out, const char *name)
+{
+    hsize_t start[2] = {first, 0}, sizes[2] = {count, item->sizes[1]};
+    hid_t in_memory = H5Screate_simple(item->rank, sizes, NULL);
+    bool fine = in_memory >= 0 && H5Sselect_hyperslab(item->space, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
+                H5Dread(item->id, type, in_memory, item->space, H5P_DEFAULT, out) >= 0;
+    if (in_memory >= 0)
+        H5Sclose(in_memory);
+    return fine || read_failed(r, name);
+}
+
+/* ---- whole items by name ----------------------------------------------------------------------------------------- */
+
+static bool get_numbers(sph2d__h5_reader *r, const char *group, const char *name, H5T_class_t class, hid_t type,
+                        void *out, size_t count)
+{
+    sph2d__h5_item item;
+    if (!sph2d__h5_item_open(r, group, name, &item))
+        return false;
+    bool fine = false;
+    if (H5Tget_class(item.type) != class)
+        refuse_item(r, name, "has the wrong type");
+    else if (item.sizes[0] * item.sizes[1] != count)
+        refuse_item(r, name, "has the wrong shape");
+    else
+        fine = sph2d__h5_item_read(r, &item, type, out, name);
+    sph2d__h5_item_close(&item);
+    return fine;
+}
+
+bool sph2d__h5_get_reals(sph2d__h5_reader *r, const char *group, const char *name, double *out, size_t count)
+{
+    return get_numbers(r, group, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, out, count);
+}
+
+bool sph2d__h5_get_counts(sph2d__h5_reader *r, const char *group, const char *name, uint64_t *out, size_t count)
+{
+    return get_numbers(r, group, name, H5T_INTEGER, H5T_NATIVE_UINT64, out, count);
+}
+
+/** Reads an item of texts of fixed length as one block, each text ended by a NUL of its own; NULL after a fault. */
+static char *get_text_block(sph2d__h5_reader *r, const char *group, const char *name, size_t *count, size_t *stride)
+{
+    sph2d__h5_item item;
+    if (!sph2d__h5_item_open(r, group, name, &item))
+        return NULL;
+    char *block = NULL;
+    *count = item.sizes[0] * item.sizes[1];
+    *stride = item.bytes + 1;
+    if (H5Tget_class(item.type) != H5T_STRING || H5Tis_variable_str(item.type) != 0) {
+        refuse_item(r, name, "has the wrong type: a text of fixed length is wanted");
+    } else if (!(block = sph2d__pool_alloc(r->pool, *count + 1, *stride))) {
+        r->status = SPH2D_NOMEM;
+    } else {
+        hid_t type = H5Tcopy(item.type); /* one byte longer, so that there is an end */
+        bool fine = type >= 0 && H5Tset_size(type, *stride) >= 0 && H5Tset_strpad(type, H5T_STR_NULLTERM) >= 0;
+        if (!fine || !sph2d__h5_item_read(r, &item, type, block, name))
+            block = NULL;
+        if (type >= 0)
+            H5Tclose(type);
+    }
+    sph2d__h5_item_close(&item);
+    return block;
+}
+
+const char *sph2d__h5_get_text(sph2d__h5_reader *r, const char *group, const char *name)
+{
+    size_t count, stride;
+    char *text = get_text_block(r, group, name, &count, &stride);
+    if (text && count != 1) {
+        refuse_item(r, name, "has the wrong shape");
+        return NULL;
+    }
+    return text;
+}
+
+const char **sph2d__h5_get_texts(sph2d__h5_reader *r, const char *group, const char *name, size_t *count)
+{
+    size_t stride;
+    char *block = get_text_block(r, group, name, count, &stride);
+    const char **texts = block ? sph2d__pool_alloc(r->pool, *count + 1, sizeof *texts) : NULL;
+    if (block && !texts)
+        r->status = SPH2D_NOMEM;
+    for (size_t i = 0; texts && i < *count; ++i)
+        texts[i] = block + i * stride;
+    return texts;
+}

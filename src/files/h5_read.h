@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/** @file h5_read.h
+ *  Reading HDF5 that nobody vouches for: nothing is believed before it is compared with the file's size, and every
+ *  refusal is a sentence. */
+#ifndef SPH2D_FILES_H5_READ_H
+#define SPH2D_FILES_H5_READ_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "files/h5_scope.h"
+#include "files/pool.h"
+#include "sph2d/status.h"
+
+typedef struct sph2d__h5_reader {
+    const char *path;
+    sph2d_report *report;
+    sph2d__pool *pool;   /**< of what is read */
+    hid_t file;
+    uint64_t file_bytes;
+    sph2d_status status; /**< SPH2D_OK until something is refused; reading goes on, to find everything */
+} sph2d__h5_reader;
+
+/** Opens a file. The result is in r->status. End it with sph2d__h5_reader_close in any case. */
+void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report);
+void sph2d__h5_reader_close(sph2d__h5_reader *r);
+
+/** Reports a fault of the file's content. Returns the diagnostic for a hint, or NULL. */
+sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** A named thing in the file, an attribute or a dataset. */
+typedef struct sph2d__h5_item {
+    hid_t id;
+    bool is_attribute;
+    hid_t type, space;
+    int rank;
+    size_t sizes[2]; /**< of the dimensions; 1 beyond the rank */
+    size_t bytes;    /**< of one value in the file */
+} sph2d__h5_item;
+
+/** Whether there is an attribute or dataset of that name in a group. */
+bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *name);
+/** Opens an item and learns its shape; false, reported, when it is missing or cannot be what it says. Close it. */
+bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item);
+void sph2d__h5_item_close(sph2d__h5_item *item);
+/** Reads all of an item, or rows `first` to `first + count` of a dataset. */
+bool sph2d__h5_item_read(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, void *out, const char *name);
+bool sph2d__h5_item_read_rows(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, size_t first, size_t count,
+                              void *out, const char *name);
+
+/** Reads exactly `count` numbers; whole ones for the second. False, reported, when that is not what is there. */
+bool sph2d__h5_get_reals(sph2d__h5_reader *r, const char *group, const char *name, double *out, size_t count);
+bool sph2d__h5_get_counts(sph2d__h5_reader *r, const char *group, const char *name, uint64_t *out, size_t count);
+/** Reads a text into the pool; NULL, reported, when there is none. */
+const char *sph2d__h5_get_text(sph2d__h5_reader *r, const char *group, const char *name);
+/** Reads a list of texts into the pool; NULL, reported, when there is none. */
+const char **sph2d__h5_get_texts(sph2d__h5_reader *r, const char *group, const char *name, size_t *count);
+
+#endif

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/** @file layout.h
+ *  Where things are in a snapshot: the names that its writer and its reader must agree on.
+ *
+ *      /                 Format, FormatVersion; Complete, written last
+ *      /Header           time, step, box, counts of particles: what astronomers' tools look for, and ours
+ *      /Units, /Code     SI in terms of CGS; program, version, method, instruction set
+ *      /Parameters       every resolved value of the scene by its key path, `fluid.density`
+ *      /Scene            the scene file as it was written, and the overrides on top of it
+ *      /PartType0, 1     fluid and boundary particles: one dataset a field
+ *      /State            what a run needs to go on beside the particles, and the list of what it needs of them
+ *      /VTKHDF           the fluid once more for ParaView, as hard links */
+#ifndef SPH2D_FILES_LAYOUT_H
+#define SPH2D_FILES_LAYOUT_H
+
+#define SPH2D__FORMAT "sph2d snapshot"
+/** Grows when a reader of the older layout would go wrong. */
+#define SPH2D__FORMAT_VERSION 1u
+
+#define SPH2D__AT_FORMAT "Format"
+#define SPH2D__AT_FORMAT_VERSION "FormatVersion"
+#define SPH2D__AT_COMPLETE "Complete"
+
+#define SPH2D__GROUP_HEADER "/Header"
+#define SPH2D__AT_TIME "Time"
+#define SPH2D__AT_TIME_STEP "TimeStep"
+#define SPH2D__AT_STEP "Step"
+#define SPH2D__AT_SUPPORT "SupportRadius"
+
+#define SPH2D__GROUP_CODE "/Code"
+#define SPH2D__AT_CODE_VERSION "Code Version"
+#define SPH2D__AT_ISA "InstructionSet"
+
+#define SPH2D__GROUP_PARAMETERS "/Parameters"
+
+#define SPH2D__GROUP_SCENE "/Scene"
+#define SPH2D__SCENE_TEXT "Text"
+#define SPH2D__SCENE_PATHS "OverridePaths"
+#define SPH2D__SCENE_VALUES "OverrideValues"
+
+#define SPH2D__GROUP_FLUID "/PartType0"
+#define SPH2D__GROUP_WALLS "/PartType1"
+
+#define SPH2D__GROUP_STATE "/State"
+#define SPH2D__AT_STATE_VERSION "StateVersion"
+#define SPH2D__STATE_ARRAYS "Arrays" /**< paths of all arrays of the state, in their order; beside it ... */
+#define SPH2D__STATE_UNITS "ArrayUnits"        /**< ... their exponents of metre, kilogram and second ... */
+#define SPH2D__STATE_TEXTS "ArrayDescriptions" /**< ... and what they are */
+
+/** Points have three components for ParaView; z is 0. */
+enum { SPH2D__FILE_COMPONENTS = 3 };
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/** @file overrides.c
+ *  Puts overrides into the tree before it is converted, so that they get the same checks as the file. */
+#include "files/overrides.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "files/yaml.h"
+
+/** One override on its way into the tree. */
+typedef struct change {
+    const sph2d_override *override;
+    sph2d__place place;
+    sph2d__node *value;
+    sph2d__faults *faults;
+} change;
+
+static sph2d_diagnostic *refuse(change *c, sph2d_code code, const char *message)
+{
+    return sph2d__fault(c->faults, code, c->place, c->override->path, "%s", message);
+}
+
+/** Makes `node` what `with` is, while its key, its place among its siblings and so its identity stay. */
+static void replace(sph2d__node *node, const sph2d__node *with)
+{
+    sph2d__node *next = node->next;
+    const char *key = node->key;
+    *node = *with;
+    node->next = next;
+    node->key = key;
+    node->key_place = with->place;
+}
+
+/** Adds a mapping under a step's name. */
+static sph2d__node *add_child(change *c, sph2d__node *parent, const sph2d__step *step)
+{
+    sph2d__node *child = sph2d__node_new(c->faults->pool, SPH2D__NODE_MAPPING, c->place);
+    char *key = child ? sph2d__pool_text(c->faults->pool, step->name, step->length) : NULL;
+    if (!key) {
+        c->faults->short_of_memory = true;
+        return NULL;
+    }
+    child->key = key;
+    parent->kind = SPH2D__NODE_MAPPING; /* it may have been a key with nothing behind it */
+    sph2d__node_append(parent, child);
+    return child;
+}
+
+/** Whether the rest of a path, starting with `step`, can be made under `node`: names can, items of lists cannot. */
+static bool can_make(change *c, const sph2d__node *node, sph2d__step step, const char *rest)
+{
+    char message[96] = "";
+    if (!step.name && node->kind == SPH2D__NODE_SEQUENCE)
+        snprintf(message, sizeof message, "there is no item [%zu]: the list has %zu", step.index, node->count);
+    else if (step.name && node->kind != SPH2D__NODE_MAPPING && !sph2d__node_is_null(node))
+        snprintf(message, sizeof message, "there is no mapping that could hold '%.*s'",
+                 step.length < 40 ? (int)step.length : 40, step.name);
+    while (!message[0]) {
+        if (!step.name)
+            snprintf(message, sizeof message, "there is no list that could have an item [%zu]", step.index);
+        else if (!sph2d__path_step(&rest, &step))
+            return true;
+    }
+    refuse(c, SPH2D_CODE_UNKNOWN_KEY, message);
+    return false;
+}
+
+/** Whether a path is one: steps to its end, and not too many. */
+static bool is_path(change *c)
+{
+    const char *rest = c->override->path;
+    sph2d__step step;
+    size_t depth = 0;
+    while (depth < SPH2D__TREE_DEPTH && sph2d__path_step(&rest, &step))
+        ++depth;
+    if (depth > 0 && !*rest)
+        return true;
+    sph2d_diagnostic *d = refuse(c, SPH2D_CODE_SYNTAX, "this is no key path");
+    sph2d_diagnostic_hint(d, "write keys with points between them and list items as [0]: blocks[0].box.max");
+    return false;
+}
+
+static void put(change *c, sph2d__node *root)
+{
+    if (!is_path(c))
+        return;
+    const char *rest = c->override->path;
+    sph2d__node *node = root;
+    bool making = false;
+    for (sph2d__step step; node && sph2d__path_step(&rest, &step);) {
+        sph2d__node *child = making ? NULL : sph2d__node_step(node, &step);
+        if (!child && !making && !can_make(c, node, step, rest))
+            return;
+        making = !child;
+        node = child ? child : add_child(c, node, &step);
+    }
+    if (node)
+        replace(node, c->value);
+}
+
+static sph2d_status apply(const sph2d_override *override, sph2d__node *root, sph2d__faults *faults)
+{
+    const char *value = override->value;
+    size_t room = strlen(override->path) + strlen(value) + sizeof "--set =";
+    char *name = sph2d__pool_alloc(faults->pool, room, 1);
+    sph2d__source *source = sph2d__pool_alloc(faults->pool, 1, sizeof *source);
+    if (!name || !source)
+        return SPH2D_NOMEM;
+    snprintf(name, room, "--set %s=%s", override->path, value);
+    *source = (sph2d__source){.name = name, .text = value, .length = strlen(value)};
+    change c = {.override = override, .place = {source, SPH2D__NOWHERE}, .faults = faults};
+    sph2d_status status = sph2d__yaml_parse(source, faults, &c.value);
+    if (status != SPH2D_OK)
+        return status == SPH2D_NOMEM ? status : SPH2D_OK; /* a fault, and the next override may have one too */
+    if (!c.value)
+        c.value = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, c.place);
+    if (!c.value)
+        return SPH2D_NOMEM;
+    put(&c, root);
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__overrides_apply(const sph2d_override *overrides, size_t count, sph2d__node *root,
+                                    sph2d__faults *faults)
+{
+    for (size_t i = 0; i < count; ++i) {
+        sph2d_status status = apply(&overrides[i], root, faults);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return SPH2D_OK;
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/** @file parameters_read.c
+ *  The single values of a scene back from a snapshot, for those who look at a snapshot without running it. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "files/snapshot.h"
+#include "sph2d/key.h"
+
+enum { PATH_SIZE = 256 };
+
+static void check_range(sph2d__h5_reader *r, const sph2d_key *key, const char *path, double value)
+{
+    if (!isfinite(value) || value < key->min || value > key->max || (key->min_excluded && value <= key->min))
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' is out of range", path);
+}
+
+static void get_reals(sph2d__h5_reader *r, const sph2d_key *key, const char *path, double *out, size_t count)
+{
+    if (sph2d__h5_get_reals(r, SPH2D__GROUP_PARAMETERS, path, out, count))
+        for (size_t i = 0; i < count; ++i)
+            check_range(r, key, path, out[i]);
+}
+
+static void get_counts(sph2d__h5_reader *r, const sph2d_key *key, const char *path, uint64_t *out, size_t count)
+{
+    if (sph2d__h5_get_counts(r, SPH2D__GROUP_PARAMETERS, path, out, count))
+        for (size_t i = 0; i < count; ++i)
+            check_range(r, key, path, (double)out[i]);
+}
+
+static void get_word(sph2d__h5_reader *r, const sph2d_key *key, const char *path, void *slot)
+{
+    const char *text = sph2d__h5_get_text(r, SPH2D__GROUP_PARAMETERS, path);
+    if (!text)
+        return;
+    for (int word = 0; key->words[word]; ++word)
+        if (strcmp(key->words[word], text) == 0) {
+            memcpy(slot, &word, sizeof word);
+            return;
+        }
+    sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' has a value that this program does not know: '%.60s'", path,
+                     text);
+}
+
+static void get_key(sph2d__h5_reader *r, const sph2d_key *key, const char *path, void *slot)
+{
+    const char *text;
+    switch (key->kind) {
+    case SPH2D_KEY_NUMBER:
+        get_reals(r, key, path, slot, 1);
+        break;
+    case SPH2D_KEY_POINT:
+        get_reals(r, key, path, slot, 2);
+        break;
+    case SPH2D_KEY_COUNT:
+        get_counts(r, key, path, slot, 1);
+        break;
+    case SPH2D_KEY_COUNTS2:
+        get_counts(r, key, path, slot, 2);
+        break;
+    case SPH2D_KEY_WORD:
+        get_word(r, key, path, slot);
+        break;
+    case SPH2D_KEY_TEXT:
+        text = sph2d__h5_get_text(r, SPH2D__GROUP_PARAMETERS, path);
+        if (text)
+            memcpy(slot, &text, sizeof text);
+        break;
+    default:
+        break;
+    }
+}
+
+/** Keys that the file does not have keep their defaults, unless a scene must have them. */
+static void get_struct(sph2d__h5_reader *r, const sph2d_keys *keys, char *base, const char *above)
+{
+    for (size_t i = 0; i < keys->count; ++i) {
+        const sph2d_key *key = &keys->items[i];
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "%s%s%s", above, above[0] ? "." : "", key->name);
+        if (key->kind == SPH2D_KEY_GROUP)
+            get_struct(r, key->keys, base + key->offset, path);
+        else if (key->required || sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, path))
+            get_key(r, key, path, base + key->offset);
+    }
+}
+
+void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene)
+{
+    *scene = sph2d_scene_default();
+    get_struct(r, sph2d_scene_keys(), (char *)scene, "");
+}

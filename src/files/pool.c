@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pool.c
+ *  Blocks are cut from chunks; a block larger than a chunk gets one of its own. */
+#include "files/pool.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHUNK_BYTES = 64 * 1024, ALIGNMENT = 16 };
+
+struct sph2d__pool_chunk {
+    struct sph2d__pool_chunk *next;
+    _Alignas(16) unsigned char bytes[];
+};
+
+void *sph2d__pool_alloc(sph2d__pool *pool, size_t count, size_t size)
+{
+    if (size > 0 && count > (SIZE_MAX / 2) / size)
+        return NULL;
+    size_t wanted = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    if (!pool->first || wanted > pool->size - pool->used) {
+        size_t room = wanted > CHUNK_BYTES ? wanted : CHUNK_BYTES;
+        struct sph2d__pool_chunk *chunk = calloc(1, sizeof *chunk + room);
+        if (!chunk)
+            return NULL;
+        chunk->next = pool->first;
+        pool->first = chunk;
+        pool->used = 0;
+        pool->size = room;
+    }
+    void *block = pool->first->bytes + pool->used;
+    pool->used += wanted;
+    return block;
+}
+
+char *sph2d__pool_text(sph2d__pool *pool, const char *text, size_t length)
+{
+    char *copy = length < SIZE_MAX ? sph2d__pool_alloc(pool, length + 1, 1) : NULL;
+    if (copy && length > 0)
+        memcpy(copy, text, length);
+    return copy;
+}
+
+void sph2d__pool_free(sph2d__pool *pool)
+{
+    while (pool->first) {
+        struct sph2d__pool_chunk *chunk = pool->first;
+        pool->first = chunk->next;
+        free(chunk);
+    }
+    *pool = (sph2d__pool){0};
+}

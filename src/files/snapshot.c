@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/** @file snapshot.c
+ *  What a snapshot in memory gives out. */
+#include "files/snapshot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void sph2d_snapshot_destroy(sph2d_snapshot *snapshot)
+{
+    if (!snapshot)
+        return;
+    sph2d__pool_free(&snapshot->pool);
+    free(snapshot);
+}
+
+sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot)
+{
+    return snapshot->info;
+}
+
+sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot)
+{
+    return (sph2d_state){snapshot->state_version, snapshot->arrays, snapshot->array_count};
+}
+
+const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name)
+{
+    for (size_t i = 0; i < snapshot->array_count; ++i)
+        if (snapshot->arrays[i].group == group && strcmp(snapshot->arrays[i].name, name) == 0)
+            return &snapshot->arrays[i];
+    return NULL;
+}
+
+sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_override *more, size_t more_count,
+                                  sph2d_scene_file **file, sph2d_report *report)
+{
+    if (!file)
+        return SPH2D_INVALID;
+    *file = NULL;
+    const char *text = snapshot->info.scene_text;
+    if (!text) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL,
+                         "'%s' is not there: the run was made by a program, not from a scene file",
+                         snapshot->scene_source);
+        return SPH2D_FORMAT;
+    }
+    size_t before = snapshot->override_count;
+    sph2d_override *all = calloc(before + more_count + 1, sizeof *all);
+    if (!all)
+        return SPH2D_NOMEM;
+    for (size_t i = 0; i < before; ++i)
+        all[i] = snapshot->overrides[i];
+    for (size_t i = 0; i < more_count; ++i)
+        all[before + i] = more[i];
+    sph2d_status status =
+        sph2d_scene_file_parse(text, strlen(text), snapshot->scene_source, all, before + more_count, file, report);
+    free(all);
+    return status;
+}

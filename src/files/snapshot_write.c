@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/** @file snapshot_write.c
+ *  Writes a snapshot: beside its name, part after part, the mark of completeness last, then synced and renamed. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
+#include "files/c_locale.h"
+#include "files/snapshot_parts.h"
+
+/** The scene file and its overrides, as they were. */
+static void put_scene(sph2d__h5_writer *w, const sph2d_scene_file *file)
+{
+    size_t count;
+    const sph2d_override *overrides = sph2d_scene_file_overrides(file, &count);
+    hid_t at = sph2d__h5_group(w, SPH2D__GROUP_SCENE);
+    sph2d__h5_put_document(w, at, SPH2D__SCENE_TEXT, sph2d_scene_file_text(file));
+    const char **texts = calloc(2 * count + 1, sizeof *texts);
+    sph2d__h5_check(w, texts != NULL, "out of memory");
+    for (size_t i = 0; w->ok && i < count; ++i) {
+        texts[i] = overrides[i].path;
+        texts[count + i] = overrides[i].value;
+    }
+    if (w->ok && count > 0) {
+        sph2d__h5_put_texts(w, at, SPH2D__SCENE_PATHS, texts, count);
+        sph2d__h5_put_texts(w, at, SPH2D__SCENE_VALUES, texts + count, count);
+    }
+    free(texts);
+    sph2d__h5_close(at);
+}
+
+static void put_everything(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d_scene_file *file,
+                           const sph2d_state *state)
+{
+    static const uint64_t version = SPH2D__FORMAT_VERSION, complete = 1;
+    sph2d__h5_put_text(w, w->file, SPH2D__AT_FORMAT, SPH2D__FORMAT);
+    sph2d__h5_put_counts(w, w->file, SPH2D__AT_FORMAT_VERSION, &version, 0);
+    sph2d__snapshot_put_about(w, sim);
+    sph2d__snapshot_put_parameters(w, sph2d_sim_scene(sim));
+    if (file)
+        put_scene(w, file);
+    sph2d__snapshot_put_arrays(w, sim, state);
+    sph2d__snapshot_put_vtk(w, sim);
+    sph2d__h5_put_counts(w, w->file, SPH2D__AT_COMPLETE, &complete, 0);
+}
+
+sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
+                                  sph2d_report *report)
+{
+    if (!sim || !path || compress > 9)
+        return SPH2D_INVALID;
+    sph2d_state state = sph2d_sim_state(sim);
+    sph2d__c_locale locale;
+    if (!state.arrays || !sph2d__c_locale_begin(&locale))
+        return SPH2D_NOMEM;
+    sph2d__atomic_file target;
+    sph2d_status status = sph2d__atomic_begin(&target, path, report);
+    int fd = status == SPH2D_OK ? open(target.temp_path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666) : -1;
+    if (status == SPH2D_OK && fd < 0) {
+        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "create", path, errno);
+        status = SPH2D_CANTCREAT;
+    }
+    if (fd >= 0) {
+        sph2d__h5_scope scope;
+        sph2d__h5_writer w;
+        sph2d__h5_scope_begin(&scope);
+        sph2d__h5_writer_open(&w, fd, compress, path, report);
+        put_everything(&w, sim, file, &state);
+        status = sph2d__h5_writer_close(&w) ? SPH2D_OK : SPH2D_IO;
+        sph2d__h5_scope_end(&scope);
+        if (close(fd) != 0 && status == SPH2D_OK) {
+            sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, errno);
+            status = SPH2D_IO;
+        }
+    }
+    if (status == SPH2D_OK)
+        status = sph2d__atomic_commit(&target, report);
+    else
+        sph2d__atomic_abort(&target);
+    sph2d__c_locale_end(&locale);
+    return status;
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/** @file text_read.c
+ *  A whole file into memory, up to a limit, whatever kind of file it is. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
+#include "files/text.h"
+
+static sph2d_status too_long(const char *path, size_t limit, sph2d_report *report)
+{
+    sph2d_diagnostic *diagnostic =
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_KIND, NULL, "'%s' is too long for a scene", path);
+    sph2d_diagnostic_hint(diagnostic, "at most %zu MiB are read", limit >> 20);
+    return SPH2D_SCENE;
+}
+
+static sph2d_status fail(const char *what, const char *path, sph2d_report *report)
+{
+    sph2d__report_errno(report, SPH2D_CODE_FILE_OPEN, what, path, errno);
+    return SPH2D_NOINPUT;
+}
+
+/** Reads to the end or to one byte more than `limit`, growing as it goes: a pipe does not tell its size. */
+static sph2d_status read_all(int fd, const char *path, size_t limit, char **text, size_t *length,
+                             sph2d_report *report)
+{
+    size_t room = 0;
+    for (*length = 0;;) {
+        if (*length > limit)
+            return too_long(path, limit, report);
+        if (room - *length < 2) {
+            room = room > 0 ? 2 * room : 64 * 1024;
+            char *larger = realloc(*text, room);
+            if (!larger)
+                return SPH2D_NOMEM;
+            *text = larger;
+        }
+        ssize_t got = read(fd, *text + *length, room - *length - 1);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return fail("read", path, report);
+        if (got == 0)
+            break;
+        *length += (size_t)got;
+    }
+    (*text)[*length] = '\0';
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report)
+{
+    *text = NULL;
+    *length = 0;
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0)
+        return fail("open", path, report);
+    struct stat info;
+    sph2d_status status = SPH2D_OK;
+    if (fstat(fd, &info) != 0)
+        status = fail("read", path, report);
+    else if (S_ISREG(info.st_mode) && info.st_size > (off_t)limit)
+        status = too_long(path, limit, report);
+    else
+        status = read_all(fd, path, limit, text, length, report);
+    if (status != SPH2D_OK) {
+        free(*text);
+        *text = NULL;
+        *length = 0;
+    }
+    close(fd);
+    return status;
+}

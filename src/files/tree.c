@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/** @file tree.c
+ *  Nodes of a scene file: making them, finding them, naming them. */
+#include "files/tree.h"
+
+#include <stdio.h>
+#include <string.h>
+
+sph2d__node *sph2d__node_new(sph2d__pool *pool, sph2d__node_kind kind, sph2d__place place)
+{
+    sph2d__node *node = sph2d__pool_alloc(pool, 1, sizeof *node);
+    if (node) {
+        node->kind = kind;
+        node->text = "";
+        node->place = place;
+        node->key_place = place;
+    }
+    return node;
+}
+
+void sph2d__node_append(sph2d__node *parent, sph2d__node *child)
+{
+    if (parent->last)
+        parent->last->next = child;
+    else
+        parent->first = child;
+    parent->last = child;
+    ++parent->count;
+}
+
+sph2d__node *sph2d__node_find(const sph2d__node *mapping, const char *key, size_t length)
+{
+    if (mapping->kind != SPH2D__NODE_MAPPING)
+        return NULL;
+    for (sph2d__node *child = mapping->first; child; child = child->next)
+        if (strlen(child->key) == length && memcmp(child->key, key, length) == 0)
+            return child;
+    return NULL;
+}
+
+sph2d__node *sph2d__node_item(const sph2d__node *sequence, size_t index)
+{
+    if (sequence->kind != SPH2D__NODE_SEQUENCE || index >= sequence->count)
+        return NULL;
+    sph2d__node *child = sequence->first;
+    while (index-- > 0)
+        child = child->next;
+    return child;
+}
+
+bool sph2d__node_is_null(const sph2d__node *node)
+{
+    static const char *const nothing[] = {"", "~", "null", "Null", "NULL"};
+    if (node->kind != SPH2D__NODE_SCALAR || node->quoted)
+        return false;
+    for (size_t i = 0; i < sizeof nothing / sizeof nothing[0]; ++i)
+        if (strcmp(node->text, nothing[i]) == 0)
+            return true;
+    return false;
+}
+
+sph2d__place sph2d__node_place(const sph2d__node *node)
+{
+    bool block = (node->kind == SPH2D__NODE_MAPPING || node->kind == SPH2D__NODE_SEQUENCE) && !node->flow;
+    return node->key && (block || sph2d__node_is_null(node)) ? node->key_place : node->place;
+}
+
+/** The number of leading bytes of a text, at most `most`, that stay on its line and do not end inside a UTF-8
+ *  character. */
+static size_t cut(const char *text, size_t most)
+{
+    size_t line = strcspn(text, "\n\r");
+    if (line <= most)
+        return line;
+    while (most > 0 && ((unsigned char)text[most] & 0xc0) == 0x80)
+        --most;
+    return most;
+}
+
+const char *sph2d__node_words(const sph2d__node *node, char *out, size_t size)
+{
+    enum { MOST = 40 };
+    if (node->kind == SPH2D__NODE_MAPPING) {
+        snprintf(out, size, "a mapping");
+    } else if (node->kind == SPH2D__NODE_SEQUENCE) {
+        snprintf(out, size, "a list of %zu", node->count);
+    } else if (sph2d__node_is_null(node)) {
+        snprintf(out, size, "nothing");
+    } else {
+        size_t length = cut(node->text, MOST);
+        snprintf(out, size, "%s'%.*s'%s", node->quoted ? "the text " : "", (int)length, node->text,
+                 node->length > length ? "..." : "");
+    }
+    return out;
+}
+
+/** Reads `[12]`. */
+static bool index_step(const char **path, sph2d__step *step)
+{
+    const char *p = *path + 1;
+    size_t index = 0;
+    if (*p < '0' || *p > '9')
+        return false;
+    for (; *p >= '0' && *p <= '9'; ++p) {
+        if (index > (SIZE_MAX - 9) / 10)
+            return false;
+        index = 10 * index + (size_t)(*p - '0');
+    }
+    if (*p != ']')
+        return false;
+    *step = (sph2d__step){.index = index};
+    *path = p + 1;
+    return true;
+}
+
+bool sph2d__path_step(const char **path, sph2d__step *step)
+{
+    const char *p = *path;
+    if (*p == '[')
+        return index_step(path, step);
+    p += *p == '.';
+    size_t length = strcspn(p, ".[]");
+    if (length == 0 || p[length] == ']')
+        return false;
+    *step = (sph2d__step){.name = p, .length = length};
+    *path = p + length;
+    return true;
+}
+
+sph2d__node *sph2d__node_step(const sph2d__node *node, const sph2d__step *step)
+{
+    return step->name ? sph2d__node_find(node, step->name, step->length) : sph2d__node_item(node, step->index);
+}

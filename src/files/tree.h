@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/** @file tree.h
+ *  A scene file as a tree of mappings, sequences and scalars that know their places: what every other file here works
+ *  on, so that the YAML library is named in one file (yaml.c) alone. */
+#ifndef SPH2D_FILES_TREE_H
+#define SPH2D_FILES_TREE_H
+
+#include "files/text.h"
+
+typedef enum sph2d__node_kind {
+    SPH2D__NODE_SCALAR,
+    SPH2D__NODE_MAPPING,
+    SPH2D__NODE_SEQUENCE,
+    SPH2D__NODE_FAULTY /**< stands for something that was reported already */
+} sph2d__node_kind;
+
+typedef struct sph2d__node {
+    sph2d__node_kind kind;
+    bool quoted;            /**< a scalar in quotes or a text block: never a number, never nothing */
+    bool flow;              /**< a mapping or sequence in brackets */
+    const char *text;       /**< of a scalar; NUL-terminated */
+    size_t length;          /**< of that text */
+    const char *key;        /**< in its mapping; NULL in a sequence and for the root */
+    sph2d__place place;     /**< where it starts */
+    sph2d__place key_place; /**< where its key starts */
+    size_t count;           /**< children of a mapping or sequence */
+    struct sph2d__node *first, *last, *next;
+} sph2d__node;
+
+/** How deep a scene may nest; the functions that walk a tree recurse. */
+enum { SPH2D__TREE_DEPTH = 32 };
+
+/** A node of a kind at a place; NULL when memory is short. */
+sph2d__node *sph2d__node_new(sph2d__pool *pool, sph2d__node_kind kind, sph2d__place place);
+/** Makes `child` the last child of `parent`. */
+void sph2d__node_append(sph2d__node *parent, sph2d__node *child);
+
+/** The first child of a mapping with the key `key` (of `length` bytes); NULL when there is none. */
+sph2d__node *sph2d__node_find(const sph2d__node *mapping, const char *key, size_t length);
+/** Child `index` of a sequence; NULL when there is none. */
+sph2d__node *sph2d__node_item(const sph2d__node *sequence, size_t index);
+
+/** Whether it is a scalar that says nothing: empty, `~` or `null`. */
+bool sph2d__node_is_null(const sph2d__node *node);
+
+/** Where a message about a node points: at the value, or at its key where the value starts on a later line. */
+sph2d__place sph2d__node_place(const sph2d__node *node);
+
+/** What a node is, in words, for "expected ..., got ...". Writes to `out` and returns it. */
+const char *sph2d__node_words(const sph2d__node *node, char *out, size_t size);
+
+/** One step of a key path. */
+typedef struct sph2d__step {
+    const char *name; /**< NULL: an index */
+    size_t length;    /**< of the name */
+    size_t index;
+} sph2d__step;
+
+/** Takes the next step off `*path`, such as `blocks`, `[0]`, `.box`. False at its end, and where the path is malformed,
+ *  which leaves *path at the fault. */
+bool sph2d__path_step(const char **path, sph2d__step *step);
+
+/** The child that a step leads to; NULL when there is none. */
+sph2d__node *sph2d__node_step(const sph2d__node *node, const sph2d__step *step);
+
+#endif

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/** @file yaml.c
+ *  The only file that knows libfyaml. It takes the parser's events, not its documents: duplicate keys then are ours to
+ *  report with everything else, nothing recurses, and no alias can blow up. */
+#include "files/yaml.h"
+
+#include <libfyaml.h>
+#include <string.h>
+
+/** Values in one text, and characters that may start or end one. A scene has hundreds; this bounds memory when the text
+ *  is none. The characters are counted before parsing because libfyaml, which looks ahead to the end of brackets that
+ *  open a document, takes 350 bytes for each. */
+enum { MOST_NODES = 1000000, MOST_MARKS = 2 * MOST_NODES };
+
+typedef struct builder {
+    const sph2d__source *source;
+    sph2d__faults *faults;
+    sph2d__node *root;
+    sph2d__node *open[SPH2D__TREE_DEPTH]; /**< collections that are not closed yet, outermost first */
+    size_t depth;
+    const char *key;        /**< of the value that comes next, where it has one */
+    sph2d__place key_place;
+    size_t last;            /**< where the last event started: the place of values that leave no trace in the text */
+    size_t nodes;
+    bool ended;             /**< a document was complete */
+    sph2d_status status;
+} builder;
+
+static sph2d__place place_at(const builder *b, size_t offset)
+{
+    return (sph2d__place){b->source, offset};
+}
+
+/** Reports a fault that ends the parsing. */
+static void stop(builder *b, size_t offset, const char *message)
+{
+    sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
+    b->status = SPH2D_SCENE;
+}
+
+static bool marks_are_few(builder *b)
+{
+    static const bool is_mark[256] = {['['] = true, [']'] = true, ['{'] = true, ['}'] = true, [','] = true,
+                                      [':'] = true, ['&'] = true, ['*'] = true, ['!'] = true, ['%'] = true};
+    size_t marks = 0;
+    for (size_t i = 0; i < b->source->length; ++i) {
+        marks += is_mark[(unsigned char)b->source->text[i]];
+        if (marks > MOST_MARKS) {
+            stop(b, i, "more than a million values");
+            return false;
+        }
+    }
+    return true;
+}
+
+static size_t token_offset(struct fy_token *token, size_t otherwise)
+{
+    const struct fy_mark *mark = token ? fy_token_start_mark(token) : NULL;
+    return mark ? mark->input_pos : otherwise;
+}
+
+/** Reports anchors and tags; the node itself is sound. The marks stand behind `&` and `!`. */
+static void refuse_properties(builder *b, struct fy_token *anchor, struct fy_token *tag)
+{
+    if (anchor) {
+        size_t offset = token_offset(anchor, b->last);
+        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "anchors (&name) are not allowed");
+    }
+    if (tag) {
+        size_t offset = token_offset(tag, b->last);
+        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "tags (!name) are not allowed");
+    }
+}
+
+/** Hangs a new node into the tree. NULL when the parsing cannot go on. */
+static sph2d__node *add_node(builder *b, sph2d__node_kind kind, size_t offset)
+{
+    if (++b->nodes > MOST_NODES) {
+        stop(b, offset, "more than a million values");
+        return NULL;
+    }
+    sph2d__node *parent = b->depth > 0 ? b->open[b->depth - 1] : NULL;
+    if (parent && parent->kind == SPH2D__NODE_MAPPING && !b->key && kind != SPH2D__NODE_SCALAR) {
+        stop(b, offset, "a key must be a word");
+        return NULL;
+    }
+    sph2d__node *node = sph2d__node_new(b->faults->pool, kind, place_at(b, offset));
+    if (!node) {
+        b->status = SPH2D_NOMEM;
+        return NULL;
+    }
+    node->key = b->key;
+    if (b->key)
+        node->key_place = b->key_place;
+    b->key = NULL;
+    if (parent)
+        sph2d__node_append(parent, node);
+    else
+        b->root = node;
+    return node;
+}
+
+static void open_collection(builder *b, sph2d__node_kind kind, struct fy_token *start, size_t offset)
+{
+    sph2d__node *node = add_node(b, kind, offset);
+    if (!node)
+        return;
+    enum fy_token_type type = start ? fy_token_get_type(start) : FYTT_NONE;
+    node->flow = type == FYTT_FLOW_MAPPING_START || type == FYTT_FLOW_SEQUENCE_START;
+    if (b->depth == SPH2D__TREE_DEPTH)
+        stop(b, offset, "nested deeper than any scene");
+    else
+        b->open[b->depth++] = node;
+}
+
+/** Takes a scalar as the key of what comes next, or as a value. */
+static void take_scalar(builder *b, struct fy_token *token, size_t offset)
+{
+    size_t length = 0;
+    const char *text = fy_token_get_text(token, &length);
+    char *copy = text ? sph2d__pool_text(b->faults->pool, text, length) : NULL;
+    if (!copy) {
+        b->status = SPH2D_NOMEM;
+        return;
+    }
+    if (strlen(copy) != length) {
+        stop(b, offset, "a text with a NUL character in it");
+        return;
+    }
+    enum fy_scalar_style style = fy_token_scalar_style(token);
+    bool in_quotes = style == FYSS_SINGLE_QUOTED || style == FYSS_DOUBLE_QUOTED;
+    if (in_quotes && offset > 0) /* the mark stands behind the quote */
+        --offset;
+    const sph2d__node *parent = b->depth > 0 ? b->open[b->depth - 1] : NULL;
+    if (parent && parent->kind == SPH2D__NODE_MAPPING && !b->key) {
+        b->key = copy;
+        b->key_place = place_at(b, offset);
+        return;
+    }
+    sph2d__node *node = add_node(b, SPH2D__NODE_SCALAR, offset);
+    if (node) {
+        node->text = copy;
+        node->length = length;
+        node->quoted = style != FYSS_PLAIN;
+    }
+}
+
+static void take_event(builder *b, struct fy_event *event)
+{
+    const struct fy_mark *mark = fy_event_start_mark(event);
+    size_t offset = b->last = mark ? mark->input_pos : b->last;
+    switch (event->type) {
+    case FYET_DOCUMENT_START:
+        if (b->ended)
+            stop(b, offset, "a second document: a scene is one");
+        break;
+    case FYET_DOCUMENT_END:
+        b->ended = true;
+        break;
+    case FYET_MAPPING_START:
+        refuse_properties(b, event->mapping_start.anchor, event->mapping_start.tag);
+        open_collection(b, SPH2D__NODE_MAPPING, event->mapping_start.mapping_start, offset);
+        break;
+    case FYET_SEQUENCE_START:
+        refuse_properties(b, event->sequence_start.anchor, event->sequence_start.tag);
+        open_collection(b, SPH2D__NODE_SEQUENCE, event->sequence_start.sequence_start, offset);
+        break;
+    case FYET_MAPPING_END:
+    case FYET_SEQUENCE_END:
+        --b->depth;
+        break;
+    case FYET_SCALAR:
+        refuse_properties(b, event->scalar.anchor, event->scalar.tag);
+        take_scalar(b, event->scalar.value, offset);
+        break;
+    case FYET_ALIAS:
+        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "aliases (*name) are not allowed");
+        add_node(b, SPH2D__NODE_FAULTY, offset);
+        break;
+    default:
+        break;
+    }
+}
+
+/** Turns what libfyaml collected into faults. A bracket that is never closed is reported where it opens, not at the
+ *  end of the file. */
+static void report_syntax(builder *b, struct fy_diag *diag)
+{
+    void *position = NULL;
+    size_t before = b->faults->errors;
+    for (struct fy_diag_error *e; (e = fy_diag_errors_iterate(diag, &position)) != NULL;) {
+        if (e->type != FYET_ERROR)
+            continue;
+        size_t offset = token_offset(e->fyt, b->last);
+        sph2d__node *innermost = b->depth > 0 ? b->open[b->depth - 1] : NULL;
+        if (offset >= b->source->length && innermost && innermost->flow)
+            stop(b, innermost->place.offset, "the bracket that opens here is not closed");
+        else
+            stop(b, offset, e->msg ? e->msg : "not well-formed YAML");
+    }
+    if (b->faults->errors == before)
+        stop(b, b->last, "not well-formed YAML");
+}
+
+static void run_parser(builder *b, struct fy_parser *parser, struct fy_diag *diag)
+{
+    struct fy_event *event;
+    while (b->status == SPH2D_OK && (event = fy_parser_parse(parser)) != NULL) {
+        take_event(b, event);
+        fy_parser_event_free(parser, event);
+    }
+    if (b->status == SPH2D_OK && fy_parser_get_stream_error(parser))
+        report_syntax(b, diag);
+}
+
+sph2d_status sph2d__yaml_parse(const sph2d__source *source, sph2d__faults *faults, sph2d__node **root)
+{
+    *root = NULL;
+    builder b = {.source = source, .faults = faults};
+    if (!sph2d__text_check(source, faults) || !marks_are_few(&b))
+        return SPH2D_SCENE;
+    b.status = SPH2D_NOMEM;
+    struct fy_diag_cfg diag_config;
+    fy_diag_cfg_default(&diag_config);
+    diag_config.fp = NULL;
+    diag_config.level = FYET_ERROR;
+    struct fy_diag *diag = fy_diag_create(&diag_config);
+    if (diag)
+        fy_diag_set_collect_errors(diag, true);
+    struct fy_parse_cfg config = {.flags = FYPCF_COLLECT_DIAG | FYPCF_DEFAULT_VERSION_1_2 | FYPCF_JSON_NONE,
+                                  .diag = diag};
+    struct fy_parser *parser = diag ? fy_parser_create(&config) : NULL;
+    if (parser && fy_parser_set_string(parser, source->text, source->length) == 0) {
+        b.status = SPH2D_OK;
+        run_parser(&b, parser, diag);
+    }
+    if (parser)
+        fy_parser_destroy(parser);
+    if (diag)
+        fy_diag_destroy(diag);
+    *root = b.root;
+    return b.status;
+}

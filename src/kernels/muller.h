@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/** @file muller.h
+ *  The three kernels of Mueller, Charypar & Gross 2003, normalised for two dimensions.
+ *
+ *  H is the support radius [m]: each kernel is zero from H on. A kernel is a constant times a shape; pair loops sum the
+ *  shapes and multiply once. The constants make the integral over the plane 1 (poly6, spiky) and the second moment of
+ *  the Laplacian right (viscosity); the three-dimensional ones, 315/(64 pi H^9), 45/(pi H^6), are wrong here by factors
+ *  that change with the unit of length. */
+#ifndef SPH2D_KERNELS_MULLER_H
+#define SPH2D_KERNELS_MULLER_H
+
+#define SPH2D__PI 3.14159265358979323846
+
+/** poly6: W(r) = poly6_constant * (H^2 - r^2)^3 [1/m^2], for density. */
+static inline double sph2d__poly6_shape(double support2, double r2)
+{
+    double d = support2 - r2;
+    d = d > 0 ? d : 0;
+    return d * d * d;
+}
+
+static inline double sph2d__poly6_constant(double support)
+{
+    double h2 = support * support;
+    return 4 / (SPH2D__PI * h2 * h2 * h2 * h2);
+}
+
+/** spiky: W = 10/(pi H^5) (H - r)^3, so that -dW/dr = spiky_constant * (H - r)^2 [1/m^3], for pressure. */
+static inline double sph2d__spiky_constant(double support)
+{
+    double h2 = support * support;
+    return 30 / (SPH2D__PI * h2 * h2 * support);
+}
+
+/** viscosity: lap W = viscosity_constant * (H - r) [1/m^4], positive everywhere. */
+static inline double sph2d__viscosity_constant(double support)
+{
+    double h2 = support * support;
+    return 40 / (SPH2D__PI * h2 * h2 * support);
+}
+
+/** dx^2 times the sum of poly6 over a filled square lattice, the particle itself included: what summation density gives
+ *  there, over the rest density. */
+static inline double sph2d__poly6_lattice_sum(double support, double spacing)
+{
+    int reach = (int)(support / spacing) + 1;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double x = i * spacing, y = j * spacing;
+            sum += sph2d__poly6_shape(support * support, x * x + y * y);
+        }
+    return sum * sph2d__poly6_constant(support) * spacing * spacing;
+}
+
+#endif

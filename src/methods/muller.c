@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+/** @file muller.c
+ *  Method `muller`: equation of state, walls, step limits. The pair loops are in muller_pass.c. */
+#include "methods/muller.h"
+
+#include <math.h>
+
+#include "base/threads.h"
+#include "kernels/muller.h"
+
+/* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator stands nu dt/H^2 < 0.145; in a
+ * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. */
+static const double VISCOUS = 0.04;
+static const double FORCE = 0.25;
+
+static const sph2d__muller_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__muller_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__muller_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__muller_passes_baseline;
+}
+
+/** Gives each boundary particle the mass with which the boundary alone has the rest density at it, so that it is heavy
+ *  where the wall is thin: m_b = rho0 / sum_b' W(r_bb') (Akinci et al. 2012, eq. 4). */
+static void weigh_walls(sph2d__system *s)
+{
+    const sph2d__store *walls = &s->walls;
+    double support2 = s->support * s->support;
+    double poly6 = sph2d__poly6_constant(s->support);
+    for (size_t b = 0; b < walls->count; ++b) {
+        s->wall_mass[b] = 0;
+        if (s->wall_bounce[b] >= 0)
+            continue;
+        sph2d__ranges ranges =
+            sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, walls->x[b], walls->y[b]));
+        double sum = 0;
+        for (int r = 0; r < 3; ++r)
+            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+                double dx = walls->x[b] - walls->x[j], dy = walls->y[b] - walls->y[j];
+                if (s->wall_bounce[j] < 0)
+                    sum += sph2d__poly6_shape(support2, dx * dx + dy * dy);
+            }
+        s->wall_mass[b] = s->rest_density / (poly6 * sum);
+    }
+}
+
+static void prepare(sph2d__system *s)
+{
+    s->calibration = 1 / sph2d__poly6_lattice_sum(s->support, s->spacing);
+    weigh_walls(s);
+}
+
+/** p = k (rho - rho0) where positive. */
+static double pressure_of(const sph2d__system *s, double density)
+{
+    double p = s->sound_speed * s->sound_speed * (density - s->rest_density);
+    return p > 0 ? p : 0;
+}
+
+static void evaluate(sph2d__system *s)
+{
+    const sph2d__muller_passes *pass = passes(s->isa);
+    sph2d__store *fluid = &s->fluid, *walls = &s->walls;
+    pass->density(s);
+    int threads = sph2d__threads_for(s->threads, fluid->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < fluid->count; ++i) {
+        fluid->pressure[i] = pressure_of(s, fluid->density[i]);
+        fluid->volume[i] = s->mass / fluid->density[i];
+    }
+    if (s->walls_press) {
+        pass->wall_density(s);
+        for (size_t b = 0; b < walls->count; ++b) {
+            walls->pressure[b] = pressure_of(s, walls->density[b]);
+            walls->volume[b] = s->wall_mass[b] / walls->density[b];
+        }
+    }
+    pass->force(s);
+}
+
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    double dt = s->cfl * s->support / (s->sound_speed + speed);
+    *limit = SPH2D__LIMIT_ACOUSTIC;
+    if (s->viscosity > 0) {
+        double viscous = VISCOUS * s->support * s->support * s->rest_density / s->viscosity;
+        if (viscous < dt) {
+            dt = viscous;
+            *limit = SPH2D__LIMIT_VISCOUS;
+        }
+    }
+    if (acceleration > 0) {
+        double force = FORCE * sqrt(s->support / acceleration);
+        if (force < dt) {
+            dt = force;
+            *limit = SPH2D__LIMIT_FORCE;
+        }
+    }
+    return dt;
+}
+
+const sph2d__method sph2d__muller = {"muller", prepare, evaluate, stable_step};

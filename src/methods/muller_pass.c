@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+/** @file muller_pass.c
+ *  The pair loops of method `muller`. Compiled once for each instruction set, named by SPH2D__ISA. */
+#include "base/threads.h"
+#include "kernels/muller.h"
+#include "methods/muller.h"
+#include "methods/traverse.h"
+
+/* Particles that a thread takes at a time: enough to stay in a cell row, few enough to share uneven work. */
+enum { CHUNK = 256 };
+
+/** Poly6 shapes of a block; `mass` NULL counts each particle once. */
+SPH2D__INLINE sph2d__lanes density_block(double support2, double xi, double yi, const double *x, const double *y,
+                                         const double *mass, double left)
+{
+    sph2d__lanes dx = xi - sph2d__lanes_load(x), dy = yi - sph2d__lanes_load(y);
+    sph2d__lanes d = sph2d__lanes_max(support2 - (dx * dx + dy * dy), (sph2d__lanes){0});
+    sph2d__lanes shape = sph2d__lanes_first(d * d * d, left);
+    return mass ? shape * sph2d__lanes_load(mass) : shape;
+}
+
+static void density(sph2d__system *s)
+{
+    const sph2d__store *walls = &s->walls;
+    sph2d__store *fluid = &s->fluid;
+    double support2 = s->support * s->support;
+    double poly6 = sph2d__poly6_constant(s->support);
+    double own = poly6 * s->calibration * s->mass;
+    bool walls_press = s->walls_press;
+    int threads = sph2d__threads_for(s->threads, fluid->count);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+#pragma omp for schedule(dynamic, CHUNK)
+        for (size_t i = 0; i < fluid->count; ++i) {
+            double xi = fluid->x[i], yi = fluid->y[i];
+            sph2d__lanes sum = {0};
+            sph2d__cursor_move(&cursor, &s->fluid_cells, xi, yi);
+            SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
+                sum += density_block(support2, xi, yi, fluid->x + j, fluid->y + j, NULL, left);
+            double rho = own * sph2d__lanes_total(sum);
+            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, xi, yi)) {
+                sph2d__lanes wall_sum = {0};
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, j, left)
+                    wall_sum += density_block(support2, xi, yi, walls->x + j, walls->y + j, s->wall_mass + j, left);
+                rho += poly6 * sph2d__lanes_total(wall_sum);
+            }
+            fluid->density[i] = rho;
+        }
+    }
+}
+
+static void wall_density(sph2d__system *s)
+{
+    const sph2d__store *fluid = &s->fluid;
+    sph2d__store *walls = &s->walls;
+    double support2 = s->support * s->support;
+    double own = sph2d__poly6_constant(s->support) * s->calibration * s->mass;
+    int threads = sph2d__threads_for(s->threads, walls->count);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        sph2d__cursor cursor = SPH2D__CURSOR_START;
+#pragma omp for schedule(dynamic, CHUNK)
+        for (size_t b = 0; b < walls->count; ++b) {
+            double xb = walls->x[b], yb = walls->y[b];
+            sph2d__lanes sum = {0};
+            if (s->wall_mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
+                SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
+                    sum += density_block(support2, xb, yb, fluid->x + j, fluid->y + j, NULL, left);
+            walls->density[b] = s->rest_density + own * sph2d__lanes_total(sum);
+        }
+    }
+}
+
+/** Sums of the force on one particle, without their constants. */
+typedef struct force_sums {
+    sph2d__lanes press_x, press_y, drag_x, drag_y;
+} force_sums;
+
+/** One particle that feels the block. */
+typedef struct receiver {
+    double x, y, vx, vy, pressure;
+} receiver;
+
+SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, const receiver *i,
+                             const sph2d__store *from, size_t j, double left)
+{
+    sph2d__lanes dx = i->x - sph2d__lanes_load(from->x + j), dy = i->y - sph2d__lanes_load(from->y + j);
+    /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
+    sph2d__lanes tiny = (sph2d__lanes){0} + 1e-24 * support * support;
+    sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
+    sph2d__lanes w = sph2d__lanes_first(sph2d__lanes_max(support - r, (sph2d__lanes){0}), left);
+    sph2d__lanes wv = w * sph2d__lanes_load(from->volume + j);
+    sph2d__lanes press = wv * w * (i->pressure + sph2d__lanes_load(from->pressure + j)) / r;
+    sums->press_x += press * dx;
+    sums->press_y += press * dy;
+    if (viscous) {
+        sums->drag_x += wv * (sph2d__lanes_load(from->vx + j) - i->vx);
+        sums->drag_y += wv * (sph2d__lanes_load(from->vy + j) - i->vy);
+    }
+}
+
+SPH2D__INLINE void force_with(sph2d__system *s, bool viscous)
+{
+    sph2d__store *fluid = &s->fluid;
+    double press = sph2d__spiky_constant(s->support) / 2;
+    double drag = s->viscosity * sph2d__viscosity_constant(s->support);
+    bool walls_press = s->walls_press;
+    int threads = sph2d__threads_for(s->threads, fluid->count);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+#pragma omp for schedule(dynamic, CHUNK)
+        for (size_t i = 0; i < fluid->count; ++i) {
+            receiver me = {fluid->x[i], fluid->y[i], fluid->vx[i], fluid->vy[i], fluid->pressure[i]};
+            force_sums sums = {{0}, {0}, {0}, {0}};
+            sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
+            SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
+                add_force(&sums, s->support, viscous, &me, fluid, j, left);
+            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y))
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, j, left)
+                    add_force(&sums, s->support, viscous, &me, &s->walls, j, left);
+            double ax = press * sph2d__lanes_total(sums.press_x), ay = press * sph2d__lanes_total(sums.press_y);
+            if (viscous) {
+                ax += drag * sph2d__lanes_total(sums.drag_x);
+                ay += drag * sph2d__lanes_total(sums.drag_y);
+            }
+            ax /= fluid->density[i];
+            ay /= fluid->density[i];
+            sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
+            fluid->ax[i] = ax;
+            fluid->ay[i] = ay;
+        }
+    }
+}
+
+static void force(sph2d__system *s)
+{
+    if (s->viscosity > 0)
+        force_with(s, true);
+    else
+        force_with(s, false);
+}
+
+#define NAME_(isa) sph2d__muller_passes_##isa
+#define NAME(isa) NAME_(isa)
+const sph2d__muller_passes NAME(SPH2D__ISA) = {density, wall_density, force};

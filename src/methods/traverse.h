@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/** @file traverse.h
+ *  The traversal: hands a pair term one particle and its candidates, a block of SPH2D__LANES at a time.
+ *
+ *  The last block of a range runs over its end: lanes from `left` on hold other particles or padding and must count as
+ *  nothing. What lies behind the ranges (cells, today) is not seen by the terms. */
+#ifndef SPH2D_METHODS_TRAVERSE_H
+#define SPH2D_METHODS_TRAVERSE_H
+
+#include "methods/lanes.h"
+#include "particles/cells.h"
+
+/** Runs the statement behind it for each block of candidates in `ranges`: `first` is the block's first particle, `left`
+ *  (a double, so that it compares in the lanes' own type) the number of candidates from there on. */
+#define SPH2D__FOR_BLOCKS(ranges, first, left)                                                                         \
+    for (int range_ = 0; range_ < 3; ++range_)                                                                         \
+        for (size_t first = (ranges)->begin[range_], end_ = (ranges)->end[range_]; first < end_;                       \
+             first += SPH2D__LANES)                                                                                    \
+            for (double left = (double)(end_ - first), once_ = 1; once_ > 0; once_ = 0)
+
+/** The ranges around one particle after another: kept while they stay in one cell, as particles in cell order do. */
+typedef struct sph2d__cursor {
+    uint32_t cell;
+    sph2d__ranges ranges;
+} sph2d__cursor;
+
+#define SPH2D__CURSOR_START ((sph2d__cursor){.cell = UINT32_MAX - 1})
+
+/** Moves the cursor to the cell at (x, y). False when no particle can be near. */
+SPH2D__INLINE bool sph2d__cursor_move(sph2d__cursor *cursor, const sph2d__cells *cells, double x, double y)
+{
+    uint32_t cell = sph2d__cells_find(cells, x, y);
+    if (cell == cursor->cell)
+        return cell != UINT32_MAX;
+    cursor->cell = cell;
+    if (cell == UINT32_MAX)
+        return false;
+    cursor->ranges = sph2d__cells_ranges(cells, cell);
+    return true;
+}
+
+#endif

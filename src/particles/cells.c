@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/** @file cells.c
+ *  Building the cells. */
+#include "particles/cells.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+
+enum { RIM = 2 };
+#define NONE UINT32_MAX
+
+/* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index. */
+static const double MARGIN = 1 + 1e-6;
+
+typedef struct bounds {
+    double min_x, min_y, max_x, max_y;
+} bounds;
+
+/** Smallest and largest coordinates. They do not depend on how threads share the work. */
+static bounds find_bounds(const sph2d__store *store, int threads)
+{
+    double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
+    const double *x = store->x, *y = store->y;
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : min_x, min_y)          \
+    reduction(max : max_x, max_y)
+    for (size_t i = 0; i < store->count; ++i) {
+        min_x = x[i] < min_x ? x[i] : min_x;
+        min_y = y[i] < min_y ? y[i] : min_y;
+        max_x = x[i] > max_x ? x[i] : max_x;
+        max_y = y[i] > max_y ? y[i] : max_y;
+    }
+    return (bounds){min_x, min_y, max_x, max_y};
+}
+
+/** Lays the grid over the particles. Cells grow where sparse particles would need far more cells than there are
+ *  particles, so that memory stays in proportion to the particles. */
+static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count)
+{
+    double limit = 8.0 * (double)count + 4096.0;
+    double size = support * MARGIN;
+    double nx, ny;
+    for (;;) {
+        nx = floor((b.max_x - b.min_x) / size) + 1 + 2 * RIM;
+        ny = floor((b.max_y - b.min_y) / size) + 1 + 2 * RIM;
+        if (nx * ny <= limit)
+            break;
+        double excess = sqrt(nx * ny / limit);
+        size *= excess > 1.01 ? excess : 1.01;
+    }
+    cells->nx = (uint32_t)nx;
+    cells->ny = (uint32_t)ny;
+    cells->inverse_size = 1 / size;
+    cells->origin_x = b.min_x - RIM * size;
+    cells->origin_y = b.min_y - RIM * size;
+}
+
+static bool reserve(sph2d__memory *memory, uint32_t **array, size_t old_count, size_t new_count)
+{
+    void *block = *array;
+    bool ok = sph2d__resize(memory, &block, old_count, new_count, sizeof(uint32_t));
+    *array = block;
+    return ok;
+}
+
+static bool reserve_cells(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
+{
+    size_t was = cells->cell_capacity;
+    if (needed <= was)
+        return true;
+    size_t now = needed > was + was / 2 ? needed : was + was / 2;
+    if (!reserve(memory, &cells->start, was, now))
+        return false;
+    if (!reserve(memory, &cells->head, was, now)) {
+        reserve(memory, &cells->start, now, was);
+        return false;
+    }
+    cells->cell_capacity = now;
+    return true;
+}
+
+static bool reserve_particles(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
+{
+    size_t was = cells->particle_capacity;
+    if (needed <= was)
+        return true;
+    uint32_t **arrays[3] = {&cells->next, &cells->cell, &cells->order};
+    for (int i = 0; i < 3; ++i) {
+        if (reserve(memory, arrays[i], was, needed))
+            continue;
+        while (i-- > 0)
+            reserve(memory, arrays[i], needed, was);
+        return false;
+    }
+    cells->particle_capacity = needed;
+    return true;
+}
+
+/** The cell of each particle, by its place in the grid; rounding is kept inside the rim. */
+static void assign_cells(sph2d__cells *cells, const sph2d__store *store, int threads)
+{
+    const double *x = store->x, *y = store->y;
+    double ox = cells->origin_x, oy = cells->origin_y, inverse = cells->inverse_size;
+    double last_x = cells->nx - 1.0 - RIM, last_y = cells->ny - 1.0 - RIM;
+    uint32_t nx = cells->nx;
+    uint32_t *cell = cells->cell;
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < store->count; ++i) {
+        double fx = (x[i] - ox) * inverse, fy = (y[i] - oy) * inverse;
+        fx = fx > RIM ? fx : RIM;
+        fy = fy > RIM ? fy : RIM;
+        fx = fx < last_x ? fx : last_x;
+        fy = fy < last_y ? fy : last_y;
+        cell[i] = (uint32_t)fy * nx + (uint32_t)fx;
+    }
+}
+
+/** Links every particle into its cell's list, from the last to the first, so that a list keeps the present order. */
+static void link_particles(sph2d__cells *cells, size_t count, size_t cell_count)
+{
+    memset(cells->head, 0xff, cell_count * sizeof *cells->head);
+    for (size_t i = count; i-- > 0;) {
+        uint32_t *head = &cells->head[cells->cell[i]];
+        cells->next[i] = *head;
+        *head = (uint32_t)i;
+    }
+}
+
+/** Walks the lists, cell after cell: the order of the particles, and where each cell starts in it. */
+static void walk_lists(sph2d__cells *cells, size_t cell_count)
+{
+    uint32_t k = 0;
+    for (size_t c = 0; c < cell_count; ++c) {
+        cells->start[c] = k;
+        for (uint32_t i = cells->head[c]; i != NONE; i = cells->next[i])
+            cells->order[k++] = i;
+    }
+    cells->start[cell_count] = k;
+}
+
+bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads)
+{
+    size_t count = store->count;
+    threads = sph2d__threads_for(threads, count);
+    bounds b = count > 0 ? find_bounds(store, threads) : (bounds){0, 0, 0, 0};
+    lay_grid(cells, b, support, count);
+    size_t cell_count = (size_t)cells->nx * cells->ny;
+    if (!reserve_cells(cells, cell_count + 1, memory) || !reserve_particles(cells, store->capacity, memory))
+        return false;
+    assign_cells(cells, store, threads);
+    link_particles(cells, count, cell_count);
+    walk_lists(cells, cell_count);
+    sph2d__store_reorder(store, cells->order, threads);
+    return true;
+}
+
+void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
+{
+    reserve(memory, &cells->start, cells->cell_capacity, 0);
+    reserve(memory, &cells->head, cells->cell_capacity, 0);
+    reserve(memory, &cells->next, cells->particle_capacity, 0);
+    reserve(memory, &cells->cell, cells->particle_capacity, 0);
+    reserve(memory, &cells->order, cells->particle_capacity, 0);
+    cells->cell_capacity = cells->particle_capacity = 0;
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT */
+/** @file colorbar.c
+ *  A colour bar with ticks at round numbers. */
+#include "render/colorbar.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/colormap.h"
+
+enum { TICKS_WANTED = 5, TICKS_MAX = 16, DIGITS_SIZE = 24, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
+
+/* Numbers closer to each other than this fraction of their size are equal as far as a legend goes. */
+static const double resolution = 1.0e-9;
+
+void sph2d__color_range(const double *values, size_t count, double *min, double *max) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (size_t i = 0; i < count; ++i) {
+        if (!isfinite(values[i]))
+            continue;
+        low = fmin(low, values[i]);
+        high = fmax(high, values[i]);
+    }
+    if (low > high)
+        low = high = 0.0;
+    const double size = fmax(fabs(low), fabs(high));
+    if (size == 0.0) {
+        high = 1.0;
+    } else if (high - low <= resolution * size) {
+        low -= 0.1 * size;
+        high += 0.1 * size;
+    }
+    *min = low;
+    *max = high;
+}
+
+/* Digits and a power of ten to "-0.25", "1500" or "1.5e7". By hand, since printf's point depends on the locale. */
+static void write_number(char *text, size_t size, long long digits, int exponent) {
+    char all[DIGITS_SIZE];
+    const char *sign = digits < 0 ? "-" : "";
+    if (digits == 0)
+        exponent = 0;
+    snprintf(all, sizeof all, "%lld", llabs(digits));
+    const int length = (int)strlen(all);
+    if (exponent >= 0 && length + exponent <= 6) {
+        snprintf(text, size, "%s%s%.*s", sign, all, exponent, "000000");
+    } else if (exponent < 0 && exponent >= -5) {
+        const int whole = length + exponent; /* digits before the point */
+        if (whole > 0)
+            snprintf(text, size, "%s%.*s.%s", sign, whole, all, all + whole);
+        else
+            snprintf(text, size, "%s0.%.*s%s", sign, -whole, "00000", all);
+    } else {
+        int kept = length;
+        while (kept > 1 && all[kept - 1] == '0')
+            --kept;
+        snprintf(text, size, "%s%c%s%.*se%d", sign, all[0], kept > 1 ? "." : "", kept - 1, all + 1,
+                 exponent + length - 1);
+    }
+}
+
+typedef struct tick {
+    double at; /* 0 at the bar's lower end, 1 at its upper */
+    char text[NUMBER_SIZE];
+} tick;
+
+/* Ticks at multiples of 1, 2 or 5 times a power of ten. */
+static int place_ticks(double min, double max, tick ticks[TICKS_MAX]) {
+    const double raw = (max - min) / TICKS_WANTED;
+    int exponent = (int)floor(log10(raw));
+    const double lead = raw / pow(10.0, exponent);
+    int factor = lead < 1.5 ? 1 : lead < 3.5 ? 2 : 5;
+    if (lead >= 7.5) {
+        factor = 1;
+        ++exponent;
+    }
+    const double step = factor * pow(10.0, exponent);
+    const double first = ceil(min / step - 1.0e-6), last = floor(max / step + 1.0e-6);
+    int count = 0;
+    for (double k = first; k <= last && count < TICKS_MAX && fabs(k) < 1.0e15; k += 1.0) {
+        tick *next = &ticks[count++];
+        next->at = fmin(fmax((k * step - min) / (max - min), 0.0), 1.0);
+        write_number(next->text, sizeof next->text, (long long)k * factor, exponent);
+    }
+    return count;
+}
+
+/* Sizes in units, a sixth of the height of a capital letter each. */
+enum { PAD = 6, BAR = 9, TICK = 3, TITLE = 14, NUMBERS = 48 };
+
+/* Where the legend lies [px]. */
+typedef struct layout {
+    double unit;
+    char title[LABEL_SIZE]; /* as much of the label as there is room for */
+    int width;              /* of the columns that it has to itself; 0: no room */
+    int bar_x, bar_y, bar_width, bar_height;
+} layout;
+
+static layout arrange(int width, int height, const char *label) {
+    layout at = {.unit = fmax(1.1, (width < height ? width : height) / 400.0)};
+    const double pads = 2 * PAD * at.unit, most = width / 3.0 - pads, numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
+    snprintf(at.title, sizeof at.title, "%s", label != NULL ? label : "");
+    size_t length = strlen(at.title);
+    while (length > 0 && sph2d__canvas_text_width(at.unit, at.title) > most)
+        at.title[--length] = '\0'; /* whoever named it so */
+    at.width = (int)ceil(fmax(numbers, sph2d__canvas_text_width(at.unit, at.title)) + pads);
+    at.bar_width = (int)lrint(BAR * at.unit);
+    at.bar_height = (int)lrint(0.4 * height);
+    at.bar_x = width - at.width + (int)lrint(PAD * at.unit);
+    at.bar_y = (int)lrint((PAD + TITLE) * at.unit);
+    const bool fits = numbers <= most && at.bar_height >= 10 * TICKS_WANTED * at.unit &&
+                      at.bar_y + at.bar_height + PAD * at.unit < height;
+    if (!fits)
+        at.width = 0;
+    return at;
+}
+
+int sph2d__colorbar_width(int width, int height, const char *label) {
+    return arrange(width, height, label).width;
+}
+
+static void draw_bar(const sph2d__canvas *canvas, const layout *at) {
+    static const sph2d__ink frame = {70, 78, 88, 1.0};
+    sph2d__canvas_fill(canvas, at->bar_x - 1, at->bar_y - 1, at->bar_width + 2, at->bar_height + 2, frame);
+    for (int row = 0; row < at->bar_height; ++row) {
+        unsigned char color[4];
+        sph2d__colormap(1.0 - (row + 0.5) / at->bar_height, color);
+        const sph2d__ink ink = {color[0], color[1], color[2], 1.0};
+        sph2d__canvas_fill(canvas, at->bar_x, at->bar_y + row, at->bar_width, 1, ink);
+    }
+}
+
+void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, const char *label) {
+    static const sph2d__ink ink = {40, 46, 54, 1.0};
+    const layout at = arrange(canvas->width, canvas->height, label);
+    if (at.width == 0)
+        return;
+    sph2d__canvas_text(canvas, at.bar_x, at.bar_y - 7.0 * at.unit, at.unit, at.title, ink);
+    draw_bar(canvas, &at);
+
+    tick ticks[TICKS_MAX];
+    const int count = place_ticks(min, max, ticks);
+    const int thick = (int)fmax(1.0, 0.6 * at.unit);
+    for (int i = 0; i < count; ++i) {
+        const double x = at.bar_x + at.bar_width, y = at.bar_y + (1.0 - ticks[i].at) * at.bar_height;
+        sph2d__canvas_fill(canvas, (int)x, (int)lrint(y - 0.5 * thick), (int)lrint(TICK * at.unit), thick, ink);
+        sph2d__canvas_text(canvas, x + (TICK + 2) * at.unit, y + 3.0 * at.unit, at.unit, ticks[i].text, ink);
+    }
+}

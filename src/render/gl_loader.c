@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/** @file gl_loader.c
+ *  Fetching OpenGL functions, and asking OpenGL what went wrong. */
+#include "render/gl_loader.h"
+
+#include <stdio.h>
+
+/* OSMesa returns a pointer for any name at all, so a pointer proves nothing. The two functions that every OpenGL has
+ * come first; only when they tell of a version that has the rest is the rest fetched. */
+static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size) {
+    gl->GetIntegerv = (PFNGLGETINTEGERVPROC)context->get_proc("glGetIntegerv");
+    gl->GetString = (PFNGLGETSTRINGPROC)context->get_proc("glGetString");
+    if (gl->GetIntegerv == NULL || gl->GetString == NULL) {
+        snprintf(why, size, "%s gives no OpenGL functions", context->name);
+        return false;
+    }
+    const char *version = (const char *)gl->GetString(GL_VERSION);
+    GLint major = 0, minor = 0;
+    gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+    gl->GetIntegerv(GL_MINOR_VERSION, &minor);
+    if (version == NULL || major < 3 || (major == 3 && minor < 3)) {
+        snprintf(why, size, "OpenGL 3.3 is needed, %s has %s", context->name, version != NULL ? version : "none");
+        return false;
+    }
+    return true;
+}
+
+bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size) {
+    if (!check_version(gl, context, why, size))
+        return false;
+#define SPH2D__GL_FETCH(function, type)                                                                                \
+    gl->function = (type)context->get_proc("gl" #function);                                                            \
+    if (gl->function == NULL) {                                                                                        \
+        snprintf(why, size, "OpenGL from %s lacks gl" #function, context->name);                                       \
+        return false;                                                                                                  \
+    }
+    SPH2D__GL_MAP(SPH2D__GL_FETCH)
+#undef SPH2D__GL_FETCH
+    return true;
+}
+
+static const char *error_text(GLenum error) {
+    switch (error) {
+    case GL_INVALID_ENUM:
+        return "invalid enumerator";
+    case GL_INVALID_VALUE:
+        return "value out of range";
+    case GL_INVALID_OPERATION:
+        return "operation not allowed in this state";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+        return "incomplete framebuffer";
+    case GL_OUT_OF_MEMORY:
+        return "out of memory";
+    default:
+        return "unknown error";
+    }
+}
+
+/* A lost context may report errors for ever: no loop here is endless. */
+enum { ERRORS_MAX = 32 };
+
+void sph2d__gl_forget_errors(const sph2d__gl *gl) {
+    for (int i = 0; i < ERRORS_MAX && gl->GetError() != GL_NO_ERROR; ++i)
+        continue;
+}
+
+sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report *report) {
+    const GLenum error = gl->GetError();
+    if (error == GL_NO_ERROR)
+        return SPH2D_OK;
+    sph2d__gl_forget_errors(gl);
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL, "OpenGL failed while %s: %s (0x%04x)", what,
+                     error_text(error), (unsigned)error);
+    return error == GL_OUT_OF_MEMORY ? SPH2D_NOMEM : SPH2D_RENDER;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT */
+/** @file gl_loader.h
+ *  The OpenGL functions that we call, one line each, fetched from whatever context is in use. */
+#ifndef SPH2D_RENDER_GL_LOADER_H
+#define SPH2D_RENDER_GL_LOADER_H
+
+#include <GL/glcorearb.h>
+
+#include "render/gl_context.h"
+#include "sph2d/status.h"
+
+/** Name without `gl`, type. */
+#define SPH2D__GL_MAP(X)                                                                                               \
+    X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                                                                           \
+    X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
+    X(BindBuffer, PFNGLBINDBUFFERPROC)                                                                                 \
+    X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                                                                       \
+    X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                                                                     \
+    X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
+    X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
+    X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                                                           \
+    X(BlendFunc, PFNGLBLENDFUNCPROC)                                                                                   \
+    X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
+    X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
+    X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
+    X(Clear, PFNGLCLEARPROC)                                                                                           \
+    X(ClearColor, PFNGLCLEARCOLORPROC)                                                                                 \
+    X(CompileShader, PFNGLCOMPILESHADERPROC)                                                                           \
+    X(CreateProgram, PFNGLCREATEPROGRAMPROC)                                                                           \
+    X(CreateShader, PFNGLCREATESHADERPROC)                                                                             \
+    X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                                                                           \
+    X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)                                                                 \
+    X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                                                                           \
+    X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)                                                               \
+    X(DeleteShader, PFNGLDELETESHADERPROC)                                                                             \
+    X(DeleteTextures, PFNGLDELETETEXTURESPROC)                                                                         \
+    X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                                                                 \
+    X(Disable, PFNGLDISABLEPROC)                                                                                       \
+    X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)                                                               \
+    X(Enable, PFNGLENABLEPROC)                                                                                         \
+    X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
+    X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
+    X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                                                             \
+    X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \
+    X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                                                                       \
+    X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                                                                     \
+    X(GenTextures, PFNGLGENTEXTURESPROC)                                                                               \
+    X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                                                                       \
+    X(GetError, PFNGLGETERRORPROC)                                                                                     \
+    X(GetIntegerv, PFNGLGETINTEGERVPROC)                                                                               \
+    X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                                                                   \
+    X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                                                                             \
+    X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                                                                     \
+    X(GetShaderiv, PFNGLGETSHADERIVPROC)                                                                               \
+    X(GetString, PFNGLGETSTRINGPROC)                                                                                   \
+    X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)                                                                 \
+    X(LinkProgram, PFNGLLINKPROGRAMPROC)                                                                               \
+    X(PixelStorei, PFNGLPIXELSTOREIPROC)                                                                               \
+    X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
+    X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)                                                               \
+    X(Scissor, PFNGLSCISSORPROC)                                                                                       \
+    X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
+    X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
+    X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
+    X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
+    X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
+    X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
+    X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
+    X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)                                                               \
+    X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
+    X(Viewport, PFNGLVIEWPORTPROC)
+
+/** One context's functions: gl->Clear(...). */
+typedef struct sph2d__gl {
+#define SPH2D__GL_MEMBER(name, type) type name;
+    SPH2D__GL_MAP(SPH2D__GL_MEMBER)
+#undef SPH2D__GL_MEMBER
+} sph2d__gl;
+
+/** Opens the context "osmesa" or "egl", or with NULL the first that works, makes it current and loads its functions.
+ *  Errors: SPH2D_INVALID (another name), SPH2D_RENDER. */
+sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report);
+
+/** Fills `gl` from the current context and checks that it is OpenGL 3.3 or newer. Fails with a sentence in `why`. */
+bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size);
+
+/** Forgets errors that OpenGL holds, so that the next sph2d__gl_check blames the right one. */
+void sph2d__gl_forget_errors(const sph2d__gl *gl);
+
+/** Reports the errors since the last call: "OpenGL failed while WHAT: ...". Errors: SPH2D_RENDER, SPH2D_NOMEM. */
+sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report *report);
+
+#endif

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/** @file metaballs.c
+ *  Drawing metaballs. What water looks like is in the shaders; what counts as water is here.
+ *
+ *  The first pass draws every particle as a square with its field r^4 - r^2 + 1/4 (r in units of R) and adds them up in
+ * a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field alone
+ * knows water only from its very rim, so the first pass is drawn once more with much wider balls on a coarse grid, the
+ *  "depth": it rises slowly from the surface inwards, and light and colour follow it. */
+#include "render/metaballs.h"
+
+#include <math.h>
+
+#include "render/shader.h"
+
+/* Where the summed field exceeds this there is water. A lone ball is then drawn with radius R sqrt(1/2 - sqrt T); this
+ * T makes that R/(2 sqrt pi), so that at the usual R of two spacings a lone particle covers its own area, the square of
+ * the spacing: sqrt T = 1/2 - 1/(4 pi). The edge of a body of water comes out where its outer particles' areas end. */
+static const double threshold = 0.17675;
+
+/* The field inside a body of water, in the mean: pi R^2 / 24 per spacing squared, at R = 2 spacings. A square lattice
+ * has 0.50 to 0.56. */
+static const double field_inside = 0.5236;
+
+/* Smaller balls would fall between the pixels. */
+static const double smallest_radius = 3.6; /* [px] */
+
+/* The depth: balls this many times wider, on a grid of squares of a fraction of their radius. */
+static const double depth_ratio = 9.0, texels_per_radius = 6.0;
+enum { FINEST_TEXEL = 4 }; /* [px] */
+enum { MARGIN = 2 };       /* texels around the image, to interpolate with at its edge */
+
+static GLsizei texels(GLsizei pixels, int texel) {
+    return (pixels + texel - 1) / texel;
+}
+
+sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
+                                     GLsizei width, GLsizei height, sph2d_report *report) {
+    *balls = (sph2d__metaballs){0};
+    sph2d_status status = sph2d__program_build(gl, shader_dir, "gradientball", &balls->ball_program, report);
+    if (status == SPH2D_OK)
+        status = sph2d__program_build(gl, shader_dir, "metaballs", &balls->surface_program, report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_float(gl, &balls->field, GL_NEAREST, width, height, report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_float(gl, &balls->depth, GL_LINEAR, texels(width, FINEST_TEXEL) + 2 * MARGIN,
+                                            texels(height, FINEST_TEXEL) + 2 * MARGIN, report);
+    if (status == SPH2D_OK)
+        status = sph2d__tiles_create(&balls->tiles, width, height, report);
+    if (status != SPH2D_OK)
+        sph2d__metaballs_destroy(gl, balls);
+    return status;
+}
+
+/* First pass: the fields of all balls of a radius [px], added up on a grid of squares of `texel` pixels. */
+static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
+                   const sph2d__view *view, const sph2d__dot_list *list, double radius, int texel) {
+    const GLsizei columns = texels((GLsizei)view->width, texel), rows = texels((GLsizei)view->height, texel);
+    sph2d__target_bind(gl, target);
+    gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    gl->Viewport(0, 0, columns, rows);
+    gl->Enable(GL_BLEND);
+    gl->BlendEquation(GL_FUNC_ADD);
+    gl->BlendFunc(GL_ONE, GL_ONE);
+    gl->UseProgram(program);
+    sph2d__program_set_vec2(gl, program, "image_size", columns * texel, rows * texel);
+    sph2d__program_set_float(gl, program, "radius", radius);
+    sph2d__dots_draw(gl, dots, view, list);
+}
+
+/* Second pass: the field as water over the background, in the tiles found. */
+static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
+                         const sph2d__target *target, double radius, int texel) {
+    const GLuint program = balls->surface_program;
+    sph2d__target_bind(gl, target);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
+    gl->UseProgram(program);
+    gl->ActiveTexture(GL_TEXTURE1);
+    gl->BindTexture(GL_TEXTURE_2D, balls->depth.texture);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D, balls->field.texture);
+    sph2d__program_set_vec2(gl, program, "image_size", target->width, target->height);
+    sph2d__program_set_float(gl, program, "tile", SPH2D__TILE);
+    sph2d__program_set_int(gl, program, "field", 0);
+    sph2d__program_set_int(gl, program, "depth", 1);
+    sph2d__program_set_float(gl, program, "radius", radius);
+    sph2d__program_set_float(gl, program, "threshold", threshold);
+    sph2d__program_set_float(gl, program, "texel", texel);
+    sph2d__program_set_float(gl, program, "margin", MARGIN);
+    sph2d__program_set_float(gl, program, "depth_inside", field_inside * depth_ratio * depth_ratio);
+    sph2d__tiles_draw(gl, &balls->tiles, dots);
+    gl->BindTexture(GL_TEXTURE_2D, 0); /* the next picture draws into them */
+    gl->ActiveTexture(GL_TEXTURE1);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    gl->ActiveTexture(GL_TEXTURE0);
+}
+
+void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__target *target,
+                           const sph2d__view *view, sph2d__dot_list list, double radius) {
+    const double pixels = fmax(radius * view->scale, smallest_radius);
+    list.half_side = pixels * sqrt(0.5);
+    sph2d__tiles_find(&balls->tiles, view, &list);
+    add_up(gl, balls->ball_program, dots, &balls->field, view, &list, pixels, 1);
+
+    const double wide = pixels * depth_ratio;
+    /* Balls larger than the image have a depth without a shape in it: the grid need not grow with them for ever. */
+    const int texel = (int)fmin(fmax(FINEST_TEXEL, wide / texels_per_radius), view->width + view->height);
+    const sph2d__view wide_view = sph2d__view_widen(view, (unsigned)(MARGIN * texel));
+    list.half_side = wide * sqrt(0.5);
+    add_up(gl, balls->ball_program, dots, &balls->depth, &wide_view, &list, wide, texel);
+    draw_surface(gl, balls, dots, target, pixels, texel);
+}
+
+void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls) {
+    gl->DeleteProgram(balls->ball_program); /* 0 is ignored */
+    gl->DeleteProgram(balls->surface_program);
+    sph2d__target_destroy(gl, &balls->field);
+    sph2d__target_destroy(gl, &balls->depth);
+    sph2d__tiles_destroy(&balls->tiles);
+    *balls = (sph2d__metaballs){0};
+}

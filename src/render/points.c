@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/** @file points.c
+ *  Drawing dots: fluid particles in point style, boundary particles in every style. */
+#include "render/points.h"
+
+#include <math.h>
+
+#include "render/shader.h"
+
+/* Smaller dots would fade into the background. */
+static const double smallest_radius = 0.7; /* [px] */
+
+void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
+                        const sph2d__view *view, sph2d__dot_list list, double radius) {
+    const double pixels = fmax(radius * view->scale, smallest_radius);
+    list.half_side = pixels + 1.0; /* the soft edge */
+    sph2d__target_bind(gl, target);
+    gl->Enable(GL_BLEND);
+    gl->BlendEquation(GL_FUNC_ADD);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
+    gl->UseProgram(program);
+    sph2d__program_set_vec2(gl, program, "image_size", view->width, view->height);
+    sph2d__program_set_float(gl, program, "radius", pixels);
+    sph2d__dots_draw(gl, dots, view, &list);
+}

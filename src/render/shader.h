@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/** @file shader.h
+ *  From GLSL text, built in or in a folder, to a program. */
+#ifndef SPH2D_RENDER_SHADER_H
+#define SPH2D_RENDER_SHADER_H
+
+#include "render/gl_loader.h"
+
+/** Builds NAME.vert and NAME.frag, the built-in text or, where `dir` is not NULL, the files in that folder. Each
+ * message of the compiler becomes a diagnostic with the line of the GLSL. The caller deletes *program; 0 after a
+ * failure. Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
+sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *name, GLuint *program,
+                                  sph2d_report *report);
+
+/** Set a uniform of the program in use by its name. A shader under development may lack one: that is no error. */
+void sph2d__program_set_int(const sph2d__gl *gl, GLuint program, const char *name, int value);
+void sph2d__program_set_float(const sph2d__gl *gl, GLuint program, const char *name, double value);
+void sph2d__program_set_vec2(const sph2d__gl *gl, GLuint program, const char *name, double x, double y);
+
+#endif

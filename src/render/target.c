@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/** @file target.c
+ *  Framebuffers: the picture itself, and the float texture that the metaballs' field is summed in. */
+#include "render/target.h"
+
+static const char *framebuffer_text(GLenum framebuffer_status) {
+    switch (framebuffer_status) {
+    case GL_FRAMEBUFFER_UNDEFINED:
+        return "there is no default framebuffer";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+        return "an attachment is incomplete";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return "nothing is attached";
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+        return "the draw buffer has no attachment";
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
+        return "the read buffer has no attachment";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+        return "the driver does not support this format";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+        return "the attachments differ in their samples";
+    case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
+        return "the attachments differ in their layers";
+    case 0:
+        return "asking for its status failed";
+    default:
+        return "for a reason unknown";
+    }
+}
+
+/* Ends a creation: the errors so far, the limits, the framebuffer's own word. */
+static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const char *what, sph2d_report *report) {
+    sph2d_status status = sph2d__gl_check(gl, what, report);
+    if (status == SPH2D_OK) {
+        const GLenum complete = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
+        if (complete != GL_FRAMEBUFFER_COMPLETE) {
+            sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
+                             "OpenGL failed while %s of %d x %d: %s (0x%04x)", what, (int)target->width,
+                             (int)target->height, framebuffer_text(complete), (unsigned)complete);
+            status = SPH2D_RENDER;
+        }
+    }
+    if (status != SPH2D_OK)
+        sph2d__target_destroy(gl, target);
+    return status;
+}
+
+/* A driver may have smaller limits than ours, and answers a size beyond them in various ways: ask before. */
+static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei width, GLsizei height,
+                                sph2d_report *report) {
+    GLint limit = 0;
+    gl->GetIntegerv(limit_name, &limit);
+    if (width <= limit && height <= limit)
+        return SPH2D_OK;
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
+                     "a picture of %d x %d is too large for this OpenGL, which draws up to %d x %d", (int)width,
+                     (int)height, (int)limit, (int)limit);
+    return SPH2D_RENDER;
+}
+
+sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                                        sph2d_report *report) {
+    *target = (sph2d__target){.width = width, .height = height};
+    const sph2d_status status = check_limit(gl, GL_MAX_RENDERBUFFER_SIZE, width, height, report);
+    if (status != SPH2D_OK)
+        return status;
+    gl->GenFramebuffers(1, &target->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    gl->GenRenderbuffers(1, &target->renderbuffer);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, target->renderbuffer);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target->renderbuffer);
+    return finish(gl, target, "making the picture", report);
+}
+
+/* R32F and not R16F: half precision rounds a sum of ten balls to three digits, and a driver that blends 32-bit floats
+ * does so as fast. */
+sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
+                                        GLsizei height, sph2d_report *report) {
+    *target = (sph2d__target){.width = width, .height = height};
+    const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, width, height, report);
+    if (status != SPH2D_OK)
+        return status;
+    gl->GenFramebuffers(1, &target->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    gl->GenTextures(1, &target->texture);
+    gl->BindTexture(GL_TEXTURE_2D, target->texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, width, height, 0, GL_RED, GL_FLOAT, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
+    return finish(gl, target, "making the field of the metaballs", report);
+}
+
+void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target) {
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    gl->Viewport(0, 0, target->width, target->height);
+}
+
+void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target) {
+    gl->DeleteFramebuffers(1, &target->framebuffer); /* 0 is ignored */
+    gl->DeleteRenderbuffers(1, &target->renderbuffer);
+    gl->DeleteTextures(1, &target->texture);
+    *target = (sph2d__target){0};
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/** @file target.h
+ *  What we draw into: framebuffers of our own. Rows run downwards: row 0 is the top of the picture. */
+#ifndef SPH2D_RENDER_TARGET_H
+#define SPH2D_RENDER_TARGET_H
+
+#include "render/gl_loader.h"
+
+typedef struct sph2d__target {
+    GLsizei width, height;
+    GLuint framebuffer;
+    GLuint renderbuffer; /**< 8-bit colour, to be read back */
+    GLuint texture;      /**< or one float a pixel, to be read by the next pass */
+} sph2d__target;
+
+/** An 8-bit RGBA target. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
+sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                                        sph2d_report *report);
+
+/** A target of 32-bit floats, one a pixel, which the next pass reads with `filter`, GL_NEAREST or GL_LINEAR. Errors:
+ *  SPH2D_RENDER, SPH2D_NOMEM. */
+sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
+                                        GLsizei height, sph2d_report *report);
+
+/** Draws go there from now on. */
+void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target);
+
+/** Frees it; a target of zeros is fine. */
+void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target);
+
+#endif

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/** @file tiles.c
+ *  The part of the image that particles touch. */
+#include "render/tiles.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const unsigned char no_color[4] = {0};
+
+sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report) {
+    *tiles = (sph2d__tiles){.columns = (width + SPH2D__TILE - 1) / SPH2D__TILE,
+                            .rows = (height + SPH2D__TILE - 1) / SPH2D__TILE};
+    tiles->touched = malloc((size_t)tiles->columns * (size_t)tiles->rows);
+    if (tiles->touched != NULL)
+        return SPH2D_OK;
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing metaballs");
+    return SPH2D_NOMEM;
+}
+
+/* The tile of a pixel coordinate, within the image. */
+static int tile_of(double pixel, int count) {
+    if (pixel <= 0.0)
+        return 0;
+    const int tile = (int)(pixel / SPH2D__TILE);
+    return tile < count ? tile : count - 1;
+}
+
+void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list) {
+    memset(tiles->touched, 0, (size_t)tiles->columns * (size_t)tiles->rows);
+    for (size_t i = 0; i < list->count; ++i) {
+        float pixel[2];
+        if (!sph2d__view_place(view, list->x[i], list->y[i], list->half_side, pixel))
+            continue;
+        const int left = tile_of(pixel[0] - list->half_side, tiles->columns);
+        const int right = tile_of(pixel[0] + list->half_side, tiles->columns);
+        const int top = tile_of(pixel[1] - list->half_side, tiles->rows);
+        const int bottom = tile_of(pixel[1] + list->half_side, tiles->rows);
+        for (int row = top; row <= bottom; ++row)
+            memset(tiles->touched + (size_t)row * (size_t)tiles->columns + left, 1, (size_t)(right - left + 1));
+    }
+}
+
+void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots) {
+    sph2d__dots_begin(gl, dots);
+    for (int row = 0; row < tiles->rows; ++row)
+        for (int column = 0; column < tiles->columns; ++column) {
+            if (!tiles->touched[(size_t)row * (size_t)tiles->columns + (size_t)column])
+                continue;
+            const float pixel[2] = {((float)column + 0.5F) * SPH2D__TILE, ((float)row + 0.5F) * SPH2D__TILE};
+            sph2d__dots_add(gl, dots, pixel, no_color);
+        }
+    sph2d__dots_end(gl, dots);
+}
+
+void sph2d__tiles_destroy(sph2d__tiles *tiles) {
+    free(tiles->touched);
+    *tiles = (sph2d__tiles){0};
+}

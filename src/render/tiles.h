@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/** @file tiles.h
+ *  Which square tiles of the image particles touch. The second pass of the metaballs is dear, and a software renderer
+ *  pays for every pixel that it looks at, water or not: so it looks at these tiles only. */
+#ifndef SPH2D_RENDER_TILES_H
+#define SPH2D_RENDER_TILES_H
+
+#include "render/dots.h"
+
+enum { SPH2D__TILE = 16 }; /**< side of a tile [px] */
+
+typedef struct sph2d__tiles {
+    int columns, rows;
+    unsigned char *touched; /**< one a tile, row by row */
+} sph2d__tiles;
+
+/** Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report);
+
+/** Finds the tiles that the squares of a list touch. */
+void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list);
+
+/** Draws the tiles found, as squares, with the program, target and blending in use. */
+void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots);
+
+/** Frees it; zeros are fine. */
+void sph2d__tiles_destroy(sph2d__tiles *tiles);
+
+#endif

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/** @file view.h
+ *  From metres to pixels, in double precision, so that a scene far from the origin looks like one at it. */
+#ifndef SPH2D_RENDER_VIEW_H
+#define SPH2D_RENDER_VIEW_H
+
+#include <stdbool.h>
+
+#include "sph2d/scene.h"
+
+/** Pixels are counted from the top left corner, y downwards. */
+typedef struct sph2d__view {
+    unsigned width, height; /**< of the image [px] */
+    sph2d_vec2 middle;      /**< a place in the image [px] ... */
+    sph2d_vec2 center;      /**< ... and what is there [m] */
+    double scale;           /**< [px/m] */
+} sph2d__view;
+
+/** A rectangle of whole pixels. */
+typedef struct sph2d__pixel_box {
+    int x, y, width, height;
+} sph2d__pixel_box;
+
+/** Fits a box into an image, whose last `reserved` columns are left free, centred, with its aspect kept. False where
+ * the box is empty, not finite or so small or large that nothing can be drawn. */
+bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved);
+
+/** The same view in an image with `border` more pixels on all sides. */
+sph2d__view sph2d__view_widen(const sph2d__view *view, unsigned border);
+
+/** Places a point. False where it is not finite or lies more than `margin` pixels outside the image. */
+bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]);
+
+/** The part of the image that a box covers, to the nearest whole pixel. */
+sph2d__pixel_box sph2d__view_cover(const sph2d__view *view, sph2d_box box);
+
+#endif

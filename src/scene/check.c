@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check.c
+ *  Finds the faults of a scene: first every number's range from the key table, then what only the meaning shows. */
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/derive.h"
+#include "scene/shape.h"
+#include "sph2d/key.h"
+
+typedef struct checker {
+    const sph2d_scene *scene;
+    sph2d_report *report;
+    size_t errors; /**< counted here too, since the report may be NULL */
+    bool broken;   /**< a list that cannot be read */
+} checker;
+
+enum { PATH_SIZE = 256 };
+
+static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *path, const char *message)
+{
+    ++c->errors;
+    return sph2d_report_add(c->report, SPH2D_ERROR, code, path, "%s", message);
+}
+
+/** "blocks[2].box" from "blocks", 2, ".box". */
+static const char *item_path(char path[PATH_SIZE], const char *list, size_t index, const char *rest)
+{
+    snprintf(path, PATH_SIZE, "%s[%zu]%s", list, index, rest);
+    return path;
+}
+
+/* ---- ranges ------------------------------------------------------------------------------------------------------ */
+
+static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
+{
+    if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
+        return;
+    char message[160];
+    if (!isfinite(value))
+        snprintf(message, sizeof message, "%g is not a finite number", value);
+    else if (key->max == INFINITY)
+        snprintf(message, sizeof message, "%g is out of range: must be %s %g", value,
+                 key->min_excluded ? "above" : "at least", key->min);
+    else
+        snprintf(message, sizeof message, "%g is out of range: must be %s %g and at most %g", value,
+                 key->min_excluded ? "above" : "at least", key->min, key->max);
+    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+    sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
+}
+
+static void check_numbers(checker *c, const sph2d_key *key, const char *path, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        check_number(c, key, path, values[i]);
+}
+
+static void check_word(checker *c, const sph2d_key *key, const char *path, int value)
+{
+    int count = 0;
+    while (key->words[count])
+        ++count;
+    if (value < 0 || value >= count)
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "is none of the known values");
+}
+
+static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix);
+
+static void check_key(checker *c, const sph2d_key *key, const char *base, const char *path)
+{
+    const char *slot = base + key->offset;
+    size_t count = key->count_offset ? *(const size_t *)(const void *)(base + key->count_offset) : 0;
+    const void *items = NULL;
+    if (key->count_offset)
+        memcpy(&items, slot, sizeof items);
+    if (count > 0 && !items) {
+        fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
+        c->broken = true;
+        return;
+    }
+    switch (key->kind) {
+    case SPH2D_KEY_NUMBER:
+        check_numbers(c, key, path, (const double *)(const void *)slot, 1);
+        break;
+    case SPH2D_KEY_POINT:
+        check_numbers(c, key, path, (const double *)(const void *)slot, 2);
+        break;
+    case SPH2D_KEY_COUNT:
+        check_number(c, key, path, (double)*(const uint64_t *)(const void *)slot);
+        break;
+    case SPH2D_KEY_COUNTS2:
+        check_number(c, key, path, (double)((const uint64_t *)(const void *)slot)[0]);
+        check_number(c, key, path, (double)((const uint64_t *)(const void *)slot)[1]);
+        break;
+    case SPH2D_KEY_WORD:
+        check_word(c, key, path, *(const int *)(const void *)slot);
+        break;
+    case SPH2D_KEY_POINTS:
+        check_numbers(c, key, path, items, 2 * count);
+        break;
+    case SPH2D_KEY_PATH:
+        check_numbers(c, key, path, items, 3 * count);
+        break;
+    case SPH2D_KEY_NUMBERS:
+        check_numbers(c, key, path, items, count);
+        break;
+    case SPH2D_KEY_GROUP:
+        check_struct(c, key->keys, slot, path);
+        break;
+    case SPH2D_KEY_LIST:
+        for (size_t i = 0; i < count; ++i) {
+            char item[PATH_SIZE];
+            check_struct(c, key->keys, (const char *)items + i * key->keys->size, item_path(item, path, i, ""));
+        }
+        break;
+    case SPH2D_KEY_TEXT:
+        break;
+    }
+}
+
+static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix)
+{
+    for (size_t k = 0; k < keys->count; ++k) {
+        const sph2d_key *key = &keys->items[k];
+        if (key->choice && *(const int *)(const void *)(base + key->choice_offset) != key->choice)
+            continue;
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "%s%s%s", prefix, prefix[0] ? "." : "", key->name);
+        check_key(c, key, base, path);
+    }
+}
+
+/* ---- meaning ----------------------------------------------------------------------------------------------------- */
+
+static bool check_box(checker *c, sph2d_box box, const char *path)
+{
+    if (box.min.x < box.max.x && box.min.y < box.max.y)
+        return true;
+    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "max must be above min in both directions");
+    sph2d_diagnostic_hint(d, "min is (%g, %g), max is (%g, %g)", box.min.x, box.min.y, box.max.x, box.max.y);
+    return false;
+}
+
+static bool in_domain(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    double slack = 1e-9 * scene->spacing;
+    sph2d_box d = scene->domain;
+    return p.x >= d.min.x - slack && p.x <= d.max.x + slack && p.y >= d.min.y - slack && p.y <= d.max.y + slack;
+}
+
+static void outside(checker *c, const char *path, sph2d_vec2 p)
+{
+    sph2d_box b = c->scene->domain;
+    char message[160];
+    snprintf(message, sizeof message, "(%g, %g) lies outside the domain", p.x, p.y);
+    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUTSIDE, path, message);
+    sph2d_diagnostic_hint(d, "the domain reaches from (%g, %g) to (%g, %g)", b.min.x, b.min.y, b.max.x, b.max.y);
+}
+
+/** A shape is given, sound, and (if wanted) inside the domain. */
+static void check_shape(checker *c, const sph2d_shape *shape, const char *list, size_t index, bool inside)
+{
+    char path[PATH_SIZE];
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        if (!check_box(c, shape->box, item_path(path, list, index, ".box")))
+            return;
+        break;
+    case SPH2D_SHAPE_DISC:
+        item_path(path, list, index, ".disc");
+        break;
+    case SPH2D_SHAPE_POLYGON:
+        item_path(path, list, index, ".polygon");
+        if (shape->polygon.count < 3 || !(sph2d__shape_area(shape) > 0)) {
+            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon needs 3 corners or more that are not on one line");
+            return;
+        }
+        break;
+    case SPH2D_SHAPE_NONE:
+    default: {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, item_path(path, list, index, ""), "has no shape");
+        sph2d_diagnostic_hint(d, "give one of box, disc, polygon");
+        return;
+    }
+    }
+    if (!inside)
+        return;
+    sph2d_box b = sph2d__shape_bounds(shape);
+    if (!in_domain(c->scene, b.min))
+        outside(c, path, b.min);
+    else if (!in_domain(c->scene, b.max))
+        outside(c, path, b.max);
+}
+
+static void check_times(checker *c, const char *list, size_t index, double start, double stop)
+{
+    char path[PATH_SIZE];
+    if (stop != 0 && !(stop > start))
+        fault(c, SPH2D_CODE_CONFLICT, item_path(path, list, index, ".stop"), "must be later than start");
+}
+
+static void check_rate(checker *c, sph2d_rate rate, const char *prefix)
+{
+    if (rate.per_second > 0 && rate.every > 0) {
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "%s.every", prefix);
+        fault(c, SPH2D_CODE_CONFLICT, path, "give per_second or every, not both");
+    }
+}
+
+static void check_block(checker *c, size_t i)
+{
+    const sph2d_block *block = &c->scene->blocks[i];
+    check_shape(c, &block->shape, "blocks", i, true);
+    char path[PATH_SIZE];
+    double dx = c->scene->spacing;
+    if (block->spacing != 0 && !(block->spacing >= 0.01 * dx && block->spacing <= 2 * dx))
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, item_path(path, "blocks", i, ".spacing"),
+              "must be between 0.01 and 2 times the scene's spacing");
+}
+
+static void check_source(checker *c, size_t i)
+{
+    const sph2d_source *source = &c->scene->sources[i];
+    char path[PATH_SIZE];
+    if (!in_domain(c->scene, source->at))
+        outside(c, item_path(path, "sources", i, ".at"), source->at);
+    if (source->direction.x == 0 && source->direction.y == 0)
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, item_path(path, "sources", i, ".direction"), "must not be (0, 0)");
+    double width = fmax(source->width, c->scene->spacing);
+    if (source->rate > width * source->speed * (1 + 1e-9)) {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_CONFLICT, item_path(path, "sources", i, ".rate"),
+                                    "is more than a jet of this width and speed can carry");
+        sph2d_diagnostic_hint(d, "at most width * speed = %g m^2/s", width * source->speed);
+    }
+    check_times(c, "sources", i, source->start, source->stop);
+}
+
+static void check_outline_points(checker *c, sph2d_points points, bool two, const char *path)
+{
+    if (two ? points.count != 2 : points.count < 2) {
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, two ? "a line has two points" : "a polyline has two points or more");
+        return;
+    }
+    for (size_t i = 0; i < points.count; ++i) {
+        sph2d_vec2 p = points.items[i];
+        if (!in_domain(c->scene, p))
+            outside(c, path, p);
+        if (i > 0 && p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
+            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
+    }
+}
+
+static void check_obstacle(checker *c, size_t i)
+{
+    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
+    const sph2d_outline *outline = &obstacle->outline;
+    char path[PATH_SIZE];
+    if (obstacle->form == SPH2D_WALL_SPRING) {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_UNSUPPORTED, item_path(path, "obstacles", i, ".form"),
+                                    "springs are for the sides of the domain only");
+        sph2d_diagnostic_hint(d, "use heavy or reflect");
+    }
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_LINE:
+        check_outline_points(c, outline->line, true, item_path(path, "obstacles", i, ".line"));
+        break;
+    case SPH2D_OUTLINE_POLYLINE:
+        check_outline_points(c, outline->polyline, false, item_path(path, "obstacles", i, ".polyline"));
+        break;
+    case SPH2D_OUTLINE_CIRCLE:
+        if (!in_domain(c->scene, outline->circle.center))
+            outside(c, item_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+        break;
+    case SPH2D_OUTLINE_BOX:
+        item_path(path, "obstacles", i, ".box");
+        if (check_box(c, outline->box, path)) {
+            if (!in_domain(c->scene, outline->box.min))
+                outside(c, path, outline->box.min);
+            if (!in_domain(c->scene, outline->box.max))
+                outside(c, path, outline->box.max);
+        }
+        break;
+    case SPH2D_OUTLINE_NONE:
+    default: {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, item_path(path, "obstacles", i, ""), "has no outline");
+        sph2d_diagnostic_hint(d, "give one of line, polyline, circle, box");
+        break;
+    }
+    }
+}
+
+static void check_interaction(checker *c, size_t i)
+{
+    const sph2d_interaction *interaction = &c->scene->interactions[i];
+    char path[PATH_SIZE];
+    item_path(path, "interactions", i, ".path");
+    if (interaction->path.count == 0)
+        fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
+    for (size_t k = 1; k < interaction->path.count; ++k)
+        if (!(interaction->path.items[k].t > interaction->path.items[k - 1].t)) {
+            fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
+            break;
+        }
+}
+
+static bool name_is_sound(const char *name)
+{
+    size_t length = strlen(name);
+    for (size_t i = 0; i < length; ++i)
+        if (!isalnum((unsigned char)name[i]) && name[i] != '_' && name[i] != '-')
+            return false;
+    return length > 0 && length <= 64;
+}
+
+static void check_probe(checker *c, size_t i)
+{
+    const sph2d_probe *probe = &c->scene->probes[i];
+    char path[PATH_SIZE];
+    item_path(path, "probes", i, ".name");
+    if (!probe->name || !name_is_sound(probe->name))
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
+    for (size_t k = 0; k < i && probe->name; ++k)
+        if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
+            fault(c, SPH2D_CODE_CONFLICT, path, "another probe has this name");
+            break;
+        }
+    item_path(path, "probes", i, "");
+    check_rate(c, probe->rate, path);
+    if (sph2d_rate_interval(probe->rate) <= 0)
+        fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
+    if (probe->kind == SPH2D_PROBE_SPEED && !in_domain(c->scene, probe->at))
+        outside(c, item_path(path, "probes", i, ".at"), probe->at);
+}
+
+/** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some
+ *  from noise unless viscosity takes it: a dam break at nu = 1e-4 c0 H doubled its energy in a second, at 1e-2 it lost. */
+static void warn_viscosity(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    sph2d__derived d = sph2d__scene_derive(scene);
+    double calm = 0.005 * scene->fluid.density * d.sound_speed * d.support_radius;
+    if (scene->method.name != SPH2D_METHOD_MULLER || scene->fluid.dynamic_viscosity >= calm)
+        return;
+    sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, "fluid.dynamic_viscosity",
+                                           "%g Pa s is too little to keep method muller calm at this spacing",
+                                           scene->fluid.dynamic_viscosity);
+    sph2d_diagnostic_hint(w, "take %.2g Pa s or more, or watch the energy in the summary", 2 * calm);
+}
+
+static void check_whole(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    if (scene->block_count == 0 && scene->source_count == 0) {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
+        sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
+        return;
+    }
+    if (c->errors == 0 && !(sph2d__scene_derive(scene).sound_speed > 0)) {
+        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, "method.stiffness",
+                                    "without gravity and speeds nothing gives the sound speed");
+        sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2");
+    }
+    if (c->errors == 0)
+        warn_viscosity(c);
+}
+
+sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
+{
+    checker c = {.scene = scene, .report = report};
+    if (!scene || scene->struct_size != sizeof *scene) {
+        fault(&c, SPH2D_CODE_GENERAL, NULL, "the scene was not made by sph2d_scene_default() of this version");
+        return SPH2D_SCENE;
+    }
+    check_struct(&c, sph2d_scene_keys(), (const char *)scene, "");
+    if (!check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken)
+        return SPH2D_SCENE; /* what follows measures against these */
+    for (size_t i = 0; i < scene->block_count; ++i)
+        check_block(&c, i);
+    for (size_t i = 0; i < scene->source_count; ++i)
+        check_source(&c, i);
+    for (size_t i = 0; i < scene->drain_count; ++i) {
+        check_shape(&c, &scene->drains[i].shape, "drains", i, false);
+        check_times(&c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
+    }
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        check_obstacle(&c, i);
+    for (size_t i = 0; i < scene->interaction_count; ++i)
+        check_interaction(&c, i);
+    for (size_t i = 0; i < scene->probe_count; ++i)
+        check_probe(&c, i);
+    check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
+    check_rate(&c, scene->run.frames.rate, "run.frames");
+    check_whole(&c);
+    return c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
+}

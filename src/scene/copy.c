@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/** @file copy.c
+ *  A deep copy of a scene, driven by the key table: whatever a key points at is copied. */
+#include "scene/copy.h"
+
+#include <string.h>
+
+#include "sph2d/key.h"
+
+typedef struct copier {
+    sph2d__arena *arena;
+    sph2d__memory *memory;
+} copier;
+
+/** Replaces the pointer at `slot`, to `count` items of `size` bytes, by one to a copy of them. */
+static bool copy_items(copier *c, void *slot, size_t count, size_t size)
+{
+    const void *items;
+    memcpy(&items, slot, sizeof items);
+    if (!items || count == 0)
+        return true;
+    void *fresh = sph2d__arena_alloc(c->arena, c->memory, count, size);
+    if (!fresh)
+        return false;
+    memcpy(fresh, items, count * size);
+    memcpy(slot, &fresh, sizeof fresh);
+    return true;
+}
+
+/** `owner` is a flat copy already; its pointers are still those of the original. */
+static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
+{
+    for (size_t k = 0; k < keys->count; ++k) {
+        const sph2d_key *key = &keys->items[k];
+        char *slot = owner + key->offset;
+        const size_t *count = (const size_t *)(const void *)(owner + key->count_offset);
+        bool ok = true;
+        switch (key->kind) {
+        case SPH2D_KEY_TEXT: {
+            const char *text;
+            memcpy(&text, slot, sizeof text);
+            ok = !text || copy_items(c, slot, strlen(text) + 1, 1);
+            break;
+        }
+        case SPH2D_KEY_POINTS:
+            ok = copy_items(c, slot, *count, sizeof(sph2d_vec2));
+            break;
+        case SPH2D_KEY_PATH:
+            ok = copy_items(c, slot, *count, sizeof(sph2d_path_point));
+            break;
+        case SPH2D_KEY_NUMBERS:
+            ok = copy_items(c, slot, *count, sizeof(double));
+            break;
+        case SPH2D_KEY_GROUP:
+            ok = copy_struct(c, key->keys, slot);
+            break;
+        case SPH2D_KEY_LIST:
+            ok = copy_items(c, slot, *count, key->keys->size);
+            if (ok && *count > 0) {
+                char *items;
+                memcpy(&items, slot, sizeof items);
+                for (size_t i = 0; ok && i < *count; ++i)
+                    ok = copy_struct(c, key->keys, items + i * key->keys->size);
+            }
+            break;
+        case SPH2D_KEY_NUMBER:
+        case SPH2D_KEY_COUNT:
+        case SPH2D_KEY_COUNTS2:
+        case SPH2D_KEY_WORD:
+        case SPH2D_KEY_POINT:
+            break;
+        }
+        if (!ok)
+            return false;
+    }
+    return true;
+}
+
+sph2d_status sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
+{
+    *to = *from;
+    copier c = {arena, memory};
+    return copy_struct(&c, sph2d_scene_keys(), (char *)to) ? SPH2D_OK : SPH2D_NOMEM;
+}

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/** @file defaults.c
+ *  The default of every field of a scene. */
+#include "sph2d/scene.h"
+
+sph2d_scene sph2d_scene_default(void)
+{
+    return (sph2d_scene){
+        .struct_size = sizeof(sph2d_scene),
+        .name = "scene",
+        .boundary = {SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN},
+        .walls = SPH2D_WALL_SPRING,
+        .wall_damping = 0.1,
+        .gravity = {0.0, -9.81},
+        .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
+        .method = {.name = SPH2D_METHOD_MULLER, .max_compression = 0.1, .support_ratio = 2.0, .cfl = 0.3},
+        .run = {.until = 1.0, .frames = {.size = {1280, 720}}},
+    };
+}
+
+sph2d_block sph2d_block_default(void)
+{
+    return (sph2d_block){0};
+}
+
+sph2d_source sph2d_source_default(void)
+{
+    return (sph2d_source){.direction = {0.0, -1.0}, .seed = 1};
+}
+
+sph2d_drain sph2d_drain_default(void)
+{
+    return (sph2d_drain){0};
+}
+
+sph2d_obstacle sph2d_obstacle_default(void)
+{
+    return (sph2d_obstacle){.form = SPH2D_WALL_HEAVY, .restitution = 0.5};
+}
+
+sph2d_interaction sph2d_interaction_default(void)
+{
+    return (sph2d_interaction){0};
+}
+
+sph2d_probe sph2d_probe_default(void)
+{
+    return (sph2d_probe){0};
+}
+
+double sph2d_rate_interval(sph2d_rate rate)
+{
+    return rate.every > 0 ? rate.every : rate.per_second > 0 ? 1.0 / rate.per_second : 0.0;
+}
+
+double sph2d_rate_due(sph2d_rate rate, uint64_t n)
+{
+    return rate.every > 0 ? (double)n * rate.every : (double)n / rate.per_second;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/** @file derive.c
+ *  Sound speed, support radius and mass of a scene. */
+#include "scene/derive.h"
+
+#include <math.h>
+
+#include "scene/shape.h"
+
+/** Height of a place above the lowest corner of the domain, measured against gravity. */
+static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
+{
+    double ux = -scene->gravity.x / g, uy = -scene->gravity.y / g;
+    sph2d_box d = scene->domain;
+    double lowest = fmin(d.min.x * ux, d.max.x * ux) + fmin(d.min.y * uy, d.max.y * uy);
+    return p.x * ux + p.y * uy - lowest;
+}
+
+static double highest_liquid(const sph2d_scene *scene, double g)
+{
+    double height = 0;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        sph2d_box b = sph2d__shape_bounds(&scene->blocks[i].shape);
+        sph2d_vec2 corners[4] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
+        for (int k = 0; k < 4; ++k)
+            height = fmax(height, height_of(scene, g, corners[k]));
+    }
+    for (size_t i = 0; i < scene->source_count; ++i)
+        height = fmax(height, height_of(scene, g, scene->sources[i].at));
+    return height;
+}
+
+sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
+{
+    sph2d__derived d = {0};
+    d.support_radius = scene->method.support_ratio * scene->spacing;
+    d.mass = scene->fluid.density * scene->spacing * scene->spacing;
+    double g = hypot(scene->gravity.x, scene->gravity.y);
+    d.height = g > 0 ? highest_liquid(scene, g) : 0;
+    for (size_t i = 0; i < scene->block_count; ++i)
+        d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y));
+    for (size_t i = 0; i < scene->source_count; ++i)
+        d.speed = fmax(d.speed, scene->sources[i].speed);
+    for (size_t i = 0; i < scene->interaction_count; ++i)
+        d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
+    d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
+    d.sound_speed = sqrt(scene->method.stiffness > 0 ? scene->method.stiffness : d.head / scene->method.max_compression);
+    return d;
+}

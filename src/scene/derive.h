@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/** @file derive.h
+ *  Numbers that follow from a scene alone. */
+#ifndef SPH2D_SCENE_DERIVE_H
+#define SPH2D_SCENE_DERIVE_H
+
+#include "sph2d/scene.h"
+
+/** What follows from a scene. */
+typedef struct sph2d__derived {
+    double support_radius; /**< H = support_ratio * spacing [m] */
+    double mass;           /**< of a particle, density * spacing^2 [kg/m] */
+    double height;         /**< of the highest liquid above the lowest side, along gravity [m] */
+    double speed;          /**< fastest start or source [m/s] */
+    double pull;           /**< strongest interaction: acceleration * radius / 2, the depth of its potential [m^2/s^2] */
+    double head;           /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
+    double sound_speed;    /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
+} sph2d__derived;
+
+/** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the compression is
+ *  head / c0^2: c0^2 = head / max_compression, or the stiffness that the scene names. */
+sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
+
+#endif

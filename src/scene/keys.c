@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT */
+/** @file keys.c
+ *  The table of the scene's keys. The reader, the range checks, `sph2d init` and the documentation read it. */
+#include "sph2d/key.h"
+
+#include <math.h>
+
+/* Each row: key(TYPE, member, name, kind, ...). The columns that a kind needs are set by the macros below. */
+#define AT(type, member) .offset = offsetof(type, member)
+#define ANY .min = -INFINITY, .max = INFINITY
+#define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
+#define FROM_0 .min = 0, .max = INFINITY
+#define BETWEEN(low, high) .min = (low), .max = (high)
+#define LIST_AT(type, member, counter) AT(type, member), .count_offset = offsetof(type, counter)
+#define CHOICE(type, member, value) .choice_offset = offsetof(type, member), .choice = (value)
+#define KEYS(name, type, fill)                                                                                         \
+    static const sph2d_keys name##_keys = {name##_items, sizeof name##_items / sizeof name##_items[0], sizeof(type),   \
+                                           fill}
+#define DEFAULT(type)                                                                                                  \
+    static void type##_set(void *out)                                                                                  \
+    {                                                                                                                  \
+        *(sph2d_##type *)out = sph2d_##type##_default();                                                               \
+    }
+
+DEFAULT(scene)
+DEFAULT(block)
+DEFAULT(source)
+DEFAULT(drain)
+DEFAULT(obstacle)
+DEFAULT(interaction)
+DEFAULT(probe)
+
+static const char *const side_words[] = {"wall", "open", NULL};
+static const char *const wall_words[] = {"spring", "heavy", "reflect", NULL};
+
+static const char *const method_words[] = {"muller", NULL};
+static const char *const probe_words[] = {"energy", "speed", NULL};
+static const char *const style_words[] = {"metaballs", "points", NULL};
+
+static const sph2d_key box_items[] = {
+    {"min", SPH2D_KEY_POINT, true, AT(sph2d_box, min), ANY, .unit = "m", .text = "lower left corner"},
+    {"max", SPH2D_KEY_POINT, true, AT(sph2d_box, max), ANY, .unit = "m", .text = "upper right corner"},
+};
+KEYS(box, sph2d_box, NULL);
+
+static const sph2d_key disc_items[] = {
+    {"center", SPH2D_KEY_POINT, true, AT(sph2d_disc, center), ANY, .unit = "m", .text = "centre"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_disc, radius), ABOVE_0, .unit = "m", .text = "radius"},
+};
+KEYS(disc, sph2d_disc, NULL);
+
+/* The three shapes, directly among the keys of a block or drain. */
+#define SHAPE(type)                                                                                                    \
+    {"box", SPH2D_KEY_GROUP, false, AT(type, shape.box), CHOICE(type, shape.kind, SPH2D_SHAPE_BOX), .keys = &box_keys, \
+     .unit = "", .text = "a rectangle"},                                                                               \
+        {"disc", SPH2D_KEY_GROUP, false, AT(type, shape.disc), CHOICE(type, shape.kind, SPH2D_SHAPE_DISC),             \
+         .keys = &disc_keys, .unit = "", .text = "a disc"},                                                            \
+    {                                                                                                                  \
+        "polygon", SPH2D_KEY_POINTS, false, LIST_AT(type, shape.polygon.items, shape.polygon.count), ANY,              \
+            CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself" \
+    }
+
+static const sph2d_key block_items[] = {
+    SHAPE(sph2d_block),
+    {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .standard = "[0, 0]",
+     .text = "at the start"},
+    {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .standard = "the scene's",
+     .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed"},
+};
+KEYS(block, sph2d_block, block_set);
+
+static const sph2d_key source_items[] = {
+    {"at", SPH2D_KEY_POINT, true, AT(sph2d_source, at), ANY, .unit = "m", .text = "centre of the nozzle"},
+    {"direction", SPH2D_KEY_POINT, false, AT(sph2d_source, direction), ANY, .unit = "", .standard = "[0, -1]",
+     .text = "of the jet, of any length"},
+    {"width", SPH2D_KEY_NUMBER, false, AT(sph2d_source, width), FROM_0, .unit = "m", .standard = "0: one particle",
+     .text = "of the nozzle"},
+    {"speed", SPH2D_KEY_NUMBER, true, AT(sph2d_source, speed), ABOVE_0, .unit = "m/s", .text = "of the jet"},
+    {"spread", SPH2D_KEY_NUMBER, false, AT(sph2d_source, spread), BETWEEN(0, 1), .unit = "", .standard = "0",
+     .text = "random change of each velocity component, as a fraction of speed"},
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_source, rate), FROM_0, .unit = "m^2/s", .standard = "width * speed",
+     .text = "area of liquid per second"},
+    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_source, start), FROM_0, .unit = "s", .standard = "0",
+     .text = "when it opens"},
+    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_source, stop), FROM_0, .unit = "s", .standard = "never",
+     .text = "when it closes"},
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), FROM_0, .unit = "", .standard = "1",
+     .text = "of the random spread"},
+};
+KEYS(source, sph2d_source, source_set);
+
+static const sph2d_key drain_items[] = {
+    SHAPE(sph2d_drain),
+    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, start), FROM_0, .unit = "s", .standard = "0",
+     .text = "when it opens"},
+    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, stop), FROM_0, .unit = "s", .standard = "never",
+     .text = "when it closes"},
+};
+KEYS(drain, sph2d_drain, drain_set);
+
+static const sph2d_key obstacle_items[] = {
+    {"line", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.line.items, outline.line.count), ANY,
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_LINE), .unit = "m", .text = "its two ends"},
+    {"polyline", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polyline.items, outline.polyline.count), ANY,
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYLINE), .unit = "m", .text = "points, 2 or more, open"},
+    {"circle", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.circle),
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_CIRCLE), .keys = &disc_keys, .unit = "", .text = "a circle"},
+    {"box", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.box),
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_BOX), .keys = &box_keys, .unit = "",
+     .text = "the four sides of a rectangle"},
+    {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "", .standard = "heavy",
+     .text = "heavy: acts through the pressure; reflect: reflects at once, for large steps"},
+    {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
+     .standard = "0.5", .text = "reflect: normal speed after over before"},
+};
+KEYS(obstacle, sph2d_obstacle, obstacle_set);
+
+static const sph2d_key interaction_items[] = {
+    {"path", SPH2D_KEY_PATH, true, LIST_AT(sph2d_interaction, path.items, path.count), ANY, .unit = "s, m, m",
+     .text = "[t, x, y] points with straight lines between; a single one lasts for ever"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_interaction, radius), ABOVE_0, .unit = "m", .text = "of its reach"},
+    {"acceleration", SPH2D_KEY_NUMBER, true, AT(sph2d_interaction, acceleration), ANY, .unit = "m/s^2",
+     .text = "at the point, falling to 0 at radius; positive pulls, negative pushes"},
+};
+KEYS(interaction, sph2d_interaction, interaction_set);
+
+#define RATE(type, member)                                                                                             \
+    {"per_second", SPH2D_KEY_NUMBER, false, AT(type, member.per_second), FROM_0, .unit = "1/s", .standard = "none",    \
+     .text = "outputs per simulated second"},                                                                          \
+    {                                                                                                                  \
+        "every", SPH2D_KEY_NUMBER, false, AT(type, member.every), FROM_0, .unit = "s", .standard = "none",             \
+            .text = "simulated seconds between outputs"                                                                \
+    }
+
+static const sph2d_key probe_items[] = {
+    {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
+     .text = "of its file NAME.csv: letters, digits, _ and -"},
+    {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
+     .text = "energy: of all liquid, with momentum; speed: velocity at a point"},
+    {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
+     .text = "place, for the kinds at a point"},
+    RATE(sph2d_probe, rate),
+};
+KEYS(probe, sph2d_probe, probe_set);
+
+static const sph2d_key snapshots_items[] = {
+    RATE(sph2d_snapshots, rate),
+    {"compress", SPH2D_KEY_COUNT, false, AT(sph2d_snapshots, compress), BETWEEN(0, 9), .unit = "", .standard = "0",
+     .text = "deflate level; 0 writes plain data"},
+};
+KEYS(snapshots, sph2d_snapshots, NULL);
+
+static const sph2d_key frames_items[] = {
+    RATE(sph2d_frames, rate),
+    {"size", SPH2D_KEY_COUNTS2, false, AT(sph2d_frames, size), BETWEEN(16, 16384), .unit = "pixels",
+     .standard = "[1280, 720]", .text = "width and height"},
+    {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "",
+     .standard = "metaballs", .text = "a liquid surface, or a dot a particle"},
+    {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
+     .standard = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
+    {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .standard = "one colour",
+     .text = "points: what to colour by: speed, Pressures, Densities"},
+    {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "", .standard = "each frame's",
+     .text = "values at the two ends of the colour bar"},
+};
+KEYS(frames, sph2d_frames, NULL);
+
+static const sph2d_key run_items[] = {
+    {"until", SPH2D_KEY_NUMBER, false, AT(sph2d_run, until), FROM_0, .unit = "s", .standard = "1",
+     .text = "simulated end"},
+    {"snapshots", SPH2D_KEY_GROUP, false, AT(sph2d_run, snapshots), .keys = &snapshots_keys, .unit = "",
+     .standard = "none", .text = "HDF5 files"},
+    {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .standard = "none",
+     .text = "pictures"},
+    {"impacts", SPH2D_KEY_NUMBERS, false, LIST_AT(sph2d_run, impacts.items, impacts.count), FROM_0, .unit = "s",
+     .standard = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
+};
+KEYS(run, sph2d_run, NULL);
+
+static const sph2d_key boundary_items[] = {
+    {"left", SPH2D_KEY_WORD, false, AT(sph2d_boundary, left), .words = side_words, .unit = "", .standard = "wall",
+     .text = "left side"},
+    {"right", SPH2D_KEY_WORD, false, AT(sph2d_boundary, right), .words = side_words, .unit = "", .standard = "wall",
+     .text = "right side"},
+    {"bottom", SPH2D_KEY_WORD, false, AT(sph2d_boundary, bottom), .words = side_words, .unit = "", .standard = "wall",
+     .text = "bottom side"},
+    {"top", SPH2D_KEY_WORD, false, AT(sph2d_boundary, top), .words = side_words, .unit = "", .standard = "open",
+     .text = "top side"},
+};
+KEYS(boundary, sph2d_boundary, NULL);
+
+static const sph2d_key fluid_items[] = {
+    {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
+     .text = "rest density"},
+    {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
+     .standard = "0.001", .text = "water 0.001, oil 0.1, honey 10"},
+};
+KEYS(fluid, sph2d_fluid, NULL);
+
+static const sph2d_key method_items[] = {
+    {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
+     .standard = "muller", .text = "the solver"},
+    {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN(1e-6, 0.9),
+     .unit = "", .standard = "0.1", .text = "wanted rho/rho0 - 1 under the liquid's own head; gives the sound speed"},
+    {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
+     .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
+    {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN(1.2, 6), .unit = "",
+     .standard = "2.0", .text = "support radius over spacing, H/dx"},
+    {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN(0.01, 0.9), .unit = "", .standard = "0.3",
+     .text = "step limit: dt <= cfl H / (c0 + v_max)"},
+    {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
+     .standard = "adaptive", .text = "a fixed step"},
+};
+KEYS(method, sph2d_method_options, NULL);
+
+#define LIST(word, member, singular, meaning)                                                                          \
+    {                                                                                                                  \
+        word, SPH2D_KEY_LIST, false, LIST_AT(sph2d_scene, member, singular##_count), .keys = &singular##_keys,         \
+            .unit = "", .standard = "none", .text = meaning                                                            \
+    }
+
+static const sph2d_key scene_items[] = {
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_scene, name), .unit = "", .standard = "scene", .text = "for people"},
+    {"domain", SPH2D_KEY_GROUP, true, AT(sph2d_scene, domain), .keys = &box_keys, .unit = "",
+     .text = "the rectangle where the liquid lives"},
+    {"boundary", SPH2D_KEY_GROUP, false, AT(sph2d_scene, boundary), .keys = &boundary_keys, .unit = "",
+     .text = "what closes its sides"},
+    {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "", .standard = "spring",
+     .text = "form of the sides that are walls"},
+    {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
+     .standard = "0.1", .text = "spring walls: damping over critical damping"},
+    {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .standard = "[0, -9.81]",
+     .text = "acceleration"},
+    {"spacing", SPH2D_KEY_NUMBER, true, AT(sph2d_scene, spacing), ABOVE_0, .unit = "m", .text = "between particles"},
+    {"fluid", SPH2D_KEY_GROUP, false, AT(sph2d_scene, fluid), .keys = &fluid_keys, .unit = "", .text = "the liquid"},
+    {"method", SPH2D_KEY_GROUP, false, AT(sph2d_scene, method), .keys = &method_keys, .unit = "",
+     .text = "the solver and its numbers"},
+    LIST("blocks", blocks, block, "liquid at the start"),
+    LIST("sources", sources, source, "nozzles that feed liquid in"),
+    LIST("drains", drains, drain, "areas where liquid vanishes"),
+    LIST("obstacles", obstacles, obstacle, "fixed walls of boundary particles"),
+    LIST("interactions", interactions, interaction, "pull or push at a moving point"),
+    LIST("probes", probes, probe, "time series"),
+    {"run", SPH2D_KEY_GROUP, false, AT(sph2d_scene, run), .keys = &run_keys, .unit = "",
+     .text = "how long, and what is written"},
+};
+KEYS(scene, sph2d_scene, scene_set);
+
+const sph2d_keys *sph2d_scene_keys(void)
+{
+    return &scene_keys;
+}

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/** @file shape.c
+ *  Geometry of shapes and outlines. */
+#include "scene/shape.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+static sph2d_box bounds_of_points(sph2d_points points)
+{
+    sph2d_box box = {points.items[0], points.items[0]};
+    for (size_t i = 1; i < points.count; ++i) {
+        sph2d_vec2 p = points.items[i];
+        box.min.x = fmin(box.min.x, p.x);
+        box.min.y = fmin(box.min.y, p.y);
+        box.max.x = fmax(box.max.x, p.x);
+        box.max.y = fmax(box.max.y, p.y);
+    }
+    return box;
+}
+
+static sph2d_box bounds_of_disc(sph2d_disc disc)
+{
+    sph2d_vec2 c = disc.center;
+    return (sph2d_box){{c.x - disc.radius, c.y - disc.radius}, {c.x + disc.radius, c.y + disc.radius}};
+}
+
+sph2d_box sph2d__shape_bounds(const sph2d_shape *shape)
+{
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        return shape->box;
+    case SPH2D_SHAPE_DISC:
+        return bounds_of_disc(shape->disc);
+    case SPH2D_SHAPE_POLYGON:
+        if (shape->polygon.count > 0)
+            return bounds_of_points(shape->polygon);
+        break;
+    case SPH2D_SHAPE_NONE:
+        break;
+    }
+    return (sph2d_box){{0, 0}, {0, 0}};
+}
+
+/** Shoelace formula. */
+static double polygon_area(sph2d_points points)
+{
+    double twice = 0;
+    for (size_t i = 0; i < points.count; ++i) {
+        sph2d_vec2 a = points.items[i];
+        sph2d_vec2 b = points.items[(i + 1) % points.count];
+        twice += a.x * b.y - b.x * a.y;
+    }
+    return fabs(twice) / 2;
+}
+
+double sph2d__shape_area(const sph2d_shape *shape)
+{
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        return (shape->box.max.x - shape->box.min.x) * (shape->box.max.y - shape->box.min.y);
+    case SPH2D_SHAPE_DISC:
+        return PI * shape->disc.radius * shape->disc.radius;
+    case SPH2D_SHAPE_POLYGON:
+        return polygon_area(shape->polygon);
+    case SPH2D_SHAPE_NONE:
+        break;
+    }
+    return 0;
+}
+
+static bool disc_contains(sph2d_disc disc, sph2d_vec2 p)
+{
+    return hypot(p.x - disc.center.x, p.y - disc.center.y) < disc.radius;
+}
+
+static bool box_contains(sph2d_box box, sph2d_vec2 p)
+{
+    return p.x >= box.min.x && p.x < box.max.x && p.y >= box.min.y && p.y < box.max.y;
+}
+
+/** Counts crossings of a ray to the right. */
+static bool polygon_contains(sph2d_points points, sph2d_vec2 p)
+{
+    bool inside = false;
+    for (size_t i = 0; i < points.count; ++i) {
+        sph2d_vec2 a = points.items[i];
+        sph2d_vec2 b = points.items[(i + 1) % points.count];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point)
+{
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        return box_contains(shape->box, point);
+    case SPH2D_SHAPE_DISC:
+        return disc_contains(shape->disc, point);
+    case SPH2D_SHAPE_POLYGON:
+        return polygon_contains(shape->polygon, point);
+    case SPH2D_SHAPE_NONE:
+        break;
+    }
+    return false;
+}
+
+size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
+{
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_LINE:
+        return outline->line.count > 0 ? outline->line.count - 1 : 0;
+    case SPH2D_OUTLINE_POLYLINE:
+        return outline->polyline.count > 0 ? outline->polyline.count - 1 : 0;
+    case SPH2D_OUTLINE_CIRCLE: {
+        double pieces = ceil(2 * PI * outline->circle.radius / spacing);
+        return pieces < 8 ? 8 : pieces > 4e9 ? (size_t)4e9 : (size_t)pieces;
+    }
+    case SPH2D_OUTLINE_BOX:
+        return 4;
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return 0;
+}
+
+static sph2d_vec2 circle_point(sph2d_disc circle, size_t index, size_t pieces)
+{
+    double angle = 2 * PI * (double)(index % pieces) / (double)pieces;
+    return (sph2d_vec2){circle.center.x + circle.radius * cos(angle), circle.center.y + circle.radius * sin(angle)};
+}
+
+sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index)
+{
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_LINE:
+        return (sph2d__segment){outline->line.items[index], outline->line.items[index + 1]};
+    case SPH2D_OUTLINE_POLYLINE:
+        return (sph2d__segment){outline->polyline.items[index], outline->polyline.items[index + 1]};
+    case SPH2D_OUTLINE_CIRCLE: {
+        size_t pieces = sph2d__outline_pieces(outline, spacing);
+        return (sph2d__segment){circle_point(outline->circle, index, pieces),
+                                circle_point(outline->circle, index + 1, pieces)};
+    }
+    case SPH2D_OUTLINE_BOX: {
+        sph2d_box b = outline->box;
+        sph2d_vec2 corners[5] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}, b.min};
+        return (sph2d__segment){corners[index % 4], corners[index % 4 + 1]};
+    }
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return (sph2d__segment){{0, 0}, {0, 0}};
+}
+
+bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point)
+{
+    if (outline->kind == SPH2D_OUTLINE_CIRCLE)
+        return disc_contains(outline->circle, point);
+    return outline->kind == SPH2D_OUTLINE_BOX && box_contains(outline->box, point);
+}
+
+double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point)
+{
+    double ex = segment->b.x - segment->a.x, ey = segment->b.y - segment->a.y;
+    double px = point.x - segment->a.x, py = point.y - segment->a.y;
+    double length2 = ex * ex + ey * ey;
+    double t = length2 > 0 ? fmin(fmax((px * ex + py * ey) / length2, 0), 1) : 0;
+    return hypot(px - t * ex, py - t * ey);
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT */
+/** @file shape.h
+ *  Geometry of shapes (areas) and outlines (lines). */
+#ifndef SPH2D_SCENE_SHAPE_H
+#define SPH2D_SCENE_SHAPE_H
+
+#include <stdbool.h>
+
+#include "sph2d/scene.h"
+
+/** Smallest rectangle around a shape; an empty one at the origin for no shape. */
+sph2d_box sph2d__shape_bounds(const sph2d_shape *shape);
+/** Area [m^2]. */
+double sph2d__shape_area(const sph2d_shape *shape);
+/** Whether a point lies inside; points on the lower and left edges of a rectangle do, on the others not. */
+bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point);
+
+/** A straight piece of wall. */
+typedef struct sph2d__segment {
+    sph2d_vec2 a, b;
+} sph2d__segment;
+
+/** Number of straight pieces that an outline is made of; a circle is cut into pieces no longer than `spacing`. */
+size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing);
+/** Piece `index` of so many. */
+sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index);
+/** Whether a point lies inside a closed outline (circle, box); never for lines. */
+bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
+/** Distance of a point from a straight piece [m]. */
+double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/** @file barrier.h
+ *  The backstop: motion is swept against the walls' straight pieces, so that nothing passes a wall one particle thick,
+ *  however fast it is. */
+#ifndef SPH2D_SIM_BARRIER_H
+#define SPH2D_SIM_BARRIER_H
+
+#include "base/memory.h"
+#include "scene/shape.h"
+
+typedef struct sph2d__barrier {
+    sph2d__segment *segments;
+    size_t count, capacity;
+    double clearance;          /**< distance from a wall at which a particle is stopped [m] */
+    /* A grid of buckets over the segments, each with the segments that come near it. */
+    double origin_x, origin_y, inverse_size;
+    int nx, ny;
+    uint32_t *start;           /**< nx * ny + 1 values */
+    uint32_t *items;           /**< segment indices */
+    size_t start_capacity, item_capacity;
+} sph2d__barrier;
+
+/** Adds a piece of wall. False when memory is short. */
+bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__memory *memory);
+
+/** Builds the buckets, `bucket` wide [m] or wider; call it once after the last add. False when memory is short. */
+bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearance, sph2d__memory *memory);
+
+/** Holds a motion from `from` to *to with velocity *v on its side of every wall. On a hit the particle stops at the
+ *  clearance, loses its velocity into the wall and slides along it; it never gains energy. Returns the number of hits. */
+int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
+
+void sph2d__barrier_free(sph2d__barrier *barrier, sph2d__memory *memory);
+
+#endif

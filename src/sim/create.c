@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+/** @file create.c
+ *  Making a simulation, new or from a state, and freeing it. */
+#include <math.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "methods/isa.h"
+#include "scene/copy.h"
+#include "scene/derive.h"
+#include "sim/simulation.h"
+
+sph2d_sim_options sph2d_sim_options_default(void)
+{
+    return (sph2d_sim_options){.struct_size = sizeof(sph2d_sim_options)};
+}
+
+static int default_threads(void)
+{
+#ifdef _OPENMP
+    return omp_get_num_procs();
+#else
+    return 1;
+#endif
+}
+
+static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report *report)
+{
+    if (options->struct_size != sizeof *options) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
+                         "the options were not made by sph2d_sim_options_default() of this version");
+        return SPH2D_INVALID;
+    }
+    if (options->threads < 0 || options->threads > 1024) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
+                         "%d threads are out of range: 1 to 1024, or 0 for as many as there are processors",
+                         options->threads);
+        return SPH2D_INVALID;
+    }
+    if (sph2d__isa_choose(options->isa) == SPH2D_ISA_AUTO) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL,
+                         "this processor or this build has no instruction set '%s'", sph2d_isa_name(options->isa));
+        return SPH2D_INVALID;
+    }
+    return SPH2D_OK;
+}
+
+static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
+{
+    const sph2d_scene *scene = &sim->scene;
+    sph2d__derived d = sph2d__scene_derive(scene);
+    sph2d__system *s = &sim->system;
+    s->memory = &sim->memory;
+#ifdef _OPENMP
+    s->threads = options->threads > 0 ? options->threads : default_threads();
+#else
+    s->threads = default_threads();
+#endif
+    s->isa = sph2d__isa_choose(options->isa);
+    s->spacing = scene->spacing;
+    s->support = d.support_radius;
+    s->mass = d.mass;
+    s->rest_density = scene->fluid.density;
+    s->sound_speed = d.sound_speed;
+    s->viscosity = scene->fluid.dynamic_viscosity;
+    s->cfl = scene->method.cfl;
+    sim->record.gravity_x = scene->gravity.x;
+    sim->record.gravity_y = scene->gravity.y;
+    sim->record.isa = s->isa;
+}
+
+static sph2d_status allocate_lists(sph2d_sim *sim)
+{
+    const sph2d_scene *scene = &sim->scene;
+    sim->points =
+        sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
+    sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
+    sim->output_counts = sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count,
+                                            sizeof(uint64_t));
+    return sim->points && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+/** First forces and extremes of a new simulation. */
+static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_status status = sph2d__sim_place_fluid(sim, report);
+    if (status != SPH2D_OK)
+        return status;
+    sim->method->prepare(&sim->system);
+    sph2d__sim_aim(sim, 0);
+    sim->method->evaluate(&sim->system);
+    sph2d_summary start;
+    sph2d__sim_sum_energy(sim, &start);
+    sim->record.energy_start = start.kinetic + start.potential;
+    return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
+}
+
+/** Goes on from a state: density, pressure and acceleration are part of it, so nothing is evaluated. */
+static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
+{
+    sim->method->prepare(&sim->system);
+    sph2d_status status = sph2d__sim_load(sim, state, report);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__sim_aim(sim, sim->record.time);
+    return SPH2D_OK;
+}
+
+static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,
+                          const sph2d_state *state, sph2d_report *report)
+{
+    sph2d_status status = sph2d__scene_copy(scene, &sim->arena, &sim->memory, &sim->scene);
+    if (status != SPH2D_OK)
+        return status;
+    set_system(sim, options);
+    sim->method = sph2d__method_find(sim->scene.method.name);
+    status = allocate_lists(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_place_walls(sim, report);
+    if (status == SPH2D_OK)
+        status = state ? start_from(sim, state, report) : start_fresh(sim, report);
+    if (status == SPH2D_OK)
+        sph2d__sim_make_plan(sim);
+    return status;
+}
+
+static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
+                           sph2d_sim **out, sph2d_report *report)
+{
+    *out = NULL;
+    sph2d_sim_options standard = sph2d_sim_options_default();
+    options = options ? options : &standard;
+    sph2d_status status = check_options(options, report);
+    if (status == SPH2D_OK)
+        status = sph2d_scene_check(scene, report);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__memory memory = sph2d__memory_from(options->allocator);
+    sph2d_sim *sim = sph2d__alloc(&memory, 1, sizeof *sim);
+    if (sim) {
+        sim->memory = memory;
+        status = build(sim, scene, options, state, report);
+    }
+    if (!sim || status == SPH2D_NOMEM) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory while making the simulation");
+        status = SPH2D_NOMEM;
+    }
+    if (status != SPH2D_OK) {
+        sph2d_sim_destroy(sim);
+        return status;
+    }
+    *out = sim;
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
+                              sph2d_report *report)
+{
+    return create(scene, options, NULL, sim, report);
+}
+
+sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
+                               sph2d_sim **sim, sph2d_report *report)
+{
+    return create(scene, options, state, sim, report);
+}
+
+void sph2d_sim_destroy(sph2d_sim *sim)
+{
+    if (!sim)
+        return;
+    sph2d__memory *memory = &sim->memory;
+    sph2d__system *s = &sim->system;
+    sph2d__store_free(&s->fluid, memory);
+    sph2d__store_free(&s->walls, memory);
+    sph2d__cells_free(&s->fluid_cells, memory);
+    sph2d__cells_free(&s->wall_cells, memory);
+    void *blocks[4] = {s->wall_mass, s->wall_bounce, sim->doomed, sim->state_arrays};
+    sph2d__release(memory, &blocks[0], s->wall_capacity, sizeof(double));
+    sph2d__release(memory, &blocks[1], s->wall_bounce ? s->wall_capacity : 0, sizeof(double));
+    sph2d__release(memory, &blocks[2], sim->doomed_capacity, 1);
+    sph2d__release(memory, &blocks[3], sim->state_capacity, sizeof(sph2d_array));
+    sph2d__barrier_free(&sim->barrier, memory);
+    sph2d__arena_free(&sim->arena, memory);
+    sph2d__memory last = *memory; /* the simulation holds its own allocator */
+    void *block = sim;
+    sph2d__release(&last, &block, 1, sizeof *sim);
+}
+
+sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report)
+{
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(scene, NULL, &sim, report);
+    if (status == SPH2D_OK)
+        *plan = sim->plan;
+    sph2d_sim_destroy(sim);
+    return status;
+}

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+/** @file measure.c
+ *  What a step looks at when it is done: guards, extremes, the length of the next step. */
+#include <math.h>
+
+#include "base/threads.h"
+#include "sim/simulation.h"
+
+/* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
+static const double STEP_GROWTH = 1.2;
+/* A step that is this fraction of the acoustic one at rest is near collapse; so many in a row are one. */
+static const double COLLAPSE = 1e-5;
+enum { COLLAPSED_STEPS = 100 };
+
+typedef struct extremes {
+    double speed2, acceleration2, density;
+    size_t bad; /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
+} extremes;
+
+static extremes find_extremes(const sph2d__system *s)
+{
+    const sph2d__store *f = &s->fluid;
+    double speed2 = 0, acceleration2 = 0, density = 0;
+    size_t bad = SIZE_MAX;
+    int threads = sph2d__threads_for(s->threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)                                        \
+    reduction(max : speed2, acceleration2, density) reduction(min : bad)
+    for (size_t i = 0; i < f->count; ++i) {
+        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
+        double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
+        speed2 = v2 > speed2 ? v2 : speed2;
+        acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
+        density = f->density[i] > density ? f->density[i] : density;
+        if (!isfinite(v2 + a2 + f->x[i] + f->y[i]) && i < bad)
+            bad = i;
+    }
+    return (extremes){speed2, acceleration2, density, bad};
+}
+
+/** Index of a particle beyond a side that is a wall; SIZE_MAX for none. */
+static size_t find_escaped(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d_boundary b = sim->scene.boundary;
+    sph2d_box d = sim->scene.domain;
+    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY, top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
+    size_t escaped = SIZE_MAX;
+    /* Beside an open side the line of the next wall has no end: outside that side there is no wall to escape through. */
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : escaped)
+    for (size_t i = 0; i < f->count; ++i) {
+        bool across = f->x[i] < left || f->x[i] > right, along = f->y[i] < bottom || f->y[i] > top;
+        bool level = f->y[i] >= d.min.y && f->y[i] <= d.max.y, upright = f->x[i] >= d.min.x && f->x[i] <= d.max.x;
+        if (((across && level) || (along && upright)) && i < escaped)
+            escaped = i;
+    }
+    return escaped;
+}
+
+static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i, const char *what,
+                            const char *hint)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d_diagnostic *d =
+        sph2d_report_add(report, SPH2D_ERROR, code, NULL,
+                         "%s: particle %llu at (%g, %g) with velocity (%g, %g), step %llu, time %g s", what,
+                         (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i],
+                         (unsigned long long)sim->record.steps, sim->record.time);
+    sph2d_diagnostic_hint(d, "%s", hint);
+}
+
+static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report)
+{
+    if (e->bad != SIZE_MAX) {
+        report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->bad, "a value is not finite",
+                        "lower method.time_step or method.cfl");
+        return false;
+    }
+    size_t escaped = find_escaped(sim);
+    if (escaped != SIZE_MAX) {
+        report_particle(sim, report, SPH2D_CODE_ESCAPED, escaped, "a particle is beyond a wall of the domain",
+                        "start liquid inside the domain; lower method.time_step");
+        return false;
+    }
+    return true;
+}
+
+static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
+{
+    const sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    double speed = sqrt(e->speed2);
+    if (sim->scene.method.time_step > 0 && speed * r->next_step > s->support) {
+        sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_TOO_LARGE, "method.time_step",
+                                               "a particle moves %g m in one step, more than the support radius %g m "
+                                               "(step %llu, time %g s)",
+                                               speed * r->next_step, s->support, (unsigned long long)r->steps, r->time);
+        sph2d_diagnostic_hint(d, "leave method.time_step out for an adaptive step, or lower it to %.2g",
+                              s->cfl * s->support / (s->sound_speed + speed));
+        return false;
+    }
+    r->short_steps = r->next_step < COLLAPSE * s->support / s->sound_speed ? r->short_steps + 1 : 0;
+    if (r->short_steps >= COLLAPSED_STEPS) {
+        sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_COLLAPSE, NULL,
+                                               "the time step collapsed to %g s at step %llu, time %g s "
+                                               "(fastest particle %g m/s, largest acceleration %g m/s^2)",
+                                               r->next_step, (unsigned long long)r->steps, r->time, speed,
+                                               sqrt(e->acceleration2));
+        sph2d_diagnostic_hint(d, "look for overlapping particles or a source into a full place");
+        return false;
+    }
+    return true;
+}
+
+static void choose_step(sph2d_sim *sim, const extremes *e)
+{
+    sph2d__record *r = &sim->record;
+    sph2d__limit limit = SPH2D__LIMIT_FIXED;
+    double dt = sim->scene.method.time_step;
+    if (!(dt > 0)) {
+        dt = sim->method->stable_step(&sim->system, sqrt(e->speed2), sqrt(e->acceleration2), &limit);
+        if (r->last_step > 0 && dt > STEP_GROWTH * r->last_step)
+            dt = STEP_GROWTH * r->last_step;
+    }
+    r->next_step = dt;
+    r->next_limit = limit;
+}
+
+bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
+{
+    extremes e = find_extremes(&sim->system);
+    if (!guard_values(sim, &e, report))
+        return false;
+    double compression = e.density / sim->system.rest_density - 1;
+    if (compression > sim->record.compression_max)
+        sim->record.compression_max = compression;
+    choose_step(sim, &e);
+    return guard_step(sim, &e, report);
+}

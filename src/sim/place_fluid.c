@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: MIT */
+/** @file place_fluid.c
+ *  The particles of a scene's blocks: square lattices, kept free of obstacles, refused where they overlap. */
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "sim/simulation.h"
+
+/* Places closer to an obstacle than this many spacings stay free. */
+static const double FREE_DISTANCE = 0.7;
+/* Particles of different blocks closer than this many spacings overlap. */
+static const double OVERLAP = 0.5;
+
+/** Bytes that a fluid particle takes in the store and the cells. */
+static const double PARTICLE_BYTES = 13 * sizeof(double) + 2 * sizeof(uint64_t) + 3 * sizeof(uint32_t);
+
+/** The lattice of a block: first place, number of places. */
+typedef struct lattice {
+    sph2d_vec2 first;
+    double spacing;
+    double nx, ny; /**< whole numbers, as doubles because a wrong scene may ask for too many */
+} lattice;
+
+static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
+{
+    lattice l = {.spacing = block->spacing > 0 ? block->spacing : sim->scene.spacing};
+    sph2d_box b = sph2d__shape_bounds(&block->shape);
+    double half = block->shape.kind == SPH2D_SHAPE_BOX ? 0.5 : 0.0; /* boxes fit whole columns, others are cut out */
+    l.nx = floor((b.max.x - b.min.x) / l.spacing + half);
+    l.ny = floor((b.max.y - b.min.y) / l.spacing + half);
+    l.nx = l.nx < 1 ? 1 : l.nx;
+    l.ny = l.ny < 1 ? 1 : l.ny;
+    l.first = (sph2d_vec2){b.min.x + l.spacing / 2, b.min.y + l.spacing / 2};
+    if (block->shape.kind == SPH2D_SHAPE_DISC) { /* symmetric about its centre */
+        l.first.x = block->shape.disc.center.x - (l.nx - 1) / 2 * l.spacing;
+        l.first.y = block->shape.disc.center.y - (l.ny - 1) / 2 * l.spacing;
+    }
+    return l;
+}
+
+/** Whether a place is inside an obstacle or too close to one. */
+static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    double distance = FREE_DISTANCE * scene->spacing;
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        const sph2d_outline *outline = &scene->obstacles[i].outline;
+        if (sph2d__outline_encloses(outline, p))
+            return true;
+        size_t pieces = sph2d__outline_pieces(outline, scene->spacing);
+        for (size_t k = 0; k < pieces; ++k) {
+            sph2d__segment s = sph2d__outline_piece(outline, scene->spacing, k);
+            if (sph2d__segment_distance(&s, p) < distance)
+                return true;
+        }
+    }
+    return false;
+}
+
+static sph2d_status too_many(sph2d_report *report, size_t block, double count)
+{
+    char path[64];
+    snprintf(path, sizeof path, "blocks[%zu]", block);
+    double bytes = count * PARTICLE_BYTES;
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
+                                           "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
+    sph2d_diagnostic_hint(d, "a larger spacing needs fewer: their number goes with 1/spacing^2");
+    return SPH2D_SCENE;
+}
+
+/** More than this machine's memory, or than a 32-bit index can name. */
+static bool is_too_many(double count)
+{
+    double memory = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    return count > 4e9 || (memory > 0 && count * PARTICLE_BYTES > memory);
+}
+
+static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
+{
+    const sph2d_block *block = &sim->scene.blocks[index];
+    sph2d__store *fluid = &sim->system.fluid;
+    lattice l = lattice_of(sim, block);
+    double wanted = (double)fluid->count + l.nx * l.ny;
+    if (is_too_many(wanted))
+        return too_many(report, index, wanted);
+    size_t nx = (size_t)l.nx, ny = (size_t)l.ny;
+    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + nx * ny))
+        return SPH2D_NOMEM;
+    for (size_t row = 0; row < ny; ++row)
+        for (size_t column = 0; column < nx; ++column) {
+            sph2d_vec2 p = {l.first.x + (double)column * l.spacing, l.first.y + (double)row * l.spacing};
+            if (block->shape.kind != SPH2D_SHAPE_BOX && !sph2d__shape_contains(&block->shape, p))
+                continue;
+            if (taken_by_obstacle(&sim->scene, p)) {
+                ++sim->plan.places_left_free;
+                continue;
+            }
+            size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
+            fluid->vx[i] = block->velocity.x;
+            fluid->vy[i] = block->velocity.y;
+        }
+    return SPH2D_OK;
+}
+
+/** The block of a particle: ids were given block by block, `ends` holds the first id behind each. */
+static size_t block_of(const uint64_t *ends, size_t count, uint64_t id)
+{
+    size_t block = 0;
+    while (block + 1 < count && id >= ends[block])
+        ++block;
+    return block;
+}
+
+/** A pair of particles of different blocks that are too close to a common place of liquid. */
+static bool find_overlap(const sph2d_sim *sim, const uint64_t *ends, size_t *a, size_t *b, sph2d_vec2 *where)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    size_t blocks = sim->scene.block_count;
+    for (size_t i = 0; i < f->count; ++i) {
+        size_t mine = block_of(ends, blocks, f->id[i]);
+        double own = sim->scene.blocks[mine].spacing > 0 ? sim->scene.blocks[mine].spacing : s->spacing;
+        sph2d__ranges ranges = sph2d__cells_ranges(&s->fluid_cells, sph2d__cells_find(&s->fluid_cells, f->x[i], f->y[i]));
+        for (int r = 0; r < 3; ++r)
+            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+                if (hypot(f->x[i] - f->x[j], f->y[i] - f->y[j]) >= OVERLAP * own)
+                    continue;
+                size_t theirs = block_of(ends, blocks, f->id[j]);
+                if (theirs == mine)
+                    continue;
+                *a = mine < theirs ? mine : theirs;
+                *b = mine < theirs ? theirs : mine;
+                *where = (sph2d_vec2){f->x[i], f->y[i]};
+                return true;
+            }
+    }
+    return false;
+}
+
+static sph2d_status check_overlap(sph2d_sim *sim, const uint64_t *ends, sph2d_report *report)
+{
+    size_t a, b;
+    sph2d_vec2 where;
+    if (sim->scene.block_count < 2 || !find_overlap(sim, ends, &a, &b, &where))
+        return SPH2D_OK;
+    char path[64];
+    snprintf(path, sizeof path, "blocks[%zu]", b);
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
+                                           "overlaps blocks[%zu] near (%g, %g)", a, where.x, where.y);
+    sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
+    return SPH2D_SCENE;
+}
+
+sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
+{
+    const sph2d_scene *scene = &sim->scene;
+    uint64_t *ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->block_count + 1, sizeof *ends);
+    if (!ends)
+        return SPH2D_NOMEM;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        sph2d_status status = place_block(sim, i, report);
+        if (status != SPH2D_OK)
+            return status;
+        ends[i] = sim->record.next_id;
+    }
+    if (sim->system.fluid.count == 0 && scene->source_count == 0) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");
+        return SPH2D_SCENE;
+    }
+    if (!sph2d__store_reserve(&sim->system.fluid, &sim->memory, 1) ||
+        !sph2d__cells_build(&sim->system.fluid_cells, &sim->system.fluid, sim->system.support, &sim->memory,
+                            sim->system.threads))
+        return SPH2D_NOMEM;
+    return check_overlap(sim, ends, report);
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/** @file place_walls.c
+ *  Walls of a scene: boundary particles along obstacles and sides, pieces for the backstop, springs. */
+#include <math.h>
+
+#include "sim/simulation.h"
+
+/* Distance at which the backstop holds a particle, in spacings: well inside what pressure and springs keep free. */
+static const double CLEARANCE = 0.05;
+/* Sides made of boundary particles have them this far outside the domain, so that a lattice that starts half a spacing
+ * inside is one spacing away. */
+static const double SIDE_OFFSET = 0.5;
+
+/** A piece of wall with boundary particles along it. */
+typedef struct wall_piece {
+    sph2d__segment segment;
+    sph2d_wall_form form;
+    double restitution;
+    bool with_end; /**< the last particle is this piece's too, not the first of the next piece */
+} wall_piece;
+
+static double piece_intervals(const sph2d__segment *s, double spacing)
+{
+    double n = ceil(hypot(s->b.x - s->a.x, s->b.y - s->a.y) / spacing - 1e-9);
+    return n < 1 ? 1 : n;
+}
+
+/** Room for `extra` more boundary particles, also in the arrays beside the store. */
+static bool reserve_walls(sph2d__system *s, size_t extra)
+{
+    if (!sph2d__store_reserve(&s->walls, s->memory, s->walls.count + extra))
+        return false;
+    size_t was = s->wall_capacity, now = s->walls.capacity + SPH2D__PADDING;
+    if (now <= was)
+        return true;
+    void *mass = s->wall_mass, *bounce = s->wall_bounce;
+    bool ok = sph2d__resize(s->memory, &mass, was, now, sizeof(double));
+    s->wall_mass = mass;
+    if (!ok)
+        return false;
+    if (!sph2d__resize(s->memory, &bounce, was, now, sizeof(double))) {
+        sph2d__resize(s->memory, &mass, now, was, sizeof(double));
+        s->wall_mass = mass;
+        return false;
+    }
+    s->wall_bounce = bounce;
+    s->wall_capacity = now;
+    return true;
+}
+
+/** Boundary particles from a to b, no farther apart than the spacing. */
+static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_report *report)
+{
+    sph2d__system *s = &sim->system;
+    const sph2d__segment *line = &piece->segment;
+    double intervals = piece_intervals(line, s->spacing);
+    if ((double)s->walls.count + intervals > 1e9) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, "obstacles",
+                         "a wall needs %.3g boundary particles at this spacing", intervals);
+        return SPH2D_SCENE;
+    }
+    size_t n = (size_t)intervals, count = n + piece->with_end;
+    if (!reserve_walls(s, count))
+        return SPH2D_NOMEM;
+    for (size_t k = 0; k < count; ++k) {
+        double t = (double)k / (double)n;
+        size_t i = sph2d__store_add(&s->walls, s->walls.count, line->a.x + t * (line->b.x - line->a.x),
+                                    line->a.y + t * (line->b.y - line->a.y));
+        s->wall_bounce[i] = piece->form == SPH2D_WALL_REFLECT ? piece->restitution : -1;
+    }
+    s->walls_press |= piece->form == SPH2D_WALL_HEAVY;
+    s->walls_reflect |= piece->form == SPH2D_WALL_REFLECT;
+    return SPH2D_OK;
+}
+
+static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_report *report)
+{
+    double spacing = sim->scene.spacing;
+    size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
+    bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
+    for (size_t k = 0; k < pieces; ++k) {
+        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), obstacle->form,
+                            obstacle->restitution, open && k + 1 == pieces};
+        if (!sph2d__barrier_add(&sim->barrier, piece.segment, &sim->memory))
+            return SPH2D_NOMEM;
+        sph2d_status status = place_piece(sim, &piece, report);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return SPH2D_OK;
+}
+
+/** One side of the domain that is a wall. `shift` leads outwards. */
+static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 shift, sph2d_report *report)
+{
+    if (!sph2d__barrier_add(&sim->barrier, (sph2d__segment){a, b}, &sim->memory))
+        return SPH2D_NOMEM;
+    if (sim->scene.walls == SPH2D_WALL_SPRING)
+        return SPH2D_OK;
+    double d = SIDE_OFFSET * sim->scene.spacing;
+    wall_piece piece = {{{a.x + d * shift.x, a.y + d * shift.y}, {b.x + d * shift.x, b.y + d * shift.y}},
+                        sim->scene.walls,
+                        sph2d_obstacle_default().restitution,
+                        true};
+    return place_piece(sim, &piece, report);
+}
+
+static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_box d = sim->scene.domain;
+    sph2d_boundary sides = sim->scene.boundary;
+    struct {
+        sph2d_side side;
+        sph2d_vec2 a, b, shift;
+    } all[4] = {
+        {sides.left, d.min, {d.min.x, d.max.y}, {-1, 0}},
+        {sides.right, {d.max.x, d.min.y}, d.max, {1, 0}},
+        {sides.bottom, d.min, {d.max.x, d.min.y}, {0, -1}},
+        {sides.top, {d.min.x, d.max.y}, d.max, {0, 1}},
+    };
+    for (int k = 0; k < 4; ++k) {
+        if (all[k].side != SPH2D_SIDE_WALL)
+            continue;
+        sph2d_status status = place_side(sim, all[k].a, all[k].b, all[k].shift, report);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return SPH2D_OK;
+}
+
+static void set_springs(sph2d_sim *sim)
+{
+    const sph2d_scene *scene = &sim->scene;
+    double dx = scene->spacing, c0 = sim->system.sound_speed;
+    bool spring = scene->walls == SPH2D_WALL_SPRING;
+    sph2d__spring_walls *w = &sim->system.body.springs;
+    w->left = spring && scene->boundary.left == SPH2D_SIDE_WALL ? scene->domain.min.x : -INFINITY;
+    w->right = spring && scene->boundary.right == SPH2D_SIDE_WALL ? scene->domain.max.x : INFINITY;
+    w->bottom = spring && scene->boundary.bottom == SPH2D_SIDE_WALL ? scene->domain.min.y : -INFINITY;
+    w->top = spring && scene->boundary.top == SPH2D_SIDE_WALL ? scene->domain.max.y : INFINITY;
+    w->range = dx / 2;
+    w->stiffness = c0 * c0 / (dx * dx);
+    w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
+}
+
+/** Sorts the boundary particles into their cells, with the arrays beside the store. */
+static bool sort_walls(sph2d__system *s)
+{
+    if (s->walls.count == 0)
+        return true;
+    if (!sph2d__cells_build(&s->wall_cells, &s->walls, s->support, s->memory, 1))
+        return false;
+    double *from = s->wall_bounce, *to = s->wall_mass; /* the masses are not set yet */
+    for (size_t k = 0; k < s->walls.count; ++k)
+        to[k] = from[s->wall_cells.order[k]];
+    s->wall_bounce = to;
+    s->wall_mass = from;
+    return true;
+}
+
+sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_status status = place_sides(sim, report);
+    for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
+        status = place_obstacle(sim, &sim->scene.obstacles[i], report);
+    if (status != SPH2D_OK)
+        return status;
+    set_springs(sim);
+    double dx = sim->scene.spacing;
+    if (!sort_walls(&sim->system) ||
+        !sph2d__barrier_build(&sim->barrier, 2 * sim->system.support, CLEARANCE * dx, &sim->memory))
+        return SPH2D_NOMEM;
+    for (size_t i = 0; i < sim->system.walls.count; ++i)
+        sim->system.walls.density[i] = sim->scene.fluid.density;
+    return SPH2D_OK;
+}

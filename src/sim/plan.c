@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/** @file plan.c
+ *  What a scene will be: the numbers that `check` prints. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scene/derive.h"
+#include "sim/simulation.h"
+
+static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
+{
+    double g = hypot(scene->gravity.x, scene->gravity.y);
+    if (scene->method.stiffness > 0)
+        snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
+                 "sqrt(stiffness) = sqrt(%g); head %.4g m^2/s^2 gives compression %.3g %%", scene->method.stiffness,
+                 d->head, 100 * d->head / scene->method.stiffness);
+    else
+        snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
+                 "sqrt((g h + U^2/2 + pull) / max_compression) = sqrt((%.4g * %.4g + %.4g^2/2 + %.4g) / %g)", g,
+                 d->height, d->speed, d->pull, scene->method.max_compression);
+}
+
+static double outputs_until(sph2d_rate rate, double until)
+{
+    double interval = sph2d_rate_interval(rate);
+    return interval > 0 ? floor(until / interval * (1 + 1e-12)) + 1 : 0;
+}
+
+/** Bytes that a snapshot holds for each particle: four vectors of three, four scalars, an id. */
+static double snapshot_bytes(double particles)
+{
+    return particles * (3 * 3 + 4 + 1) * sizeof(double);
+}
+
+void sph2d__sim_make_plan(sph2d_sim *sim)
+{
+    const sph2d_scene *scene = &sim->scene;
+    const sph2d__system *s = &sim->system;
+    sph2d__derived d = sph2d__scene_derive(scene);
+    sph2d_plan *plan = &sim->plan;
+    plan->fluid_particles = s->fluid.count;
+    plan->wall_particles = s->walls.count;
+    plan->particle_mass = s->mass;
+    plan->support_radius = s->support;
+    plan->sound_speed = s->sound_speed;
+    write_formula(plan, scene, &d);
+    plan->head = d.head;
+    plan->impact_compression = sqrt(2 * d.head) / s->sound_speed;
+    plan->time_step = sim->record.next_step;
+    plan->time_step_limit = sph2d__limit_name((sph2d__limit)sim->record.next_limit);
+    plan->steps = ceil(scene->run.until / plan->time_step);
+    plan->memory = (double)sim->memory.bytes;
+    plan->snapshots = outputs_until(scene->run.snapshots.rate, scene->run.until);
+    plan->frames = outputs_until(scene->run.frames.rate, scene->run.until);
+    plan->disk = plan->snapshots * snapshot_bytes((double)(s->fluid.count + s->walls.count));
+}

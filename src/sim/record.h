@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/** @file record.h
+ *  The scalars of a run: clock, steering, ledger. All of them are part of the state, so that a resumed run also sums up
+ *  like one that never stopped. */
+#ifndef SPH2D_SIM_RECORD_H
+#define SPH2D_SIM_RECORD_H
+
+#include <stdint.h>
+
+/** Name, name in the state, exponents of metre, kilogram and second, meaning. */
+#define SPH2D__RECORD_REALS(X)                                                                                         \
+    X(time, "Time", 0, 0, 1, "simulated time")                                                                         \
+    X(next_step, "NextTimeStep", 0, 0, 1, "length of the step that comes next")                                        \
+    X(last_step, "LastTimeStep", 0, 0, 1, "length of the step before; 0 at the start")                                 \
+    X(gravity_x, "GravityX", 1, 0, -2, "gravity")                                                                      \
+    X(gravity_y, "GravityY", 1, 0, -2, "gravity")                                                                      \
+    X(pointer_x, "PointerX", 1, 0, 0, "place of the steering pointer")                                                 \
+    X(pointer_y, "PointerY", 1, 0, 0, "place of the steering pointer")                                                 \
+    X(pointer_radius, "PointerRadius", 1, 0, 0, "reach of the steering pointer")                                       \
+    X(pointer_acceleration, "PointerAcceleration", 1, 0, -2, "strength of the steering pointer; 0 for none")           \
+    X(energy_start, "EnergyStart", 1, 1, -2, "kinetic and potential energy at the start, per metre")                   \
+    X(energy_fed, "EnergyFed", 1, 1, -2, "energy that particles brought and took, per metre")                          \
+    X(compression_max, "CompressionMax", 0, 0, 0, "largest compression so far")                                        \
+    X(compression_p99, "CompressionP99Integral", 0, 0, 1, "99th percentile of compression, summed over time")          \
+    X(compression_mean, "CompressionMeanIntegral", 0, 0, 1, "mean compression, summed over time")                      \
+    X(sampled_time, "SampledTime", 0, 0, 1, "time that the two sums cover")                                            \
+    X(sample_time, "SampleTime", 0, 0, 1, "time of the last sample")                                                   \
+    X(step_min, "TimeStepMin", 0, 0, 1, "shortest step so far")                                                        \
+    X(step_max, "TimeStepMax", 0, 0, 1, "longest step so far")
+
+#define SPH2D__RECORD_COUNTS(X)                                                                                        \
+    X(steps, "Step", "steps taken")                                                                                    \
+    X(particle_steps, "ParticleSteps", "particles advanced, summed over the steps")                                    \
+    X(next_id, "NextParticleID", "id of the next particle")                                                            \
+    X(isa, "InstructionSet", "1 baseline, 2 avx2, 3 avx512")                                                           \
+    X(next_limit, "NextLimit", "what limits the next step: acoustic, force, viscous, fixed")                           \
+    X(short_steps, "ShortSteps", "steps in a row that were near collapse")                                             \
+    X(fed, "Fed", "particles fed by sources")                                                                          \
+    X(blocked, "Blocked", "places that sources found taken")                                                           \
+    X(drained, "Drained", "particles lost to drains")                                                                  \
+    X(left_left, "LeftThroughLeft", "particles lost through the open left side")                                       \
+    X(left_right, "LeftThroughRight", "particles lost through the open right side")                                    \
+    X(left_bottom, "LeftThroughBottom", "particles lost through the open bottom side")                                 \
+    X(left_top, "LeftThroughTop", "particles lost through the open top side")                                          \
+    X(backstop_hits, "BackstopHits", "times the swept test held a particle")                                           \
+    X(reflections, "Reflections", "reflections at boundary particles")                                                 \
+    X(limited_acoustic, "LimitedAcoustic", "steps limited by the speed of sound")                                      \
+    X(limited_force, "LimitedForce", "steps limited by acceleration")                                                  \
+    X(limited_viscous, "LimitedViscous", "steps limited by viscosity")                                                 \
+    X(limited_fixed, "LimitedFixed", "steps of the length that the scene fixes")
+
+typedef struct sph2d__record {
+#define SPH2D__REAL_MEMBER(name, label, m, kg, s, text) double name;
+    SPH2D__RECORD_REALS(SPH2D__REAL_MEMBER)
+#undef SPH2D__REAL_MEMBER
+#define SPH2D__COUNT_MEMBER(name, label, text) uint64_t name;
+    SPH2D__RECORD_COUNTS(SPH2D__COUNT_MEMBER)
+#undef SPH2D__COUNT_MEMBER
+} sph2d__record;
+
+#endif

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/** @file simulation.h
+ *  What is inside an sph2d_sim. */
+#ifndef SPH2D_SIM_SIMULATION_H
+#define SPH2D_SIM_SIMULATION_H
+
+#include "methods/method.h"
+#include "sim/barrier.h"
+#include "sim/record.h"
+#include "sph2d/state.h"
+
+struct sph2d_sim {
+    sph2d_scene scene; /**< a deep copy, in `arena` */
+    sph2d__arena arena;
+    sph2d__memory memory;
+    sph2d_plan plan;
+
+    sph2d__system system;
+    const sph2d__method *method;
+    sph2d__barrier barrier;
+    sph2d__point_force *points; /**< room for every interaction and the pointer */
+    uint64_t *source_rows;      /**< rows that each source has fed */
+    uint64_t *output_counts;    /**< outputs taken: snapshots, frames, then each probe */
+    unsigned char *doomed;      /**< flags of particles to remove */
+    size_t doomed_capacity;
+
+    sph2d__record record;
+    bool stopped;               /**< a guard has fired */
+    sph2d_array *state_arrays;
+    size_t state_capacity;
+};
+
+/** Puts the interactions and the pointer that act at `time` where the method looks for them. */
+void sph2d__sim_aim(sph2d_sim *sim, double time);
+
+/** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
+ *  compression; from them the length of the next step. False when a guard fires. */
+bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
+
+/** Kinetic and potential energy of one particle [J/m]. */
+double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
+
+/** Sums energy and momentum over the fluid, and finds the largest speed, into those members of a summary. */
+void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out);
+
+/** Samples the compression when the step count says so. */
+void sph2d__sim_sample(sph2d_sim *sim);
+
+/** Fills the plan from a simulation that is ready to step. */
+void sph2d__sim_make_plan(sph2d_sim *sim);
+
+/** Feeds and drains at the present moment, before a step. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_feed(sph2d_sim *sim);
+sph2d_status sph2d__sim_drain(sph2d_sim *sim);
+
+/** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
+/** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
+
+/** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);
+
+#endif

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/** @file sources.c
+ *  What comes and goes between steps: sources feed rows of particles, drains and open sides take them. */
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+#include "sim/simulation.h"
+
+/* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart. */
+static const double ROOM = 0.7;
+
+/** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
+static uint64_t mix(uint64_t z)
+{
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/** Uniform in [-1, 1) from seed, source, row, column and component. */
+static double noise(uint64_t seed, uint64_t source, uint64_t row, uint64_t column, uint64_t component)
+{
+    uint64_t bits = mix(mix(mix(seed ^ mix(source)) ^ row) ^ (2 * column + component));
+    return (double)(bits >> 11) * 0x1p-52 - 1.0;
+}
+
+/** A source in numbers that emission needs. */
+typedef struct nozzle {
+    double ux, uy;    /**< unit vector of the jet */
+    double columns;   /**< particles in a row */
+    double interval;  /**< between rows [s] */
+} nozzle;
+
+static nozzle nozzle_of(const sph2d_scene *scene, const sph2d_source *source)
+{
+    double dx = scene->spacing;
+    double length = hypot(source->direction.x, source->direction.y);
+    nozzle n = {source->direction.x / length, source->direction.y / length, fmax(floor(source->width / dx + 0.5), 1), 0};
+    double rate = source->rate > 0 ? source->rate : n.columns * dx * source->speed;
+    n.interval = n.columns * dx * dx / rate;
+    return n;
+}
+
+static bool near_any(const sph2d__cells *cells, const sph2d__store *store, double x, double y, double distance)
+{
+    uint32_t cell = sph2d__cells_find(cells, x, y);
+    if (store->count == 0 || cell == UINT32_MAX)
+        return false;
+    sph2d__ranges ranges = sph2d__cells_ranges(cells, cell);
+    for (int r = 0; r < 3; ++r)
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j)
+            if (hypot(store->x[j] - x, store->y[j] - y) < distance)
+                return true;
+    return false;
+}
+
+/** Whether a new particle has room: inside the walls, away from liquid and boundary particles. `sorted` particles are in
+ *  the cells, those behind are new. */
+static bool has_room(const sph2d_sim *sim, size_t sorted, double x, double y)
+{
+    const sph2d__system *s = &sim->system;
+    double distance = ROOM * s->spacing, margin = 0.25 * s->spacing;
+    sph2d_box d = sim->scene.domain;
+    if (x < d.min.x + margin || x > d.max.x - margin || y < d.min.y + margin || y > d.max.y - margin)
+        return false;
+    if (s->walls.count > 0 && near_any(&s->wall_cells, &s->walls, x, y, distance))
+        return false;
+    if (sorted > 0 && near_any(&s->fluid_cells, &s->fluid, x, y, distance))
+        return false;
+    for (size_t j = sorted; j < s->fluid.count; ++j)
+        if (hypot(s->fluid.x[j] - x, s->fluid.y[j] - y) < distance)
+            return false;
+    return true;
+}
+
+/** Feeds one row. It has been under way since its due time, so that a jet is even whatever the steps are. */
+static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint64_t row, double age, size_t sorted)
+{
+    const sph2d_source *source = &sim->scene.sources[index];
+    sph2d__store *fluid = &sim->system.fluid;
+    size_t columns = (size_t)n->columns;
+    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
+        return SPH2D_NOMEM;
+    for (size_t k = 0; k < columns; ++k) {
+        double across = ((double)k - (n->columns - 1) / 2) * sim->scene.spacing;
+        double along = age * source->speed;
+        double x = source->at.x + along * n->ux - across * n->uy;
+        double y = source->at.y + along * n->uy + across * n->ux;
+        if (!has_room(sim, sorted, x, y)) {
+            ++sim->record.blocked;
+            continue;
+        }
+        size_t i = sph2d__store_add(fluid, sim->record.next_id++, x, y);
+        double spread = source->spread * source->speed;
+        fluid->vx[i] = source->speed * n->ux + spread * noise(source->seed, index, row, k, 0);
+        fluid->vy[i] = source->speed * n->uy + spread * noise(source->seed, index, row, k, 1);
+        sph2d__body_add(&sim->system.body, x, y, fluid->vx[i], fluid->vy[i], &fluid->ax[i], &fluid->ay[i]);
+        sim->record.energy_fed += sph2d__sim_energy_of(sim, x, y, fluid->vx[i], fluid->vy[i]);
+        ++sim->record.fed;
+    }
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__sim_feed(sph2d_sim *sim)
+{
+    size_t sorted = sim->system.fluid.count;
+    for (size_t i = 0; i < sim->scene.source_count; ++i) {
+        const sph2d_source *source = &sim->scene.sources[i];
+        nozzle n = nozzle_of(&sim->scene, source);
+        for (;;) {
+            uint64_t row = sim->source_rows[i];
+            double due = source->start + (double)row * n.interval;
+            if (due > sim->record.time || (source->stop > 0 && due >= source->stop))
+                break;
+            sph2d_status status = feed_row(sim, i, &n, row, sim->record.time - due, sorted);
+            if (status != SPH2D_OK)
+                return status;
+            ++sim->source_rows[i];
+        }
+    }
+    return SPH2D_OK;
+}
+
+/** Through which open side a particle has left for good: 0 to 3 for left, right, bottom, top, or -1. It may come back
+ *  as long as it is within one more width or height of the domain. */
+static int side_left(const sph2d_scene *scene, double x, double y)
+{
+    sph2d_box d = scene->domain;
+    double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
+    if (x < d.min.x - width)
+        return 0;
+    if (x > d.max.x + width)
+        return 1;
+    if (y < d.min.y - height)
+        return 2;
+    return y > d.max.y + height ? 3 : -1;
+}
+
+static bool in_drain(const sph2d_sim *sim, double x, double y)
+{
+    for (size_t i = 0; i < sim->scene.drain_count; ++i) {
+        const sph2d_drain *drain = &sim->scene.drains[i];
+        bool open = sim->record.time >= drain->start && (drain->stop <= 0 || sim->record.time < drain->stop);
+        if (open && sph2d__shape_contains(&drain->shape, (sph2d_vec2){x, y}))
+            return true;
+    }
+    return false;
+}
+
+static bool reserve_flags(sph2d_sim *sim)
+{
+    size_t capacity = sim->system.fluid.capacity;
+    if (sim->doomed_capacity >= capacity)
+        return true;
+    void *block = sim->doomed;
+    if (!sph2d__resize(&sim->memory, &block, sim->doomed_capacity, capacity, 1))
+        return false;
+    sim->doomed = block;
+    sim->doomed_capacity = capacity;
+    return true;
+}
+
+/** Takes note of a particle that goes. */
+static void count_lost(sph2d_sim *sim, size_t i)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d__record *r = &sim->record;
+    uint64_t *left[4] = {&r->left_left, &r->left_right, &r->left_bottom, &r->left_top};
+    int side = side_left(&sim->scene, f->x[i], f->y[i]);
+    ++*(side >= 0 ? left[side] : &r->drained);
+    r->energy_fed -= sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
+}
+
+static bool can_lose(const sph2d_scene *scene)
+{
+    const sph2d_boundary *b = &scene->boundary;
+    return scene->drain_count > 0 || b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN ||
+           b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
+}
+
+sph2d_status sph2d__sim_drain(sph2d_sim *sim)
+{
+    if (!can_lose(&sim->scene))
+        return SPH2D_OK;
+    if (!reserve_flags(sim))
+        return SPH2D_NOMEM;
+    sph2d__store *f = &sim->system.fluid;
+    size_t lost = 0;
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : lost)
+    for (size_t i = 0; i < f->count; ++i) {
+        sim->doomed[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
+        lost += sim->doomed[i];
+    }
+    if (lost == 0)
+        return SPH2D_OK;
+    for (size_t i = 0; i < f->count; ++i)
+        if (sim->doomed[i])
+            count_lost(sim, i);
+    sph2d__store_remove(f, sim->doomed);
+    return SPH2D_OK;
+}

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/** @file steer.c
+ *  Asking a simulation for its numbers, and steering it while it runs. */
+#include <math.h>
+
+#include "sim/simulation.h"
+
+/** Place on a path at a time; false before its start and after its end. */
+static bool on_path(const sph2d_path *path, double time, sph2d_vec2 *at)
+{
+    const sph2d_path_point *p = path->items;
+    if (path->count == 1) {
+        *at = (sph2d_vec2){p[0].x, p[0].y};
+        return true;
+    }
+    for (size_t k = 1; k < path->count; ++k) {
+        if (time < p[k - 1].t || time > p[k].t)
+            continue;
+        double f = (time - p[k - 1].t) / (p[k].t - p[k - 1].t);
+        *at = (sph2d_vec2){p[k - 1].x + f * (p[k].x - p[k - 1].x), p[k - 1].y + f * (p[k].y - p[k - 1].y)};
+        return true;
+    }
+    return false;
+}
+
+void sph2d__sim_aim(sph2d_sim *sim, double time)
+{
+    const sph2d__record *r = &sim->record;
+    sph2d__body *body = &sim->system.body;
+    size_t count = 0;
+    for (size_t i = 0; i < sim->scene.interaction_count; ++i) {
+        const sph2d_interaction *force = &sim->scene.interactions[i];
+        sph2d_vec2 at;
+        if (on_path(&force->path, time, &at))
+            sim->points[count++] = (sph2d__point_force){at.x, at.y, force->radius, force->acceleration};
+    }
+    if (r->pointer_acceleration != 0)
+        sim->points[count++] =
+            (sph2d__point_force){r->pointer_x, r->pointer_y, r->pointer_radius, r->pointer_acceleration};
+    body->points = sim->points;
+    body->point_count = count;
+    body->gravity_x = r->gravity_x;
+    body->gravity_y = r->gravity_y;
+}
+
+sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
+{
+    if (!isfinite(gravity.x) || !isfinite(gravity.y))
+        return SPH2D_INVALID;
+    sim->record.gravity_x = gravity.x;
+    sim->record.gravity_y = gravity.y;
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration)
+{
+    if (!isfinite(at.x) || !isfinite(at.y) || !isfinite(acceleration) || !isfinite(radius) || !(radius > 0))
+        return SPH2D_INVALID;
+    sim->record.pointer_x = at.x;
+    sim->record.pointer_y = at.y;
+    sim->record.pointer_radius = radius;
+    sim->record.pointer_acceleration = acceleration;
+    return SPH2D_OK;
+}
+
+double sph2d_sim_time(const sph2d_sim *sim)
+{
+    return sim->record.time;
+}
+
+uint64_t sph2d_sim_steps(const sph2d_sim *sim)
+{
+    return sim->record.steps;
+}
+
+double sph2d_sim_time_step(const sph2d_sim *sim)
+{
+    return sim->record.next_step;
+}
+
+sph2d_isa sph2d_sim_isa(const sph2d_sim *sim)
+{
+    return sim->system.isa;
+}
+
+int sph2d_sim_threads(const sph2d_sim *sim)
+{
+    return sim->system.threads;
+}
+
+size_t sph2d_sim_memory(const sph2d_sim *sim)
+{
+    return sim->memory.bytes;
+}
+
+const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)
+{
+    return &sim->scene;
+}
+
+const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim)
+{
+    return &sim->plan;
+}
+
+static sph2d_view view_of(const sph2d__store *s)
+{
+    return (sph2d_view){s->count, s->x, s->y, s->vx, s->vy, s->ax, s->ay, s->density, s->pressure, s->id};
+}
+
+sph2d_view sph2d_sim_fluid(const sph2d_sim *sim)
+{
+    return view_of(&sim->system.fluid);
+}
+
+sph2d_view sph2d_sim_walls(const sph2d_sim *sim)
+{
+    sph2d_view view = view_of(&sim->system.walls);
+    view.ax = view.ay = NULL;
+    return view;
+}

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Nowhere to write: 74, with a sentence, and what was written before is whole.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+# into_full ARGUMENTS...: standard output is a device that is always full.
+into_full() {
+    code=0
+    "$SPH2D" "$@" >/dev/full 2>err || code=$?
+    [ $code = 74 ] || fail "sph2d $* into /dev/full ended with $code"
+    says 'standard output: No space left'
+}
+into_full --version
+into_full --help
+into_full help exit
+into_full check "$TINY"
+into_full check "$TINY" --json
+into_full run "$TINY" -o folder --no-frames -s spacing=0.02
+into_full info folder/snapshot_000000.h5
+# closed is no better than full
+code=0
+"$SPH2D" --version >&- 2>err || code=$?
+[ $code = 74 ] || fail "a closed stdout ended with $code"
+code=0
+"$SPH2D" run "$TINY" -o closed --no-frames --quiet -s spacing=0.02 >&- 2>&- <&- || code=$?
+[ $code = 0 ] || fail "nothing to say and nowhere to say it ended with $code"
+same folder closed
+
+# A limit on the size of files stands in for a full disk: it holds the first snapshots, and a source makes later ones
+# larger. The unit is 1024 bytes.
+small=$(wc -c <folder/snapshot_000002.h5)
+large=$(wc -c <folder/snapshot_000010.h5)
+[ "$large" -gt $((small + 4096)) ] || fail 'snapshots do not grow'
+code=0
+(
+    trap '' XFSZ
+    ulimit -f $(((small + large) / 2048))
+    exec "$SPH2D" run "$TINY" -o full --no-frames -q -s spacing=0.02
+) 2>err || code=$?
+[ $code = 74 ] || fail "a full disk ended with $code"
+says 'F206.*full/'
+present full/snapshot_000002.h5
+[ "$(find full -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
+for snapshot in full/*.h5; do
+    expect 0 "$SPH2D" info "$snapshot"
+done
+# With room again it goes on.
+expect 0 "$SPH2D" resume full -q --no-frames && same folder full

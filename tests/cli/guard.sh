@@ -1,0 +1,12 @@
+#!/bin/sh
+# A guard stops a run: exit 1, a sentence that names it, and the moment in guard.h5, which resume does not take.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+expect 1 "$SPH2D" run "$TINY" -o folder --no-frames --progress never -s method.time_step=0.2 -s run.until=5
+says 'error\[R30[1-4]\]' && says 'guard.h5' && prints 'guard at t = '
+present folder/guard.h5 && present folder/snapshot_000000.h5
+expect 0 "$SPH2D" info folder/guard.h5
+cp -r folder before
+expect 1 "$SPH2D" resume folder --no-frames --progress never && says 'error\[R30'
+same before folder

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Help and version go to stdout and end with 0; a bad command line ends with 64 and a way out.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+expect 0 "$SPH2D" --help && prints 'usage: sph2d COMMAND' && silent
+expect 0 "$SPH2D" -h
+expect 0 "$SPH2D" help
+for command in run resume render check info init help; do
+    expect 0 "$SPH2D" $command --help && prints "usage: sph2d $command"
+    expect 0 "$SPH2D" help $command && prints "usage: sph2d $command"
+    # before any other work
+    expect 0 "$SPH2D" $command --version && prints '^sph2d [0-9]'
+done
+expect 0 "$SPH2D" --version
+prints '^sph2d [0-9]*\.[0-9]*\.[0-9]*$' && prints 'MIT' && prints '^HDF5 *[0-9]' && prints '^instruction sets *baseline'
+expect 0 "$SPH2D" -V --json && prints '^{"name": "sph2d", "version": "'
+expect 0 "$SPH2D" help exit && lines 12 && prints '^  75  EX_TEMPFAIL'
+expect 0 "$SPH2D" help codes && prints '^S104  '
+expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
+
+expect 64 "$SPH2D" && says "Try 'sph2d --help'"
+expect 64 "$SPH2D" rnu && says "unknown command 'rnu'; did you mean 'run'"
+expect 64 "$SPH2D" xyzzy && says "unknown command 'xyzzy'"
+expect 64 "$SPH2D" --json run x && says 'options come after the command'
+expect 64 "$SPH2D" help chekc && says "did you mean 'check'"
+expect 64 "$SPH2D" run
+says 'a scene file must be given' && says "Try 'sph2d run --help'"
+expect 64 "$SPH2D" run x && says '-o DIR'
+expect 64 "$SPH2D" run x y -o z
+expect 64 "$SPH2D" run --frce x && says "unknown option '--frce'; did you mean '--force'"
+expect 64 "$SPH2D" run -qxz x && says "unknown option '-x'"
+expect 64 "$SPH2D" run --size 3x3 && says 'not an option of this command'
+expect 64 "$SPH2D" run x -o && says "'-o' needs an argument"
+expect 64 "$SPH2D" run x --output && says "'--output' needs an argument"
+expect 64 "$SPH2D" run --force=1 x && says "'--force' takes no argument"
+for bad in -j0 -j1025 -jx '-j 2x' --isa=mmx --max-wall=3x --max-wall=0 --max-wall=-1h --max-wall= --progress=no --gl=x \
+    --set=a --set==1; do
+    expect 64 "$SPH2D" run x -o y "$bad"
+done
+for bad in --size=10x10 --size=100 --size=100x --size=99999x9 --style=x --radius=0 --radius=nan --color=x --range=1 \
+    --range=2,1 --range=a,b; do
+    expect 64 "$SPH2D" render x -o y "$bad"
+done
+expect 64 "$SPH2D" render x -o y --style metaballs --color speed && says 'needs --style points'
+expect 64 "$SPH2D" render -o y
+expect 64 "$SPH2D" render x
+expect 64 "$SPH2D" resume
+expect 64 "$SPH2D" resume x --set fluid.density=3 && says 'only run.until'
+expect 64 "$SPH2D" info
+expect 64 "$SPH2D" init
+expect 64 "$SPH2D" init x --template drip && says "did you mean 'drop'"
+expect 64 "$SPH2D" check --json && says '^{"severity": "error", .*"message": "a scene file must be given"}$'
+# -- ends the options
+expect 66 "$SPH2D" check -- --help && says "'--help'"
+absent x && absent y

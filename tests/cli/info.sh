@@ -1,0 +1,37 @@
+#!/bin/sh
+# What info tells of snapshots, and of files that are none.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+expect 0 "$SPH2D" run "$TINY" -o folder --no-frames -q
+expect 0 "$SPH2D" info folder/snapshot_000010.h5 && silent
+for row in file scene 'written by' time domain spacing fluid wall run; do
+    prints "^$row"
+done
+prints '^scene *tiny' && prints 'Coordinates *f64 .* m ' && prints 'Pressures .* Pa ' && prints 'ParticleIDs *u64'
+expect 0 "$SPH2D" info folder/snapshot_00000[12].h5 --json && lines 2 && prints '"scene": "tiny"'
+if command -v python3 >/dev/null; then
+    python3 - <<'END' || fail 'not JSON, or not what it should be'
+import json
+for line in open("out"):
+    snapshot = json.loads(line)
+    fields = {(a["group"], a["name"]): a for a in snapshot["arrays"]}
+    assert fields["fluid", "Coordinates"]["components"] == 2
+    assert fields["fluid", "Coordinates"]["range"][0][0] >= 0
+    assert fields["fluid", "Velocities"]["unit"] == "m/s"
+    assert fields["wall", "Coordinates"]["count"] > 0
+    assert snapshot["steps"] > 0 and snapshot["domain"]["max"] == [1, 1]
+END
+fi
+
+expect 66 "$SPH2D" info missing.h5 && says F201
+expect 66 "$SPH2D" info / && says F201
+expect 65 "$SPH2D" info "$TINY" && says F202
+: >empty.h5
+expect 65 "$SPH2D" info empty.h5
+for size in 100 800 3000 8000; do
+    head -c $size folder/snapshot_000001.h5 >cut.h5
+    expect 65 "$SPH2D" info cut.h5 && says 'cut.h5' && empty
+done
+# One bad file does not hide the others.
+expect 65 "$SPH2D" info cut.h5 folder/snapshot_000001.h5 && prints '^scene *tiny'

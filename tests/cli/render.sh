@@ -1,0 +1,53 @@
+#!/bin/sh
+# render draws from snapshots what run drew from memory, to the pixel.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+if ! can_draw; then
+    expect 69 "$SPH2D" run "$TINY" -o folder && absent folder && says 'P401' && says 'no-frames'
+    exit 77
+fi
+
+for style in metaballs points; do
+    expect 0 "$SPH2D" run "$TINY" -o $style -q -s run.frames.style=$style -s run.frames.color=speed
+    expect 0 "$SPH2D" render $style/snapshot_*.h5 -o again_$style && says '11 frames in'
+    same $style/frames again_$style
+done
+cmp -s metaballs/frames/frame_000005.png points/frames/frame_000005.png && fail 'styles look the same'
+expect 0 "$SPH2D" render metaballs/snapshot_000005.h5 -o as_points --style points --color speed -q && silent
+same as_points/frame_000000.png points/frames/frame_000005.png
+
+# Options change the picture; frames are numbered in the order given.
+snapshot=points/snapshot_000005.h5
+for option in --size=200x100 --style=metaballs --radius=0.1 --color=Pressures --range=0,9; do
+    expect 0 "$SPH2D" render $snapshot -o "with$option" -q "$option"
+    cmp -s "with$option/frame_000000.png" points/frames/frame_000005.png && fail "$option changes nothing"
+done
+# width and height stand at byte 16 of a PNG
+[ "$(od -An -tu1 -j 16 -N 8 with--size=200x100/frame_000000.png | tr -s ' ')" = ' 0 0 0 200 0 0 0 100' ] ||
+    fail 'not 200 x 100'
+expect 0 "$SPH2D" render points/snapshot_000007.h5 points/snapshot_000002.h5 -o order && says 'earlier'
+same order/frame_000000.png points/frames/frame_000007.png
+same order/frame_000001.png points/frames/frame_000002.png
+
+# Folders: as run has it, and --force removes frames alone.
+expect 73 "$SPH2D" render $snapshot -o order && says F207
+cp $snapshot order/snapshot_000000.h5
+expect 0 "$SPH2D" render order/snapshot_000000.h5 -o order -f -q
+absent order/frame_000001.png && same order/snapshot_000000.h5 $snapshot
+
+# What cannot be drawn or read.
+expect 66 "$SPH2D" render missing.h5 -o x && absent x
+expect 65 "$SPH2D" render "$TINY" -o x && absent x
+expect 66 "$SPH2D" render / -o x && absent x
+expect 66 "$SPH2D" render $snapshot -o x --shader-dir /nonexistent && absent x && says nonexistent
+backends=$("$SPH2D" --version | sed -n 's/^rendering *//p')
+for gl in osmesa egl; do
+    case $backends in
+    *$gl*)
+        # A context that is built in may still not come up on this machine.
+        "$SPH2D" render $snapshot -o gl_$gl -q --gl $gl || [ $? = 69 ] || fail "$gl"
+        [ ! -e gl_$gl ] || same gl_$gl/frame_000000.png points/frames/frame_000005.png
+        ;;
+    *) expect 69 "$SPH2D" render $snapshot -o x --gl $gl && absent x ;;
+    esac
+done

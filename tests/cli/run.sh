@@ -1,0 +1,56 @@
+#!/bin/sh
+# What a run writes and prints.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+expect 0 "$SPH2D" run "$TINY" -o folder "$DRAW" --progress never
+# 0.4 s at 25 a second, with both ends
+[ "$(find folder -name 'snapshot_0000??.h5' | wc -l)" = 11 ] || fail 'not 11 snapshots'
+present folder/snapshot_000000.h5 && present folder/snapshot_000010.h5
+absent folder/checkpoint.h5
+if can_draw; then [ "$(find folder/frames -name 'frame_0000??.png' | wc -l)" = 11 ] || fail 'not 11 frames'; fi
+[ "$(wc -l <folder/energy.csv)" = 42 ] || fail 'energy.csv does not have 41 rows and a header'
+[ "$(wc -l <folder/corner.csv)" = 22 ] || fail 'corner.csv does not have 21 rows and a header'
+head -n 1 folder/energy.csv | grep -q '^time \[s\],kinetic \[J/m\],' || fail 'no header with units'
+[ "$(find folder -name '.*' ! -name . | wc -l)" = 0 ] || fail 'temporary files are left'
+
+# The summary has speed and error; quiet has neither; JSON has one object.
+expect 0 "$SPH2D" run "$TINY" -o table --no-frames --progress never
+for row in tiny speed compression energy momentum particles 'particles lost' walls steps; do
+    prints "^$row  *[^ ]"
+done
+prints 'finished at t = 0.4' && prints 'particle-steps/s; .* per CPU second' && prints 'p99 .*mean .*maximum'
+expect 0 "$SPH2D" run "$TINY" -o quiet --no-frames --quiet && empty && silent
+expect 0 "$SPH2D" run "$TINY" -o json --no-frames --json --progress never && lines 1
+for key in scene end time until speed particle_steps_per_second real_time_factor step_cpu_seconds error \
+    compression_p99 compression_max energy_change momentum particles blocked drained left backstop_hits steps \
+    time_step limited_by; do
+    prints "\"$key\": "
+done
+grep -v '^{"severity": "note", .*}$' err && fail 'messages are not JSON'
+if command -v python3 >/dev/null; then
+    python3 -c 'import json; json.load(open("out")); [json.loads(line) for line in open("err")]' || fail 'not JSON'
+fi
+# The same bytes again, and without frames.
+same table quiet && same table json
+rm -rf folder/frames && same table folder
+
+# The end between two snapshots is kept in a checkpoint; without snapshots there is none.
+expect 0 "$SPH2D" run "$TINY" -o between --no-frames -q --set run.until=0.39 && present between/checkpoint.h5
+expect 0 "$SPH2D" run "$TINY" -o none --no-frames -q --set run.snapshots.per_second=0 && absent none/checkpoint.h5
+[ "$(find none -name '*.h5' | wc -l)" = 0 ] || fail 'snapshots that nobody asked for'
+expect 0 "$SPH2D" run "$TINY" -o zero --no-frames -q --set run.until=0 && present zero/snapshot_000000.h5
+absent zero/snapshot_000001.h5
+
+# --verbose says where the number of threads comes from
+expect 0 "$SPH2D" run "$TINY" -o v1 --no-frames -v -j 1 --set run.until=0 && says '1 threads* (--threads)'
+expect 0 env OMP_NUM_THREADS=2,1 "$SPH2D" run "$TINY" -o v2 --no-frames -v --set run.until=0 &&
+    says '2 threads (OMP_NUM_THREADS)'
+expect 0 "$SPH2D" run "$TINY" -o v3 --no-frames -v --set run.until=0 && says 'allowed to this process'
+for set in baseline avx2 avx512; do
+    "$SPH2D" --version | grep -q "^instruction sets.*$set" || continue
+    expect 0 "$SPH2D" run "$TINY" -o isa_$set --no-frames -v --isa $set --set run.until=0 && says ", $set\$"
+done
+# A name of a YAML file may be anything, and -- ends the options.
+cp "$TINY" ./-scene
+expect 0 "$SPH2D" run -o dash --no-frames -q -- -scene

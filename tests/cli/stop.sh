@@ -1,0 +1,68 @@
+#!/bin/sh
+# Signals in the middle of a run: the first one finishes the step and writes a checkpoint, a kill leaves whole files, and
+# in all cases resume comes to the same folder.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+# Long enough to be caught in the middle; probes and a source make the state large.
+set -- run "$TINY" -q --no-frames -j 1 -s spacing=0.01 -s run.until=1 -s run.snapshots.per_second=50
+expect 0 "$SPH2D" "$@" -o whole
+
+# stopped SIGNAL CODE: sends the signal when the third snapshot is there.
+stopped() {
+    folder=by_$1
+    # A shell switches SIGINT off for what it runs in the background.
+    env --default-signal=INT,TERM "$SPH2D" run "$TINY" -q --no-frames -j 1 -s spacing=0.01 -s run.until=1 \
+        -s run.snapshots.per_second=50 -o "$folder" 2>err &
+    pid=$!
+    tries=0
+    until [ -e "$folder/snapshot_000003.h5" ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
+        sleep 0.02
+    done
+    kill -"$1" $pid
+    code=0
+    wait $pid || code=$?
+    [ $code = "$2" ] || fail "$1: ended with $code, not $2"
+    absent "$folder/snapshot_000050.h5"
+}
+
+for signal in INT TERM; do
+    if [ $signal = INT ]; then code=130; else code=143; fi
+    stopped $signal $code
+    [ "$(find by_$signal -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
+    if [ $signal = TERM ]; then
+        # What is damaged is skipped for something older; a guard's file is never taken.
+        rm -f by_TERM/checkpoint.h5
+        newest=$(find by_TERM -name 'snapshot_*' | sort | tail -n 1)
+        head -c 5000 "$newest" >short.h5 && mv short.h5 "$newest"
+        echo 'not HDF5' >by_TERM/checkpoint.h5
+        cp whole/snapshot_000050.h5 by_TERM/guard.h5
+        expect 0 "$SPH2D" resume by_TERM --no-frames --progress never && says "$newest" && says 'is skipped'
+    else
+        expect 0 "$SPH2D" resume by_INT -q --no-frames && silent
+    fi
+    same whole by_$signal
+done
+
+# Killed with files half written: what is left of them goes away, with a notice.
+stopped KILL 137
+: >by_KILL/.snapshot_000007.h5.tmp.12345
+expect 0 "$SPH2D" resume by_KILL --no-frames -j 2 --progress never && says 'removed .* unfinished file'
+same whole by_KILL
+
+# The second signal does not wait.
+env --default-signal=INT,TERM "$SPH2D" run "$TINY" -q --no-frames -j 1 -s spacing=0.004 -s run.until=1 -o twice 2>err &
+pid=$!
+sleep 1
+kill -TERM $pid
+kill -TERM $pid 2>/dev/null || true # it may be gone already
+code=0
+wait $pid || code=$?
+[ $code = 143 ] || fail "two signals: ended with $code"
+
+# A folder belongs to one session at a time.
+if command -v flock >/dev/null; then
+    expect 73 flock by_INT "$SPH2D" resume by_INT && says 'another sph2d'
+fi

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/** @file common.c
+ *  Helpers of the test suites. */
+#include "common.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Knuth's linear congruential generator (MMIX), upper bits. */
+double test_random(uint64_t *state, double low, double high)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(*state >> 11) * 0x1p-53;
+}
+
+sph2d_scene test_scene(double spacing, double x0, double y0, double x1, double y1)
+{
+    sph2d_scene scene = sph2d_scene_default();
+    scene.spacing = spacing;
+    scene.domain = (sph2d_box){{x0, y0}, {x1, y1}};
+    scene.boundary.top = SPH2D_SIDE_WALL;
+    scene.gravity = (sph2d_vec2){0, 0};
+    scene.fluid.dynamic_viscosity = 0;
+    scene.method.stiffness = 100;
+    return scene;
+}
+
+sph2d_scene test_open_scene(double spacing, double x0, double y0, double x1, double y1)
+{
+    sph2d_scene scene = test_scene(spacing, x0, y0, x1, y1);
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    return scene;
+}
+
+sph2d_block test_block(double x0, double y0, double x1, double y1)
+{
+    sph2d_block block = sph2d_block_default();
+    block.shape.kind = SPH2D_SHAPE_BOX;
+    block.shape.box = (sph2d_box){{x0, y0}, {x1, y1}};
+    return block;
+}
+
+sph2d_block test_particle(double spacing, double x, double y, double vx, double vy)
+{
+    double half = spacing / 2;
+    sph2d_block block = test_block(x - half, y - half, x + half, y + half);
+    block.velocity = (sph2d_vec2){vx, vy};
+    return block;
+}
+
+sph2d_sim *test_create(const sph2d_scene *scene, const sph2d_sim_options *options)
+{
+    static sph2d_report report;
+    sph2d_report_clear(&report);
+    sph2d_sim_options one = sph2d_sim_options_default();
+    one.threads = 1;
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(scene, options ? options : &one, &sim, &report);
+    ck_assert_msg(status == SPH2D_OK, "sph2d_sim_create: %s", test_report_text(&report));
+    ck_assert_ptr_nonnull(sim);
+    return sim;
+}
+
+void test_steps(sph2d_sim *sim, int steps)
+{
+    static sph2d_report report;
+    sph2d_report_clear(&report);
+    for (int i = 0; i < steps; ++i)
+        if (sph2d_sim_step(sim, &report) != SPH2D_OK)
+            ck_abort_msg("step %d of %d: %s", i + 1, steps, test_report_text(&report));
+}
+
+size_t test_find(sph2d_view view, uint64_t id)
+{
+    for (size_t i = 0; i < view.count; ++i)
+        if (view.id[i] == id)
+            return i;
+    ck_abort_msg("no particle has id %llu", (unsigned long long)id);
+    return 0;
+}
+
+bool test_report_has(const sph2d_report *report, sph2d_code code, const char *path)
+{
+    for (size_t i = 0; i < report->count; ++i) {
+        const sph2d_diagnostic *d = &report->items[i];
+        if (d->severity == SPH2D_ERROR && d->code == code && (!path || strcmp(d->path, path) == 0))
+            return true;
+    }
+    return false;
+}
+
+const char *test_report_text(const sph2d_report *report)
+{
+    static char text[8192];
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t i = 0; i < report->count && used + 1024 < sizeof text; ++i) {
+        used += sph2d_diagnostic_format(&report->items[i], text + used, 1000);
+        used = strlen(text);
+        text[used++] = '\n';
+        text[used] = '\0';
+    }
+    return text;
+}
+
+static size_t array_bytes(const sph2d_array *array)
+{
+    return 8 * (array->stride ? array->count * array->stride : 1);
+}
+
+test_state test_state_copy(sph2d_sim *sim)
+{
+    sph2d_state lent = sph2d_sim_state(sim);
+    ck_assert_uint_gt(lent.array_count, 0);
+    test_state copy = {.count = lent.array_count, .arrays = calloc(lent.array_count, sizeof *copy.arrays)};
+    ck_assert_ptr_nonnull(copy.arrays);
+    for (size_t i = 0; i < copy.count; ++i) {
+        copy.arrays[i] = lent.arrays[i];
+        for (unsigned c = 0; c < lent.arrays[i].components; ++c) {
+            size_t bytes = array_bytes(&lent.arrays[i]);
+            void *data = malloc(bytes ? bytes : 8);
+            ck_assert_ptr_nonnull(data);
+            if (lent.arrays[i].count > 0)
+                memcpy(data, lent.arrays[i].data[c], bytes);
+            copy.arrays[i].data[c] = data;
+        }
+    }
+    copy.state = (sph2d_state){lent.version, copy.arrays, copy.count};
+    return copy;
+}
+
+/** The copy owns its data, which the public type shows as const. */
+static void *writable(const void *data)
+{
+    void *out;
+    memcpy(&out, &data, sizeof out);
+    return out;
+}
+
+void test_state_free(test_state *state)
+{
+    for (size_t i = 0; i < state->count; ++i)
+        for (unsigned c = 0; c < 2; ++c)
+            free(writable(state->arrays[i].data[c]));
+    free(state->arrays);
+    *state = (test_state){0};
+}
+
+sph2d_array *test_state_array(test_state *state, sph2d_group group, const char *name)
+{
+    for (size_t i = 0; i < state->count; ++i)
+        if (state->arrays[i].group == group && strcmp(state->arrays[i].name, name) == 0)
+            return &state->arrays[i];
+    ck_abort_msg("the state has no array '%s'", name);
+    return NULL;
+}
+
+double *test_state_reals(test_state *state, sph2d_group group, const char *name, unsigned component)
+{
+    sph2d_array *array = test_state_array(state, group, name);
+    ck_assert_int_eq(array->type, SPH2D_F64);
+    ck_assert_uint_lt(component, array->components);
+    return writable(array->data[component]);
+}
+
+uint64_t *test_state_counts(test_state *state, sph2d_group group, const char *name)
+{
+    sph2d_array *array = test_state_array(state, group, name);
+    ck_assert_int_eq(array->type, SPH2D_U64);
+    return writable(array->data[0]);
+}

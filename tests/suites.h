@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/** @file suites.h
+ *  The list of test suites. Suite NAME is `Suite *suite_NAME(void)`; a new one is one new row here. */
+#ifndef SPH2D_TESTS_SUITES_H
+#define SPH2D_TESTS_SUITES_H
+
+#include <check.h>
+
+#ifdef SPH2D_NO_RENDER
+#define RENDER_SUITES(X)
+#else
+#define RENDER_SUITES(X)
+#endif
+
+#define SUITES(X)                                                                                                      \
+    X(kernels)                                                                                                         \
+    X(store)                                                                                                           \
+    X(cells)                                                                                                           \
+    X(muller)                                                                                                          \
+    X(leapfrog)
+X(invariance)
+X(report)
+RENDER_SUITES(X)
+
+#define DECLARE_SUITE(name) Suite *suite_##name(void);
+SUITES(DECLARE_SUITE)
+#undef DECLARE_SUITE
+
+#endif
