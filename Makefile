@@ -135,10 +135,11 @@ IO_SRC := $(sort $(wildcard src/files/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
 CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
-TEST_SRC := $(sort $(wildcard tests/*.c))
+# Tests and examples that draw are left out where nothing draws.
+buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
+TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
+EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-EXAMPLES := $(sort $(wildcard examples/*.c))
-EXAMPLES := $(if $(WITH_RENDER),$(EXAMPLES),$(if $(EXAMPLES),$(shell grep -L 'sph2d/render.h' $(EXAMPLES))))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
@@ -315,7 +316,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(wildcard src/files/*.c src/render/*.c examples/*.c) $(CLI_SRC) $(TEST_SRC))
+C_FILES := $(sort $(CORE_SRC) $(wildcard src/files/*.c src/render/*.c cli/*.c cli/study/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)

@@ -11,7 +11,6 @@ int exit_of_status(sph2d_status status) {
     case SPH2D_GUARD:
         return CLI_EXIT_GUARD;
     case SPH2D_SCENE:
-        return CLI_EXIT_DATA;
     case SPH2D_FORMAT:
         return CLI_EXIT_DATA;
     case SPH2D_NOINPUT:
@@ -24,9 +23,8 @@ int exit_of_status(sph2d_status status) {
         return CLI_EXIT_IO;
     /* The command line was checked before the library saw it: what it calls invalid now is our fault. */
     case SPH2D_INVALID:
-        return CLI_EXIT_SOFTWARE;
     case SPH2D_NOMEM:
-        return CLI_EXIT_SOFTWARE;
+        break;
     }
     return CLI_EXIT_SOFTWARE;
 }

@@ -52,8 +52,10 @@ static void print_field(const sph2d_array *array) {
         if (k == 0)
             snprintf(shape, sizeof shape, "%zu x %u", array->count, array->components);
         const char *type = array->type == SPH2D_F64 ? "f64" : "u64";
-        printf("  %-20s %-4s %12s %-10s %14.6g %14.6g\n", k == 0 ? array->name : "", k == 0 ? type : "", shape,
-               k == 0 ? unit : "", min, max);
+        printf("  %-20s %-4s %12s %-10s", k == 0 ? array->name : "", k == 0 ? type : "", shape, k == 0 ? unit : "");
+        if (array->count > 0)
+            printf(" %14.6g %14.6g", min, max);
+        putchar('\n');
     }
 }
 
@@ -61,16 +63,16 @@ static void print_field(const sph2d_array *array) {
 static void print_run_array(const sph2d_array *array) {
     char unit[TEXT_SIZE];
     text_unit(unit, array->unit);
-    printf("  %-30s ", array->name);
+    printf("  %-30s", array->name);
     for (unsigned k = 0; k < array->components && array->count == 1; ++k) {
         if (array->type == SPH2D_U64)
-            printf("%" PRIu64 " ", *(const uint64_t *)array->data[k]);
+            printf(" %" PRIu64, *(const uint64_t *)array->data[k]);
         else
-            printf("%.9g ", *(const double *)array->data[k]);
+            printf(" %.9g", *(const double *)array->data[k]);
     }
     if (array->count != 1)
-        printf("%zu values ", array->count);
-    printf("%s\n", unit);
+        printf(" %zu values", array->count);
+    printf("%s%s\n", unit[0] != '\0' ? " " : "", unit);
 }
 
 static void print_table(const char *path, const sph2d_snapshot *snapshot) {

@@ -147,7 +147,7 @@ int command_resume(const cli_options *options) {
         snapshot = newest_snapshot(&session, &saved);
         if (snapshot == NULL) {
             message_error(SPH2D_CODE_FILE_OPEN,
-                          "a run writes some when its scene has run.snapshots, or when it is stopped",
+                          "a run writes them where its scene has run.snapshots, and when it is stopped",
                           "no complete snapshot in '%s'", session.folder.path);
             code = CLI_EXIT_NOINPUT;
         }

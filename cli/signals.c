@@ -27,9 +27,11 @@ void signals_install(void) {
         if (sigaction(stopping[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             sigaction(stopping[i], &action, NULL);
     }
-    /* A reader of our messages that goes away must not end a run of hours. Writing to it fails, and is noticed. */
+    /* A reader of our messages that goes away, or a limit on the size of files, must not end a run of hours. Writing
+     * fails then, and is noticed. */
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGPIPE, &ignore, NULL);
+    sigaction(SIGXFSZ, &ignore, NULL);
 }
 
 int signals_caught(void) {

@@ -44,7 +44,8 @@ static void print_errors(const sph2d_summary *s) {
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else
         text_row("energy", "%+.4g J/m", change);
-    text_row("", "start %.6g, now %.6g, fed %.6g J/m", s->energy_start, s->kinetic + s->potential, s->energy_fed);
+    text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start, s->kinetic + s->potential,
+             s->energy_fed);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }

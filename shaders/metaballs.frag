@@ -69,8 +69,8 @@ void main()
     float below = depth_at(place + vec2(0.0, grid.y)), above = depth_at(place - vec2(0.0, grid.y));
     float inside = smoothstep(0.1, 1.0, 0.25 * (right + left + below + above));
 
-    int straight = max(1, int(0.4 * radius + 0.5));
-    int diagonal = max(1, int(0.4 * 0.7071 * radius + 0.5));
+    int straight = max(1, int(0.4 * radius + 0.51)); // .51: round radii are far from where this jumps
+    int diagonal = max(1, int(0.4 * 0.7071 * radius + 0.51));
     vec2 rise = 1.1 * rim_rise(here, straight, diagonal) + 1.2 * vec2(right - left, below - above);
     vec3 normal = normalize(vec3(-rise, 0.8));
 

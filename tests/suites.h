@@ -9,7 +9,7 @@
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
-#define RENDER_SUITES(X)
+#define RENDER_SUITES(X) X(render)
 #endif
 
 #define SUITES(X)                                                                                                      \
@@ -17,10 +17,10 @@
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(muller)                                                                                                          \
-    X(leapfrog)
-X(invariance)
-X(report)
-RENDER_SUITES(X)
+    X(leapfrog)                                                                                                        \
+    X(invariance)                                                                                                      \
+    X(report)                                                                                                          \
+    RENDER_SUITES(X)
 
 #define DECLARE_SUITE(name) Suite *suite_##name(void);
 SUITES(DECLARE_SUITE)

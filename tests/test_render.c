@@ -64,6 +64,12 @@ static unsigned char *draw_alone(const char *gl, unsigned width, unsigned height
     return copy;
 }
 
+/** Whether all tests share this process. */
+static bool not_forked(void) {
+    const char *mode = getenv("CK_FORK");
+    return mode != NULL && strcmp(mode, "no") == 0;
+}
+
 enum { SIDE = 40, FLUID = SIDE * SIDE + 1, WALLS = 30 };
 
 /** Some water in a box of 1.28 m x 0.72 m: a disordered block, a drop, a line of boundary particles. */
@@ -77,8 +83,9 @@ static splash *make_splash(double offset) {
     ck_assert_ptr_nonnull(s);
     uint64_t seed = 7;
     for (int i = 0; i < FLUID - 1; ++i) {
+        const int row = i / SIDE;
         s->x[i] = offset + (i % SIDE + 0.5 + test_random(&seed, -0.3, 0.3)) * spacing;
-        s->y[i] = offset + (i / SIDE + 0.5 + test_random(&seed, -0.3, 0.3)) * spacing;
+        s->y[i] = offset + (row + 0.5 + test_random(&seed, -0.3, 0.3)) * spacing;
         s->values[i] = i;
     }
     s->x[FLUID - 1] = offset + 0.8;
@@ -214,7 +221,9 @@ START_TEST(options_are_checked) {
 END_TEST
 
 START_TEST(missing_gl_is_a_sentence) {
-    /* What a way without OpenGL 3.3 says: Mesa lowers its version on request, and this process has not used it yet. */
+    if (not_forked())
+        return; /* what follows works before Mesa is used, and not afterwards */
+    /* Mesa lowers its version on request. */
     setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
     sph2d_render_options options = sph2d_render_options_default();
     sph2d_report report = {0};
@@ -224,7 +233,6 @@ START_TEST(missing_gl_is_a_sentence) {
     ck_assert_uint_eq(report.errors, 1);
     ck_assert_int_eq(report.items[0].code, SPH2D_CODE_GL_MISSING);
     ck_assert_ptr_nonnull(strstr(report.items[0].hint, "install"));
-    unsetenv("MESA_GL_VERSION_OVERRIDE");
 }
 END_TEST
 
@@ -290,14 +298,18 @@ START_TEST(nothing_is_background) {
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         sph2d_renderer *renderer = make(NULL, 90, 40, style);
         const unsigned char *pixels = draw(renderer, &picture);
+        int others = 0;
         for (unsigned y = 0; y < 40; ++y)
             for (unsigned x = 0; x < 90; ++x) {
-                const unsigned char *pixel = pixels + 4 * (y * 90 + x);
                 const unsigned char *like = pixels + 4 * (x >= 25 && x < 65 ? 45 : 0); /* the view is in the middle */
-                ck_assert_mem_eq(pixel, like, 4);
-                ck_assert_uint_eq(pixel[3], 255);
-                ck_assert_uint_gt(pixel[0], 200);
+                others += memcmp(pixels + 4 * (y * 90 + x), like, 4) != 0;
             }
+        ck_assert_int_eq(others, 0);
+        for (int i = 0; i < 2; ++i) {
+            const unsigned char *pixel = pixels + (i == 0 ? 0 : 4 * 45);
+            ck_assert_uint_gt(pixel[0], 200);
+            ck_assert_uint_eq(pixel[3], 255);
+        }
         ck_assert_mem_ne(pixels, pixels + 4 * 45, 4);
         sph2d_renderer_destroy(renderer);
     }
@@ -332,9 +344,11 @@ START_TEST(water_covers_its_area) {
     const unsigned char *pixels = draw(renderer, &s->picture);
     const double area = FLUID * spacing * spacing * 1.0e6; /* [px] at 1000 px/m */
     ck_assert_double_eq_tol((double)count_water(pixels, 1280, 720) / area, 1.0, 0.04);
-    for (unsigned y = 720 - 350; y < 720 - 50; ++y) /* no holes inside */
+    size_t inside = 0; /* no holes */
+    for (unsigned y = 720 - 350; y < 720 - 50; ++y)
         for (unsigned x = 50; x < 350; ++x)
-            ck_assert(is_water(pixels, 1280, x, y));
+            inside += is_water(pixels, 1280, x, y);
+    ck_assert_uint_eq(inside, 300 * 300);
     ck_assert(is_water(pixels, 1280, 800, 220)); /* the drop: y points upwards */
     sph2d_renderer_destroy(renderer);
     free(s);
@@ -379,9 +393,9 @@ START_TEST(color_bar_takes_any_numbers) {
         const unsigned char *pixels = draw(renderer, &picture);
         size_t colors = 0; /* the bar: purple to yellow beside the view */
         for (unsigned row = 0; row < 360; ++row)
-            for (unsigned column = 500; column < 640; ++column)
+            for (unsigned column = 640 * 2 / 3 + 1; column < 640; ++column)
                 colors += pixels[4 * (row * 640 + column)] > pixels[4 * (row * 640 + column) + 2] + 50;
-        ck_assert_uint_gt(colors, 100);
+        ck_assert_msg(colors > 100, "no colour bar for numbers %zu", i);
     }
     sph2d_renderer_destroy(renderer);
 }
@@ -415,8 +429,11 @@ START_TEST(far_from_the_origin_looks_the_same) {
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         unsigned char *a = draw_alone(NULL, 640, 360, style, &near->picture);
         unsigned char *b = draw_alone(NULL, 640, 360, style, &far->picture);
+        int largest = 0;
         for (size_t i = 0; i < 640 * 360 * 4; ++i)
-            ck_assert_int_le(abs(a[i] - b[i]), 4); /* rounding to parts of pixels may turn over */
+            if (abs(a[i] - b[i]) > largest)
+                largest = abs(a[i] - b[i]);
+        ck_assert_int_le(largest, 2);
         free(a);
         free(b);
     }
@@ -494,8 +511,7 @@ static void draw_with_threads(const char *threads, const sph2d_picture *picture,
 }
 
 START_TEST(any_number_of_threads_draws_the_same) {
-    const char *mode = getenv("CK_FORK");
-    if (mode != NULL && strcmp(mode, "no") == 0)
+    if (not_forked())
         return; /* a forked child cannot draw once its parent has */
     static unsigned char one[320 * 180 * 4], other[320 * 180 * 4];
     splash *s = make_splash(0.0);
@@ -577,7 +593,7 @@ END_TEST
 Suite *suite_render(void) {
     Suite *suite = suite_create("render");
     TCase *drawing = tcase_create("drawing");
-    tcase_add_test(drawing, missing_gl_is_a_sentence); /* first, while the process has not drawn */
+    tcase_add_test(drawing, missing_gl_is_a_sentence);
     tcase_add_test(drawing, every_way_draws);
     tcase_add_test(drawing, options_are_checked);
     tcase_add_test(drawing, nothing_is_background);

@@ -115,10 +115,10 @@ typedef struct sph2d_fluid {
 /** The solver and its numbers. */
 typedef struct sph2d_method_options {
     sph2d_method name;      /**< default muller */
-    double max_compression; /**< wanted rho/rho0 - 1 under the liquid's own head, 0 < x < 1; default 0.1. Gives the sound
-                                 speed: c0^2 = (g h + U^2/2 + pull) / max_compression with h the height of the liquid
-                                 above the lowest side, U its fastest start or source, and pull the strongest
-                                 interaction's acceleration * radius / 2 */
+    double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0.1. Gives the sound speed:
+                                 c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of the liquid above
+                                 the lowest side, U its fastest start or source, pull the strongest interaction's
+                                 acceleration * radius / 2, and 2 for the swing after a release */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 2.0 */
     double cfl;             /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0.3 */

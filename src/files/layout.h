@@ -43,6 +43,7 @@
 
 #define SPH2D__GROUP_STATE "/State"
 #define SPH2D__AT_STATE_VERSION "StateVersion"
+#define SPH2D__AT_CHECKSUM "Checksum" /**< of those arrays; not compared where it is absent */
 #define SPH2D__STATE_ARRAYS "Arrays" /**< paths of all arrays of the state, in their order; beside it ... */
 #define SPH2D__STATE_UNITS "ArrayUnits"        /**< ... their exponents of metre, kilogram and second ... */
 #define SPH2D__STATE_TEXTS "ArrayDescriptions" /**< ... and what they are */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files/checksum.h"
 #include "files/snapshot_parts.h"
 
 /** Rows that are put together in memory at a time. */
@@ -158,6 +159,10 @@ static void put_state(sph2d__h5_writer *w, const sph2d_state *state)
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_STATE);
     sph2d__h5_put_counts(w, at, SPH2D__AT_STATE_VERSION, &state->version, 0);
     put_list(w, at, state);
+    uint64_t sum = 0;
+    for (size_t i = 0; i < state->array_count; ++i)
+        sum = sph2d__checksum(sum, &state->arrays[i]);
+    sph2d__h5_put_counts(w, at, SPH2D__AT_CHECKSUM, &sum, 0);
     for (size_t i = 0; w->ok && i < state->array_count; ++i) {
         const sph2d_array *array = &state->arrays[i];
         if (array->group != SPH2D_GROUP_RUN)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files/checksum.h"
 #include "files/snapshot.h"
 
 enum { BLOCK_ROWS = 16384 };
@@ -144,23 +145,24 @@ static void read_fields(sph2d__h5_reader *r, sph2d_snapshot *s, sph2d_group grou
     }
 }
 
-void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
+/** Reads the arrays on the state's list. False when the list itself cannot be read. */
+static bool read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     size_t count = 0, texts = 0;
     const char **paths = sph2d__h5_get_texts(r, SPH2D__GROUP_STATE, SPH2D__STATE_ARRAYS, &count);
     const char **descriptions = sph2d__h5_get_texts(r, SPH2D__GROUP_STATE, SPH2D__STATE_TEXTS, &texts);
     const signed char *units = paths ? read_units(r, count) : NULL;
     if (!paths || !descriptions || !units)
-        return;
+        return false;
     if (texts != count || count > MOST_ARRAYS) {
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has the wrong shape", SPH2D__STATE_ARRAYS);
-        return;
+        return false;
     }
     size_t most = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL);
     s->arrays = sph2d__pool_alloc(r->pool, most, sizeof *s->arrays);
     if (!s->arrays) {
         r->status = SPH2D_NOMEM;
-        return;
+        return false;
     }
     for (size_t i = 0; i < count && r->status != SPH2D_NOMEM; ++i) {
         const char *in;
@@ -174,6 +176,31 @@ void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
         else
             read_array(r, s, in, array);
     }
+    return true;
+}
+
+/** Compares the state, which is all that was read so far, with its checksum. */
+static void check_sum(sph2d__h5_reader *r, const sph2d_snapshot *s)
+{
+    uint64_t written, sum = 0;
+    if (r->status != SPH2D_OK || !sph2d__h5_has(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM) ||
+        !sph2d__h5_get_counts(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM, &written, 1))
+        return;
+    for (size_t i = 0; i < s->array_count; ++i)
+        sum = sph2d__checksum(sum, &s->arrays[i]);
+    if (sum == written)
+        return;
+    sph2d_diagnostic *d =
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "the file is damaged: its values are not those that were written");
+    sph2d_diagnostic_hint(d, "if they were changed on purpose, delete the attribute '%s' of %s", SPH2D__AT_CHECKSUM,
+                          SPH2D__GROUP_STATE);
+}
+
+void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
+{
+    if (!read_state(r, s))
+        return;
+    check_sum(r, s);
     read_fields(r, s, SPH2D_GROUP_FLUID, SPH2D__GROUP_FLUID);
     read_fields(r, s, SPH2D_GROUP_WALL, SPH2D__GROUP_WALLS);
 }

@@ -80,14 +80,16 @@ sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2
             continue;
         if (open_one(from, context, gl, why[i], sizeof why[i]))
             return SPH2D_OK;
-        if (hint == NULL || from->open != NULL) /* repairing what is there is less work than building again */
-            hint = from->open != NULL ? from->broken : from->missing;
+        hint = from->open != NULL ? from->broken : from->missing;
     }
     if (hint == NULL) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
                          "'%s' is no way to OpenGL: 'osmesa' and 'egl' are", wanted);
         return SPH2D_INVALID;
     }
+    if (wanted == NULL)
+        hint = "install a software OpenGL (Debian: apt install libosmesa6-dev, or libegl-dev and libgl1-mesa-dri) and "
+               "build sph2d again";
     const char *between = why[0][0] != '\0' && why[1][0] != '\0' ? "; " : "";
     sph2d_diagnostic_hint(
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_MISSING, NULL, "%s%s%s", why[0], between, why[1]), "%s",

@@ -104,7 +104,12 @@ bool sph2d__gl_open_egl(sph2d__gl_context *context, char *why, size_t size) {
         destroy(self);
         return false;
     }
-    *context = (sph2d__gl_context){"egl", self, make_current, release, get_proc, destroy};
+    context->name = "egl";
+    context->impl = self;
+    context->make_current = make_current;
+    context->release = release;
+    context->get_proc = get_proc;
+    context->destroy = destroy;
     return true;
 }
 

@@ -59,7 +59,12 @@ bool sph2d__gl_open_osmesa(sph2d__gl_context *context, char *why, size_t size) {
         free(self);
         return false;
     }
-    *context = (sph2d__gl_context){"osmesa", self, make_current, release, get_proc, destroy};
+    context->name = "osmesa";
+    context->impl = self;
+    context->make_current = make_current;
+    context->release = release;
+    context->get_proc = get_proc;
+    context->destroy = destroy;
     return true;
 }
 

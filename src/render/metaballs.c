@@ -26,11 +26,17 @@ static const double smallest_radius = 3.6; /* [px] */
 
 /* The depth: balls this many times wider, on a grid of squares of a fraction of their radius. */
 static const double depth_ratio = 9.0, texels_per_radius = 6.0;
-enum { FINEST_TEXEL = 4 }; /* [px] */
-enum { MARGIN = 2 };       /* texels around the image, to interpolate with at its edge */
+static const double finest_texel = 4.0; /* [px] */
+enum { MARGIN = 2 };                    /* texels around the image, to interpolate with at its edge */
 
-static GLsizei texels(GLsizei pixels, int texel) {
-    return (pixels + texel - 1) / texel;
+/* How many squares of `texel` pixels cover so many pixels. */
+static GLsizei texels(double pixels, double texel) {
+    return (GLsizei)ceil(pixels / texel);
+}
+
+/* The same for the depth at its finest; its margins may need one more where sizes are rounded. */
+static GLsizei depth_texels(GLsizei pixels) {
+    return texels(pixels, finest_texel) + 2 * MARGIN + 1;
 }
 
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
@@ -42,8 +48,8 @@ sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *ball
     if (status == SPH2D_OK)
         status = sph2d__target_create_float(gl, &balls->field, GL_NEAREST, width, height, report);
     if (status == SPH2D_OK)
-        status = sph2d__target_create_float(gl, &balls->depth, GL_LINEAR, texels(width, FINEST_TEXEL) + 2 * MARGIN,
-                                            texels(height, FINEST_TEXEL) + 2 * MARGIN, report);
+        status =
+            sph2d__target_create_float(gl, &balls->depth, GL_LINEAR, depth_texels(width), depth_texels(height), report);
     if (status == SPH2D_OK)
         status = sph2d__tiles_create(&balls->tiles, width, height, report);
     if (status != SPH2D_OK)
@@ -53,8 +59,8 @@ sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *ball
 
 /* First pass: the fields of all balls of a radius [px], added up on a grid of squares of `texel` pixels. */
 static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
-                   const sph2d__view *view, const sph2d__dot_list *list, double radius, int texel) {
-    const GLsizei columns = texels((GLsizei)view->width, texel), rows = texels((GLsizei)view->height, texel);
+                   const sph2d__view *view, const sph2d__dot_list *list, double radius, double texel) {
+    const GLsizei columns = texels(view->width, texel), rows = texels(view->height, texel);
     sph2d__target_bind(gl, target);
     gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl->Clear(GL_COLOR_BUFFER_BIT);
@@ -70,7 +76,7 @@ static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const
 
 /* Second pass: the field as water over the background, in the tiles found. */
 static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, double radius, int texel) {
+                         const sph2d__target *target, double radius, double texel) {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
@@ -104,8 +110,8 @@ void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__
 
     const double wide = pixels * depth_ratio;
     /* Balls larger than the image have a depth without a shape in it: the grid need not grow with them for ever. */
-    const int texel = (int)fmin(fmax(FINEST_TEXEL, wide / texels_per_radius), view->width + view->height);
-    const sph2d__view wide_view = sph2d__view_widen(view, (unsigned)(MARGIN * texel));
+    const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
+    const sph2d__view wide_view = sph2d__view_widen(view, MARGIN * texel);
     list.half_side = wide * sqrt(0.5);
     add_up(gl, balls->ball_program, dots, &balls->depth, &wide_view, &list, wide, texel);
     draw_surface(gl, balls, dots, target, pixels, texel);

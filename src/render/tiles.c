@@ -37,7 +37,7 @@ void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d
         const int top = tile_of(pixel[1] - list->half_side, tiles->rows);
         const int bottom = tile_of(pixel[1] + list->half_side, tiles->rows);
         for (int row = top; row <= bottom; ++row)
-            memset(tiles->touched + (size_t)row * (size_t)tiles->columns + left, 1, (size_t)(right - left + 1));
+            memset(tiles->touched + (size_t)row * (size_t)tiles->columns + left, 1, (size_t)right - (size_t)left + 1);
     }
 }
 

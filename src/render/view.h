@@ -25,8 +25,8 @@ typedef struct sph2d__pixel_box {
  * the box is empty, not finite or so small or large that nothing can be drawn. */
 bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved);
 
-/** The same view in an image with `border` more pixels on all sides. */
-sph2d__view sph2d__view_widen(const sph2d__view *view, unsigned border);
+/** The same view in an image with `border` more pixels on all sides, and the rest of a pixel at the far ones. */
+sph2d__view sph2d__view_widen(const sph2d__view *view, double border);
 
 /** Places a point. False where it is not finite or lies more than `margin` pixels outside the image. */
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]);

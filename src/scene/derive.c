@@ -7,6 +7,9 @@
 
 #include "scene/shape.h"
 
+/* A liquid that is released at its rest density swings to twice its static compression. */
+static const double OVERSHOOT = 2;
+
 /** Height of a place above the lowest corner of the domain, measured against gravity. */
 static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
 {
@@ -44,6 +47,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
-    d.sound_speed = sqrt(scene->method.stiffness > 0 ? scene->method.stiffness : d.head / scene->method.max_compression);
+    double stiffness = scene->method.stiffness;
+    d.sound_speed = sqrt(stiffness > 0 ? stiffness : OVERSHOOT * d.head / scene->method.max_compression);
     return d;
 }

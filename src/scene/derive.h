@@ -17,8 +17,9 @@ typedef struct sph2d__derived {
     double sound_speed;    /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
 
-/** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the compression is
- *  head / c0^2: c0^2 = head / max_compression, or the stiffness that the scene names. */
+/** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is
+ *  head / c0^2, and twice that in the swing that follows a release at rest density: c0^2 = 2 head / max_compression, or
+ *  the stiffness that the scene names. */
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
 
 #endif

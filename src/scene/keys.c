@@ -201,7 +201,7 @@ static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
      .standard = "muller", .text = "the solver"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN(1e-6, 0.9),
-     .unit = "", .standard = "0.1", .text = "wanted rho/rho0 - 1 under the liquid's own head; gives the sound speed"},
+     .unit = "", .standard = "0.1", .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
      .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN(1.2, 6), .unit = "",

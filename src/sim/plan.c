@@ -16,7 +16,7 @@ static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2
                  d->head, 100 * d->head / scene->method.stiffness);
     else
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
-                 "sqrt((g h + U^2/2 + pull) / max_compression) = sqrt((%.4g * %.4g + %.4g^2/2 + %.4g) / %g)", g,
+                 "sqrt(2 (g h + U^2/2 + pull) / max_compression) = sqrt(2 (%.4g * %.4g + %.4g^2/2 + %.4g) / %g)", g,
                  d->height, d->speed, d->pull, scene->method.max_compression);
 }
 

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_walls.c
+ *  Spring walls, and one particle dropped on each form of wall.
+ *
+ *  A spring pushes with a = max(k d - 2 zeta sqrt(k) v_out, 0) where d = dx/2 - distance > 0, k = (c0/dx)^2, so with
+ *  w = sqrt(k) = c0/dx a particle of normal speed v goes v/w deep, feels w v at most, and leaves with
+ *
+ *      v exp(-zeta (pi - 2 asin zeta)/sqrt(1 - zeta^2)),
+ *
+ *  the solution of d" + 2 zeta w d' + w^2 d = 0 from d = 0 up to the moment at which the push would turn into a pull. */
+#include <math.h>
+
+#include "common.h"
+#include "physics/spring_wall.h"
+
+static const double DX = 0.01, W = 1000; /* spacing; sound speed of test_scene(), 10 m/s, over spacing */
+
+START_TEST(the_push_is_as_documented)
+{
+    sph2d__spring_walls w = {.range = 0.5, .stiffness = 30, .damping = 2};
+    ck_assert_double_eq_tol(sph2d__spring_push(&w, 0.4, 0), 3, 1e-14);
+    ck_assert_double_eq_tol(sph2d__spring_push(&w, 0.1, 0), 12, 1e-14);
+    ck_assert_double_eq_tol(sph2d__spring_push(&w, -0.5, 0), 30, 1e-14); /* beyond the wall it goes on growing */
+    ck_assert_double_eq_tol(sph2d__spring_push(&w, 0.4, -2), 7, 1e-14);  /* coming in: damping adds */
+    ck_assert_double_eq_tol(sph2d__spring_push(&w, 0.4, 1), 1, 1e-14);   /* going out: it takes away */
+    ck_assert(sph2d__spring_push(&w, 0.4, 2) == 0);                      /* but never pulls */
+    ck_assert(sph2d__spring_push(&w, 0.5, -9) == 0);
+    ck_assert(sph2d__spring_push(&w, 0.7, -9) == 0);
+}
+END_TEST
+
+/** A particle in a tank of 40 by 40 spacings, closed but for one open side where `open` is set. */
+static sph2d_sim *one_particle(sph2d_vec2 at, sph2d_vec2 v, double damping, double step, bool open)
+{
+    sph2d_scene scene = test_scene(DX, 0, 0, 40 * DX, 40 * DX);
+    if (open)
+        scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    scene.wall_damping = damping;
+    scene.method.time_step = step;
+    sph2d_block block = test_particle(DX / 8, at.x, at.y, v.x, v.y); /* small enough to lie close to a side */
+    block.spacing = DX / 8;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 1);
+    return sim;
+}
+
+START_TEST(each_side_pushes_inwards)
+{
+    /* Distances in spacings from left or right, and from bottom or top; 20 is the middle. */
+    static const double places[][2] = {{0.3, 20}, {39.7, 20}, {20, 0.2}, {20, 39.8}, {0.1, 39.9}, {0.6, 39.4}};
+    const double *p = places[_i];
+    sph2d_sim *sim = one_particle((sph2d_vec2){p[0] * DX, p[1] * DX}, (sph2d_vec2){0, 0}, 0.1, 1e-5, false);
+    double expected[2];
+    for (int k = 0; k < 2; ++k)
+        expected[k] = W * W * DX * (fmax(0.5 - p[k], 0) - fmax(0.5 - (40 - p[k]), 0));
+    sph2d_view f = sph2d_sim_fluid(sim);
+    ck_assert_double_eq_tol(f.ax[0], expected[0], 1e-8);
+    ck_assert_double_eq_tol(f.ay[0], expected[1], 1e-8);
+    sph2d_sim_destroy(sim);
+    sim = one_particle((sph2d_vec2){p[0] * DX, p[1] * DX}, (sph2d_vec2){0, 0}, 0.1, 1e-5, true);
+    f = sph2d_sim_fluid(sim);
+    ck_assert(f.ax[0] == 0 && f.ay[0] == 0); /* an open side has no spring */
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(only_the_normal_velocity_is_damped)
+{
+    sph2d_sim *sim = one_particle((sph2d_vec2){0.3 * DX, 0.2}, (sph2d_vec2){-0.5, 2}, 0.25, 1e-5, false);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    ck_assert_double_eq_tol(f.ax[0], W * W * 0.2 * DX + 2 * 0.25 * W * 0.5, 1e-8);
+    ck_assert(f.ay[0] == 0);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** What a throw at a wall leaves. */
+typedef struct bounce {
+    double depth, hardest; /**< largest penetration of the spring's range, largest acceleration */
+    sph2d_vec2 v;          /**< afterwards */
+} bounce;
+
+/** Throws a particle down at the bottom and follows it until it is out of the spring again. */
+static bounce throw_down(sph2d_vec2 v, double damping, double step)
+{
+    sph2d_sim *sim = one_particle((sph2d_vec2){0.2, 0.6 * DX}, v, damping, step, false);
+    bounce b = {0};
+    sph2d_view f = sph2d_sim_fluid(sim);
+    for (int n = 0; n < 100000 && !(f.y[0] > 0.55 * DX && f.vy[0] > 0); ++n) {
+        test_steps(sim, 1);
+        f = sph2d_sim_fluid(sim);
+        b.depth = fmax(b.depth, 0.5 * DX - f.y[0]);
+        b.hardest = fmax(b.hardest, hypot(f.ax[0], f.ay[0]));
+    }
+    b.v = (sph2d_vec2){f.vx[0], f.vy[0]};
+    ck_assert_uint_eq(sph2d_sim_summary(sim).backstop_hits, 0);
+    sph2d_sim_destroy(sim);
+    return b;
+}
+
+START_TEST(a_faster_particle_goes_deeper_and_bounces_harder)
+{
+    for (double v = 0.5; v <= 4; v *= 2) {
+        bounce b = throw_down((sph2d_vec2){0, -v}, 0, 5e-6);
+        ck_assert_double_eq_tol(b.depth / (v / W), 1, 1e-4);
+        ck_assert_double_eq_tol(b.hardest / (v * W), 1, 1e-4);
+        ck_assert_double_eq_tol(b.v.y / v, 1, 1e-4);
+    }
+}
+END_TEST
+
+START_TEST(the_angle_out_is_the_angle_in)
+{
+    for (int degrees = 15; degrees <= 75; degrees += 15) {
+        double angle = degrees * TEST_PI / 180;
+        bounce b = throw_down((sph2d_vec2){2 * cos(angle), -2 * sin(angle)}, 0, 5e-6);
+        ck_assert_double_eq_tol(b.v.x, 2 * cos(angle), 1e-13);
+        ck_assert_double_eq_tol(atan2(b.v.y, b.v.x), angle, 1e-4);
+    }
+}
+END_TEST
+
+START_TEST(damping_takes_energy_as_the_oscillator_does)
+{
+    static const double dampings[] = {0.05, 0.1, 0.3, 0.6, 0.9};
+    for (size_t k = 0; k < sizeof dampings / sizeof dampings[0]; ++k) {
+        double zeta = dampings[k];
+        double expected = exp(-zeta * (TEST_PI - 2 * asin(zeta)) / sqrt(1 - zeta * zeta));
+        bounce b = throw_down((sph2d_vec2){1, -2}, zeta, 2e-6);
+        ck_assert_double_eq_tol(b.v.y / 2, expected, 2e-3);
+        ck_assert_double_eq_tol(b.v.x, 1, 1e-13);
+    }
+}
+END_TEST
+
+/* ---- drops ------------------------------------------------------------------------------------------------------- */
+
+/** Forms of wall to fall on: three as sides of the domain, two as an obstacle. */
+enum { SPRING_SIDE, HEAVY_SIDE, REFLECT_SIDE, HEAVY_LINE, REFLECT_LINE, FORMS };
+enum { PLACES = 3, DROPS = FORMS * PLACES };
+
+static const double LEVEL = 0.1; /**< of the line */
+
+/** A particle at rest `height` above the wall: over a boundary particle, between two, or neither. */
+static sph2d_sim *drop(int index, double height, double viscosity)
+{
+    static const double offsets[PLACES] = {0, 0.5, 0.23};
+    int form = index / PLACES;
+    double floor = form < HEAVY_LINE ? 0 : LEVEL;
+    sph2d_scene scene = sph2d_scene_default();
+    scene.spacing = DX;
+    scene.domain = (sph2d_box){{0, 0}, {40 * DX, 60 * DX}};
+    scene.fluid.dynamic_viscosity = viscosity;
+    scene.walls = form == HEAVY_SIDE     ? SPH2D_WALL_HEAVY
+                  : form == REFLECT_SIDE ? SPH2D_WALL_REFLECT
+                                         : SPH2D_WALL_SPRING;
+    sph2d_vec2 line[2] = {{0, LEVEL}, {40 * DX, LEVEL}};
+    sph2d_obstacle obstacle = sph2d_obstacle_default();
+    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
+    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.form = form == REFLECT_LINE ? SPH2D_WALL_REFLECT : SPH2D_WALL_HEAVY;
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = form >= HEAVY_LINE;
+    sph2d_block block = test_particle(DX, (20 + offsets[index % PLACES]) * DX, floor + height, 0, 0);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    return test_create(&scene, NULL);
+}
+
+/** Energy per mass above the wall, and height above it. */
+static double energy(sph2d_sim *sim, int index, double *height)
+{
+    sph2d_view f = sph2d_sim_fluid(sim);
+    ck_assert_uint_eq(f.count, 1);
+    *height = f.y[0] - (index / PLACES < HEAVY_LINE ? 0 : LEVEL);
+    return 9.81 * *height + (f.vx[0] * f.vx[0] + f.vy[0] * f.vy[0]) / 2;
+}
+
+/** Lets it bounce for `time`; tells the most energy over that of the start and the lowest height. */
+static void let_bounce(sph2d_sim *sim, int index, double time, double *most, double *lowest)
+{
+    double start = energy(sim, index, lowest), height = 0;
+    *most = 1;
+    while (sph2d_sim_time(sim) < time) {
+        test_steps(sim, 1);
+        *most = fmax(*most, energy(sim, index, &height) / start);
+        *lowest = fmin(*lowest, height);
+    }
+}
+
+START_TEST(a_dropped_particle_never_rises_above_its_start)
+{
+    /* Water, adaptive steps, many bounces from heights that meet the wall at any phase of a step. */
+    double worst = 1, worst_height = 0, low = 1;
+    for (double height = 0.05; height < 0.25; height += 0.0371) {
+        double most, lowest;
+        sph2d_sim *sim = drop(_i, height, 1e-3);
+        let_bounce(sim, _i, 2, &most, &lowest);
+        worst_height = most > worst ? height : worst_height;
+        worst = fmax(worst, most);
+        low = fmin(low, lowest);
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_double_gt(low, 0);
+    ck_assert_msg(worst <= 1 + 1e-9, "from %g m it reaches %.6f of the energy of its start", worst_height, worst);
+}
+END_TEST
+
+START_TEST(a_dropped_particle_comes_to_rest)
+{
+    /* Heavy walls take energy by viscosity alone. A reflecting wall acts once a step, so that a particle at rest on it
+     * goes on falling for a step and being thrown back: speeds of a step's gravity remain. */
+    int form = _i / PLACES;
+    const double height = 0.1, speed = sqrt(9.81 * height);
+    double most, lowest, end, rest = form == REFLECT_SIDE || form == REFLECT_LINE ? 0.05 * speed : 1e-6 * speed;
+    sph2d_sim *sim = drop(_i, height, 5);
+    let_bounce(sim, _i, 4, &most, &lowest);
+    ck_assert_double_le(most, 1 + 1e-9);
+    ck_assert_double_gt(lowest, 0);
+    for (int n = 0; n < 200; ++n) {
+        test_steps(sim, 1);
+        ck_assert_double_le(sph2d_sim_summary(sim).speed_max, rest);
+    }
+    energy(sim, _i, &end);
+    ck_assert_double_gt(end, 0);
+    ck_assert_double_lt(end, 1.6 * DX); /* heavy ones keep it near one spacing, springs within half a one */
+    if (form == SPRING_SIDE) { /* where k d = g */
+        double c0 = sph2d_sim_plan(sim)->sound_speed;
+        ck_assert_double_eq_tol((0.5 * DX - end) * c0 * c0 / (DX * DX * 9.81), 1, 1e-6);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+Suite *suite_walls(void)
+{
+    Suite *suite = suite_create("walls");
+    TCase *springs = tcase_create("springs");
+    tcase_add_test(springs, the_push_is_as_documented);
+    tcase_add_loop_test(springs, each_side_pushes_inwards, 0, 6);
+    tcase_add_test(springs, only_the_normal_velocity_is_damped);
+    tcase_add_test(springs, a_faster_particle_goes_deeper_and_bounces_harder);
+    tcase_add_test(springs, the_angle_out_is_the_angle_in);
+    tcase_add_test(springs, damping_takes_energy_as_the_oscillator_does);
+    suite_add_tcase(suite, springs);
+    TCase *drops = tcase_create("drops");
+    tcase_add_loop_test(drops, a_dropped_particle_never_rises_above_its_start, 0, DROPS);
+    tcase_add_loop_test(drops, a_dropped_particle_comes_to_rest, 0, DROPS);
+    suite_add_tcase(suite, drops);
+    return suite;
+}
