@@ -3,11 +3,11 @@
  *  Pictures without a window: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library
  *  libsph2d-render.
  *
- *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program that
- *  draws with OpenGL itself makes its own current again afterwards.
+ *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program
+ *  that draws with OpenGL itself makes its own current again afterwards.
  *
- *  The same picture gives the same pixels from one version of OpenGL's driver. Mesa's software drivers behind "osmesa"
- * and "egl" give the same, for any number of threads; "egl" uses a graphics card where it finds one. */
+ *  The same picture gives the same pixels from one version of OpenGL's driver. Mesa's software drivers behind
+ *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card where it finds one. */
 #ifndef SPH2D_RENDER_H
 #define SPH2D_RENDER_H
 
@@ -30,9 +30,9 @@ typedef struct sph2d_render_options {
 
 SPH2D_API sph2d_render_options sph2d_render_options_default(void);
 
-/** What to draw: borrowed arrays. Particles whose position is not finite are left out; particles beside the view are
- * drawn where the image has room for them. With `values` the right side of an image that is wide enough belongs to a
- * colour bar. Start it with `{0}`. */
+/** What to draw: borrowed arrays. Particles whose position is not finite are left out; particles beside the view
+ *  are drawn where the image has room for them. With `values` the right side of an image that is wide enough
+ *  belongs to a colour bar. Start it with `{0}`. */
 typedef struct sph2d_picture {
     sph2d_box view; /**< the part of the plane to show [m]; fitted into the image with its aspect kept */
     double radius;  /**< of a metaball (R, where its field would rise again; it ends at R/sqrt 2) or of a point [m] */
@@ -47,8 +47,8 @@ typedef struct sph2d_picture {
 } sph2d_picture;
 
 /** Makes a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a sentence that names the missing library or the
- * shader's line), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL after
- * a failure). */
+ *  shader's line), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL
+ *  after a failure). */
 SPH2D_API sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer,
                                              sph2d_report *report);
 

@@ -80,9 +80,12 @@ static void check(sph2d_scene_file *file, sph2d__faults *faults)
     sph2d_report found = {0};
     sph2d_scene_check(&file->scene, &found);
     size_t without_room = found.errors;
+    bool sound = faults->errors + found.errors == 0; /* warnings about a scene that has faults may be wrong */
     for (size_t i = 0; i < found.count; ++i) {
-        without_room -= found.items[i].severity == SPH2D_ERROR;
-        pass_on(file, &found.items[i], faults);
+        bool is_error = found.items[i].severity == SPH2D_ERROR;
+        without_room -= is_error;
+        if (is_error || sound)
+            pass_on(file, &found.items[i], faults);
     }
     faults->errors += without_room;
     if (faults->report) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context.h
- *  An OpenGL context without a window, behind four functions. Only gl_context_osmesa.c and gl_context_egl.c know what
- * is behind it. We draw into framebuffers of our own, so a context has no size. */
+ *  An OpenGL context without a window, behind four functions. Only gl_context_osmesa.c and gl_context_egl.c know
+ *  what is behind it. We draw into framebuffers of our own, so a context has no size. */
 #ifndef SPH2D_RENDER_GL_CONTEXT_H
 #define SPH2D_RENDER_GL_CONTEXT_H
 

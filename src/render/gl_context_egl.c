@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context_egl.c
  *  A context from EGL on Mesa's surfaceless platform: no window system, no surface, no configuration. Without a
- * graphics card Mesa draws in software, with the same code as OSMesa. */
+ *  graphics card Mesa draws in software, with the same code as OSMesa. */
 #include "render/gl_context.h"
 
 #ifdef SPH2D_HAVE_EGL

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context_osmesa.c
  *  A context from OSMesa, Mesa's software renderer as a plain library. <GL/osmesa.h> brings <GL/gl.h>, which hides
- * types of <GL/glcorearb.h>: it must stay in this file. */
+ *  types of <GL/glcorearb.h>: it must stay in this file. */
 #include "render/gl_context.h"
 
 #ifdef SPH2D_HAVE_OSMESA

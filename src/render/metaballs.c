@@ -2,10 +2,10 @@
 /** @file metaballs.c
  *  Drawing metaballs. What water looks like is in the shaders; what counts as water is here.
  *
- *  The first pass draws every particle as a square with its field r^4 - r^2 + 1/4 (r in units of R) and adds them up in
- * a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field alone
- * knows water only from its very rim, so the first pass is drawn once more with much wider balls on a coarse grid, the
- *  "depth": it rises slowly from the surface inwards, and light and colour follow it. */
+ *  The first pass draws every particle as a square with its field r^4 - r^2 + 1/4 (r in units of R) and adds them
+ *  up in a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field
+ *  alone knows water only from its very rim, so the first pass is drawn once more with much wider balls on a coarse
+ *  grid, the "depth": it rises slowly from the surface inwards, and light and colour follow it. */
 #include "render/metaballs.h"
 
 #include <math.h>

@@ -21,8 +21,8 @@ typedef struct sph2d__pixel_box {
     int x, y, width, height;
 } sph2d__pixel_box;
 
-/** Fits a box into an image, whose last `reserved` columns are left free, centred, with its aspect kept. False where
- * the box is empty, not finite or so small or large that nothing can be drawn. */
+/** Fits a box into an image, whose last `reserved` columns are left free, centred, with its aspect kept. False
+ *  where the box is empty, not finite or so small or large that nothing can be drawn. */
 bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved);
 
 /** The same view in an image with `border` more pixels on all sides, and the rest of a pixel at the far ones. */
