@@ -91,7 +91,7 @@ static double expected_compression(const sph2d_plan *plan) {
 
 static void print_table(const checked *c) {
     const sph2d_plan *plan = &c->plan;
-    char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE];
+    char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], in_use[TEXT_SIZE];
     text_row("scene", "%s: no faults", c->scene->name);
     print_terms(c->scene);
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
@@ -110,10 +110,10 @@ static void print_table(const checked *c) {
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
              (unsigned)c->scene->run.frames.size[1]);
     if (c->steps_measured > 0)
-        text_row("time", "%s %s without outputs, by %u steps with %d threads (%s)",
+        text_row("time", "%s %s without outputs, by %u steps with %s",
                  c->scene->source_count > 0 ? "at least" : "about",
                  text_seconds(duration, plan->steps * c->step_seconds), (unsigned)c->steps_measured,
-                 sph2d_sim_threads(c->sim), c->threads.source);
+                 threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
 static void print_object(const checked *c) {

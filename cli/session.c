@@ -58,8 +58,10 @@ static void tell_start(const cli_session *s) {
                  sph2d_sim_scene(s->sim)->run.until);
     message_detail("support radius %g m, sound speed %g m/s (%s)", plan->support_radius, plan->sound_speed,
                    plan->sound_speed_formula);
-    message_detail("next step %g s; %d threads (%s), %s", sph2d_sim_time_step(s->sim), sph2d_sim_threads(s->sim),
-                   s->threads.source, sph2d_isa_name(sph2d_sim_isa(s->sim)));
+    char in_use[TEXT_SIZE];
+    message_detail("next step %g s; %s, %s", sph2d_sim_time_step(s->sim),
+                   threads_describe(in_use, sph2d_sim_threads(s->sim), &s->threads),
+                   sph2d_isa_name(sph2d_sim_isa(s->sim)));
 }
 
 static const char *end_name(const loop_result *result) {

@@ -33,7 +33,9 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
     }
     text_row("", "stepping %s, CPU %s; output %s", text_seconds(wall, result->step_wall),
              text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall));
-    text_row("", "%d threads (%s), %s", sph2d_sim_threads(sim), threads->source, sph2d_isa_name(sph2d_sim_isa(sim)));
+    char in_use[TEXT_SIZE];
+    text_row("", "%s, %s", threads_describe(in_use, sph2d_sim_threads(sim), threads),
+             sph2d_isa_name(sph2d_sim_isa(sim)));
 }
 
 static void print_errors(const sph2d_summary *s) {
@@ -67,7 +69,9 @@ static void print_particles(const sph2d_summary *s) {
 }
 
 static void print_steps(const sph2d_summary *s) {
-    text_row("steps", "%" PRIu64 ", of %.3g to %.3g s", s->steps, s->time_step_min, s->time_step_max);
+    text_row("steps", "%" PRIu64, s->steps);
+    if (s->steps > 0)
+        text_row("", "of %.3g to %.3g s", s->time_step_min, s->time_step_max);
     for (int i = 0; i < 4; ++i)
         if (s->limited_by[i] > 0)
             text_row("", "%s: %" PRIu64, limit_names[i], s->limited_by[i]);

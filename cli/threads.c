@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#ifdef _OPENMP
+
 enum { THREADS_MAX = 1024 };
 
 /* OMP_NUM_THREADS may be a list, one number a nesting level; the first counts. 0 when there is none. */
@@ -41,12 +43,26 @@ static thread_choice choose(const cli_options *options) {
     return (thread_choice){online < 1 ? 1 : online > THREADS_MAX ? THREADS_MAX : (int)online, "processors online"};
 }
 
+#else
+
+static thread_choice choose(const cli_options *options) {
+    (void)options;
+    return (thread_choice){1, "this build has no OpenMP"};
+}
+
+#endif
+
 thread_choice threads_choose(const cli_options *options) {
     thread_choice choice = choose(options);
     char count[16];
     snprintf(count, sizeof count, "%d", choice.count);
     setenv("LP_NUM_THREADS", count, 0); /* failing leaves Mesa its own choice */
     return choice;
+}
+
+char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice) {
+    snprintf(out, TEXT_SIZE, "%d thread%s (%s)", count, count == 1 ? "" : "s", choice->source);
+    return out;
 }
 
 void threads_wait_passively(char **argv) {

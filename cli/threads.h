@@ -5,6 +5,7 @@
 #define SPH2D_CLI_THREADS_H
 
 #include "options.h"
+#include "text.h"
 
 /** A number of threads, and where it comes from, in words. */
 typedef struct thread_choice {
@@ -15,6 +16,9 @@ typedef struct thread_choice {
 /** -j, else OMP_NUM_THREADS, else the processors that this process may use. Also tells the software renderer, unless
  * the environment does (LP_NUM_THREADS). */
 thread_choice threads_choose(const cli_options *options);
+
+/** "2 threads (--threads)", for the number that is in use. Returns `out`. */
+char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice);
 
 /** OpenMP's idle threads spin by default: beside another job that costs both a lot. The policy is read when the OpenMP
  *  library is loaded, so this sets it in the environment and starts the program again. Returns when there is nothing to

@@ -104,6 +104,20 @@ const char *test_report_text(const sph2d_report *report)
     return text;
 }
 
+void *test_resize(void *block, size_t old_size, size_t new_size)
+{
+    void *fresh = NULL;
+    if (new_size > 0) {
+        fresh = aligned_alloc(64, (new_size + 63) / 64 * 64);
+        if (!fresh)
+            return NULL;
+        if (block)
+            memcpy(fresh, block, old_size < new_size ? old_size : new_size);
+    }
+    free(block);
+    return fresh;
+}
+
 static size_t array_bytes(const sph2d_array *array)
 {
     return 8 * (array->stride ? array->count * array->stride : 1);

@@ -18,7 +18,8 @@ static const struct {
         {NULL, NULL},
 };
 
-static bool add_suites(SRunner *runner, const char *name) {
+static bool add_suites(SRunner *runner, const char *name)
+{
     bool found = false;
     for (size_t i = 0; suites[i].name; ++i)
         if (!name || strcmp(name, suites[i].name) == 0) {
@@ -28,13 +29,15 @@ static bool add_suites(SRunner *runner, const char *name) {
     return found || !name;
 }
 
-static int list_suites(void) {
+static int list_suites(void)
+{
     for (size_t i = 0; suites[i].name; ++i)
         puts(suites[i].name);
     return EXIT_SUCCESS;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     if (argc == 2 && strcmp(argv[1], "--list") == 0)
         return list_suites();
     /* Check's own limit of 4 s is for tests that compute nothing. */

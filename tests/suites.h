@@ -19,6 +19,16 @@
     X(muller)                                                                                                          \
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \
+    X(walls)                                                                                                           \
+    X(barrier)                                                                                                         \
+    X(tunnelling)                                                                                                      \
+    X(sources)                                                                                                         \
+    X(steering)                                                                                                        \
+    X(scene_keys)                                                                                                      \
+    X(scene_check)                                                                                                     \
+    X(scene_file)                                                                                                      \
+    X(plan)                                                                                                           \
+    X(snapshot)                                                                                                        \
     X(report)                                                                                                          \
     RENDER_SUITES(X)
 

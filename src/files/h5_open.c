@@ -11,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "files/h5_read.h"
+#include "files/text.h"
 
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
 {
@@ -22,8 +23,10 @@ sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const c
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     sph2d_diagnostic *d = sph2d_report_add(r->report, SPH2D_ERROR, code, NULL, "%s", message);
-    if (d)
+    if (d) {
+        sph2d__text_clean(d->message);
         snprintf(d->file, sizeof d->file, "%s", r->path);
+    }
     return d;
 }
 

@@ -145,24 +145,24 @@ static void read_fields(sph2d__h5_reader *r, sph2d_snapshot *s, sph2d_group grou
     }
 }
 
-/** Reads the arrays on the state's list. False when the list itself cannot be read. */
-static bool read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
+/** Reads the arrays on the state's list. */
+static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     size_t count = 0, texts = 0;
     const char **paths = sph2d__h5_get_texts(r, SPH2D__GROUP_STATE, SPH2D__STATE_ARRAYS, &count);
     const char **descriptions = sph2d__h5_get_texts(r, SPH2D__GROUP_STATE, SPH2D__STATE_TEXTS, &texts);
     const signed char *units = paths ? read_units(r, count) : NULL;
     if (!paths || !descriptions || !units)
-        return false;
+        return;
     if (texts != count || count > MOST_ARRAYS) {
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has the wrong shape", SPH2D__STATE_ARRAYS);
-        return false;
+        return;
     }
     size_t most = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL);
     s->arrays = sph2d__pool_alloc(r->pool, most, sizeof *s->arrays);
     if (!s->arrays) {
         r->status = SPH2D_NOMEM;
-        return false;
+        return;
     }
     for (size_t i = 0; i < count && r->status != SPH2D_NOMEM; ++i) {
         const char *in;
@@ -176,17 +176,16 @@ static bool read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
         else
             read_array(r, s, in, array);
     }
-    return true;
 }
 
-/** Compares the state, which is all that was read so far, with its checksum. */
-static void check_sum(sph2d__h5_reader *r, const sph2d_snapshot *s)
+/** Compares the state, the first `count` arrays, with its checksum, when nothing else is wrong. */
+static void check_sum(sph2d__h5_reader *r, const sph2d_snapshot *s, size_t count)
 {
     uint64_t written, sum = 0;
     if (r->status != SPH2D_OK || !sph2d__h5_has(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM) ||
         !sph2d__h5_get_counts(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM, &written, 1))
         return;
-    for (size_t i = 0; i < s->array_count; ++i)
+    for (size_t i = 0; i < count; ++i)
         sum = sph2d__checksum(sum, &s->arrays[i]);
     if (sum == written)
         return;
@@ -198,9 +197,11 @@ static void check_sum(sph2d__h5_reader *r, const sph2d_snapshot *s)
 
 void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
-    if (!read_state(r, s))
+    read_state(r, s);
+    if (!s->arrays)
         return;
-    check_sum(r, s);
+    size_t count = s->array_count;
     read_fields(r, s, SPH2D_GROUP_FLUID, SPH2D__GROUP_FLUID);
     read_fields(r, s, SPH2D_GROUP_WALL, SPH2D__GROUP_WALLS);
+    check_sum(r, s, count);
 }

@@ -51,6 +51,17 @@ bool sph2d__text_check(const sph2d__source *source, sph2d__faults *faults)
     return true;
 }
 
+void sph2d__text_clean(char *text)
+{
+    size_t room = strlen(text);
+    for (size_t i = 0; i < room;) {
+        size_t length = character_length((const unsigned char *)text + i, room - i);
+        if (length == 0 || (length == 1 && (unsigned char)text[i] < 0x20))
+            text[i] = '?';
+        i += length > 0 ? length : 1;
+    }
+}
+
 /** Where the line of `offset` starts, and its number from 1. A line ends with LF, CR or both. */
 static size_t line_start(const sph2d__source *source, size_t offset, int *number)
 {
@@ -107,6 +118,7 @@ void sph2d__place_describe(sph2d__place place, sph2d_diagnostic *diagnostic)
     if (!diagnostic || !source)
         return;
     snprintf(diagnostic->file, sizeof diagnostic->file, "%s", source->name);
+    sph2d__text_clean(diagnostic->file);
     diagnostic->line = diagnostic->column = 0;
     diagnostic->excerpt[0] = '\0';
     if (!source->has_lines || place.offset == SPH2D__NOWHERE)
@@ -129,7 +141,11 @@ sph2d_diagnostic *sph2d__fault(sph2d__faults *faults, sph2d_code code, sph2d__pl
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     sph2d_diagnostic *diagnostic = sph2d_report_add(faults->report, SPH2D_ERROR, code, path, "%s", message);
-    sph2d__place_describe(place, diagnostic);
+    if (diagnostic) {
+        sph2d__text_clean(diagnostic->message);
+        sph2d__text_clean(diagnostic->path);
+        sph2d__place_describe(place, diagnostic);
+    }
     return diagnostic;
 }
 

@@ -55,6 +55,9 @@ int sph2d__place_line(sph2d__place place);
  *  SPH2D_NOMEM. The caller frees *text. */
 sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report);
 
+/** Puts '?' for every byte that is no text, so that a message cannot hold what a file meant for the terminal. */
+void sph2d__text_clean(char *text);
+
 /** Whether a source is UTF-8 without control characters; otherwise a fault at the first bad byte. */
 bool sph2d__text_check(const sph2d__source *source, sph2d__faults *faults);
 

@@ -81,6 +81,20 @@ static void visit_segment(sph2d__barrier *b, size_t index, bool fill)
         }
 }
 
+/** Marks the buckets from which a motion of one bucket's width can meet a wall. */
+static void mark_near(sph2d__barrier *b)
+{
+    for (int iy = 0; iy < b->ny; ++iy)
+        for (int ix = 0; ix < b->nx; ++ix) {
+            size_t k = (size_t)iy * (size_t)b->nx + (size_t)ix;
+            if (b->start[k] == b->start[k + 1])
+                continue;
+            for (int y = iy > 0 ? iy - 1 : 0; y <= iy + 1 && y < b->ny; ++y)
+                for (int x = ix > 0 ? ix - 1 : 0; x <= ix + 1 && x < b->nx; ++x)
+                    b->near[(size_t)y * (size_t)b->nx + (size_t)x] = 1;
+        }
+}
+
 bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearance, sph2d__memory *memory)
 {
     sph2d__barrier *b = barrier;
@@ -93,6 +107,9 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
     if (!b->start)
         return false;
     b->start_capacity = buckets + 1;
+    b->near = sph2d__alloc(memory, buckets, 1);
+    if (!b->near)
+        return false;
     for (size_t i = 0; i < b->count; ++i)
         visit_segment(b, i, false);
     uint32_t total = 0;
@@ -111,6 +128,7 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
     for (size_t k = buckets; k > 0; --k)
         b->start[k] = b->start[k - 1];
     b->start[0] = 0;
+    mark_near(b);
     return true;
 }
 
@@ -200,11 +218,20 @@ static bool crosses(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
     return meet_first(&bare, from, to, &m);
 }
 
+/** Whether a motion stays so far from every wall that it need not be looked at: the usual case, and the only cheap one. */
+static bool is_clear(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
+{
+    double way = fabs(to.x - from.x) + fabs(to.y - from.y);
+    int ix = bucket_of(from.x, b->origin_x, b->inverse_size, b->nx);
+    int iy = bucket_of(from.y, b->origin_y, b->inverse_size, b->ny);
+    return !b->near[(size_t)iy * (size_t)b->nx + (size_t)ix] && (way + b->clearance) * b->inverse_size < 1;
+}
+
 int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     int hits = 0;
     meeting m;
-    if (barrier->count == 0 || !meet_first(barrier, from, *to, &m))
+    if (barrier->count == 0 || is_clear(barrier, from, *to) || !meet_first(barrier, from, *to, &m))
         return 0;
     do {
         ++hits;
@@ -230,9 +257,10 @@ int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_v
 
 void sph2d__barrier_free(sph2d__barrier *barrier, sph2d__memory *memory)
 {
-    void *blocks[3] = {barrier->segments, barrier->start, barrier->items};
+    void *blocks[4] = {barrier->segments, barrier->start, barrier->items, barrier->near};
     sph2d__release(memory, &blocks[0], barrier->capacity, sizeof *barrier->segments);
     sph2d__release(memory, &blocks[1], barrier->start_capacity, sizeof *barrier->start);
     sph2d__release(memory, &blocks[2], barrier->item_capacity, sizeof *barrier->items);
+    sph2d__release(memory, &blocks[3], barrier->near ? barrier->start_capacity - 1 : 0, 1);
     *barrier = (sph2d__barrier){0};
 }

@@ -17,6 +17,7 @@ typedef struct sph2d__barrier {
     int nx, ny;
     uint32_t *start;           /**< nx * ny + 1 values */
     uint32_t *items;           /**< segment indices */
+    unsigned char *near;       /**< whether a bucket or one of the 8 around it has a segment */
     size_t start_capacity, item_capacity;
 } sph2d__barrier;
 

@@ -9,8 +9,6 @@
 
 /* Places closer to an obstacle than this many spacings stay free. */
 static const double FREE_DISTANCE = 0.7;
-/* Particles of different blocks closer than this many spacings overlap. */
-static const double OVERLAP = 0.5;
 
 /** Bytes that a fluid particle takes in the store and the cells. */
 static const double PARTICLE_BYTES = 13 * sizeof(double) + 2 * sizeof(uint64_t) + 3 * sizeof(uint32_t);
@@ -102,51 +100,31 @@ static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *repo
     return SPH2D_OK;
 }
 
-/** The block of a particle: ids were given block by block, `ends` holds the first id behind each. */
-static size_t block_of(const uint64_t *ends, size_t count, uint64_t id)
+/** The earlier block that shares a place with block `index`, whose particles start at `first`; `index` for none. */
+static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *place)
 {
-    size_t block = 0;
-    while (block + 1 < count && id >= ends[block])
-        ++block;
-    return block;
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d_block *blocks = sim->scene.blocks;
+    for (size_t other = 0; other < index; ++other)
+        for (size_t i = 0; i < f->count; ++i) {
+            *place = (sph2d_vec2){f->x[i], f->y[i]};
+            if (sph2d__shape_contains(&blocks[other].shape, *place) &&
+                (i >= first || sph2d__shape_contains(&blocks[index].shape, *place)))
+                return other;
+        }
+    return index;
 }
 
-/** A pair of particles of different blocks that are too close to a common place of liquid. */
-static bool find_overlap(const sph2d_sim *sim, const uint64_t *ends, size_t *a, size_t *b, sph2d_vec2 *where)
+static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
 {
-    const sph2d__system *s = &sim->system;
-    const sph2d__store *f = &s->fluid;
-    size_t blocks = sim->scene.block_count;
-    for (size_t i = 0; i < f->count; ++i) {
-        size_t mine = block_of(ends, blocks, f->id[i]);
-        double own = sim->scene.blocks[mine].spacing > 0 ? sim->scene.blocks[mine].spacing : s->spacing;
-        sph2d__ranges ranges = sph2d__cells_ranges(&s->fluid_cells, sph2d__cells_find(&s->fluid_cells, f->x[i], f->y[i]));
-        for (int r = 0; r < 3; ++r)
-            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
-                if (hypot(f->x[i] - f->x[j], f->y[i] - f->y[j]) >= OVERLAP * own)
-                    continue;
-                size_t theirs = block_of(ends, blocks, f->id[j]);
-                if (theirs == mine)
-                    continue;
-                *a = mine < theirs ? mine : theirs;
-                *b = mine < theirs ? theirs : mine;
-                *where = (sph2d_vec2){f->x[i], f->y[i]};
-                return true;
-            }
-    }
-    return false;
-}
-
-static sph2d_status check_overlap(sph2d_sim *sim, const uint64_t *ends, sph2d_report *report)
-{
-    size_t a, b;
-    sph2d_vec2 where;
-    if (sim->scene.block_count < 2 || !find_overlap(sim, ends, &a, &b, &where))
+    sph2d_vec2 place;
+    size_t other = find_overlap(sim, index, first, &place);
+    if (other == index)
         return SPH2D_OK;
     char path[64];
-    snprintf(path, sizeof path, "blocks[%zu]", b);
+    snprintf(path, sizeof path, "blocks[%zu]", index);
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
-                                           "overlaps blocks[%zu] near (%g, %g)", a, where.x, where.y);
+                                           "overlaps blocks[%zu] near (%g, %g)", other, place.x, place.y);
     sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
     return SPH2D_SCENE;
 }
@@ -154,22 +132,21 @@ static sph2d_status check_overlap(sph2d_sim *sim, const uint64_t *ends, sph2d_re
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_scene *scene = &sim->scene;
-    uint64_t *ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->block_count + 1, sizeof *ends);
-    if (!ends)
-        return SPH2D_NOMEM;
+    sph2d__store *fluid = &sim->system.fluid;
     for (size_t i = 0; i < scene->block_count; ++i) {
+        size_t first = fluid->count;
         sph2d_status status = place_block(sim, i, report);
+        if (status == SPH2D_OK)
+            status = check_overlap(sim, i, first, report);
         if (status != SPH2D_OK)
             return status;
-        ends[i] = sim->record.next_id;
     }
-    if (sim->system.fluid.count == 0 && scene->source_count == 0) {
+    if (fluid->count == 0 && scene->source_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");
         return SPH2D_SCENE;
     }
-    if (!sph2d__store_reserve(&sim->system.fluid, &sim->memory, 1) ||
-        !sph2d__cells_build(&sim->system.fluid_cells, &sim->system.fluid, sim->system.support, &sim->memory,
-                            sim->system.threads))
+    if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
+        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.support, &sim->memory, sim->system.threads))
         return SPH2D_NOMEM;
-    return check_overlap(sim, ends, report);
+    return SPH2D_OK;
 }

@@ -2,6 +2,7 @@
 # One thread or several: the same bytes.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
+can_thread || exit 77
 
 expect 0 "$SPH2D" init dam.yaml -q
 # Enough particles that several threads get some.

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_scene_check.c
+ *  Faults of meaning in a scene: each has its code and its key path, and all are found at once. Faults of range are in
+ *  test_scene_keys.c. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "common.h"
+
+/* ---- a sound scene, to be broken --------------------------------------------------------------------------------- */
+
+static sph2d_vec2 corners[4], ends[3], turns[3];
+static sph2d_path_point path[2];
+static sph2d_block blocks[3];
+static sph2d_source sources[1];
+static sph2d_drain drains[1];
+static sph2d_obstacle obstacles[4];
+static sph2d_interaction interactions[1];
+static sph2d_probe probes[2];
+static sph2d_scene scene;
+static sph2d_report report;
+
+static void fill_shapes(void)
+{
+    blocks[0] = test_block(0.1, 0.1, 0.3, 0.3);
+    blocks[1] = blocks[2] = sph2d_block_default();
+    blocks[1].shape.kind = SPH2D_SHAPE_DISC;
+    blocks[1].shape.disc = (sph2d_disc){{0.4, 0.5}, 0.08};
+    blocks[2].shape.kind = SPH2D_SHAPE_POLYGON;
+    corners[0] = (sph2d_vec2){0.5, 0.1};
+    corners[1] = (sph2d_vec2){0.7, 0.1};
+    corners[2] = (sph2d_vec2){0.7, 0.3};
+    corners[3] = (sph2d_vec2){0.5, 0.35};
+    blocks[2].shape.polygon = (sph2d_points){corners, 4};
+    for (int i = 0; i < 4; ++i)
+        obstacles[i] = sph2d_obstacle_default();
+    ends[0] = (sph2d_vec2){0.1, 0.8};
+    ends[1] = (sph2d_vec2){0.2, 0.85};
+    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
+    obstacles[0].outline.line = (sph2d_points){ends, 2};
+    turns[0] = (sph2d_vec2){0.4, 0.8};
+    turns[1] = (sph2d_vec2){0.5, 0.85};
+    turns[2] = (sph2d_vec2){0.6, 0.8};
+    obstacles[1].outline.kind = SPH2D_OUTLINE_POLYLINE;
+    obstacles[1].outline.polyline = (sph2d_points){turns, 3};
+    obstacles[2].outline.kind = SPH2D_OUTLINE_CIRCLE;
+    obstacles[2].outline.circle = (sph2d_disc){{0.8, 0.6}, 0.05};
+    obstacles[3].outline.kind = SPH2D_OUTLINE_BOX;
+    obstacles[3].outline.box = (sph2d_box){{0.05, 0.5}, {0.15, 0.6}};
+}
+
+static void start(void)
+{
+    fill_shapes();
+    sources[0] = sph2d_source_default();
+    sources[0].at = (sph2d_vec2){0.9, 0.9};
+    sources[0].width = 0.05;
+    sources[0].speed = 1;
+    drains[0] = sph2d_drain_default();
+    drains[0].shape = blocks[0].shape;
+    path[0] = (sph2d_path_point){0, 0.1, 0.1};
+    path[1] = (sph2d_path_point){1, 0.9, 0.9};
+    interactions[0] = sph2d_interaction_default();
+    interactions[0].path = (sph2d_path){path, 2};
+    interactions[0].radius = 0.2;
+    probes[0] = probes[1] = sph2d_probe_default();
+    probes[0].name = "Energy_of-all2";
+    probes[0].rate.every = 0.1;
+    probes[1].name = "speed";
+    probes[1].kind = SPH2D_PROBE_SPEED;
+    probes[1].at = (sph2d_vec2){0.2, 0.2};
+    probes[1].rate.per_second = 10;
+    scene = sph2d_scene_default();
+    scene.domain = (sph2d_box){{0, 0}, {1, 1}};
+    scene.spacing = 0.02;
+    scene.fluid.dynamic_viscosity = 20; /* calm enough for any warning */
+    scene.blocks = blocks;
+    scene.block_count = 3;
+    scene.sources = sources;
+    scene.source_count = 1;
+    scene.drains = drains;
+    scene.drain_count = 1;
+    scene.obstacles = obstacles;
+    scene.obstacle_count = 4;
+    scene.interactions = interactions;
+    scene.interaction_count = 1;
+    scene.probes = probes;
+    scene.probe_count = 2;
+    sph2d_report_clear(&report);
+}
+
+/* ---- single faults ----------------------------------------------------------------------------------------------- */
+
+/** One thing broken at a time: name, key path, code, and the statement that breaks it. */
+#define FAULT_LIST(X)                                                                                                  \
+    X(domain_missing, "domain", OUT_OF_RANGE, scene.domain = sph2d_scene_default().domain)                             \
+    X(domain_flat, "domain", OUT_OF_RANGE, scene.domain.max.y = scene.domain.min.y)                                    \
+    X(domain_reversed, "domain", OUT_OF_RANGE, scene.domain.min.x = 2)                                                 \
+    X(spacing_missing, "spacing", OUT_OF_RANGE, scene.spacing = sph2d_scene_default().spacing)                         \
+    X(spacing_negative, "spacing", OUT_OF_RANGE, scene.spacing = -0.02)                                                \
+    X(block_shapeless, "blocks[0]", MISSING_KEY, blocks[0].shape.kind = SPH2D_SHAPE_NONE)                              \
+    X(block_reversed, "blocks[0].box", OUT_OF_RANGE, blocks[0].shape.box.max.x = 0.05)                                 \
+    X(block_outside, "blocks[0].box", OUTSIDE, blocks[0].shape.box.max.x = 1.05)                                       \
+    X(block_below, "blocks[0].box", OUTSIDE, blocks[0].shape.box.min.y = -0.01)                                        \
+    X(disc_outside, "blocks[1].disc", OUTSIDE, blocks[1].shape.disc.center.x = 0.05)                                   \
+    X(disc_without_radius, "blocks[1].disc.radius", OUT_OF_RANGE, blocks[1].shape.disc.radius = 0)                     \
+    X(polygon_of_two, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.polygon.count = 2)                            \
+    X(polygon_on_a_line, "blocks[2].polygon", OUT_OF_RANGE,                                                            \
+      blocks[2].shape.polygon.count = 3; corners[2] = (sph2d_vec2){0.9, 0.1})                                          \
+    X(polygon_outside, "blocks[2].polygon", OUTSIDE, corners[3].y = 1.01)                                              \
+    X(polygon_crosses_itself, "blocks[2].polygon", OUT_OF_RANGE, corners[3] = (sph2d_vec2){0.6, 0.05})                 \
+    X(source_outside, "sources[0].at", OUTSIDE, sources[0].at.y = 1.5)                                                 \
+    X(source_without_direction, "sources[0].direction", OUT_OF_RANGE, sources[0].direction = ((sph2d_vec2){0, 0}))     \
+    X(source_without_speed, "sources[0].speed", OUT_OF_RANGE, sources[0].speed = 0)                                    \
+    X(source_too_rich, "sources[0].rate", CONFLICT, sources[0].rate = 0.0501)                                          \
+    X(source_stops_early, "sources[0].stop", CONFLICT, sources[0].start = 1; sources[0].stop = 0.5)                    \
+    X(drain_shapeless, "drains[0]", MISSING_KEY, drains[0].shape.kind = SPH2D_SHAPE_NONE)                              \
+    X(drain_reversed, "drains[0].box", OUT_OF_RANGE, drains[0].shape.box.min.y = 0.4)                                  \
+    X(drain_stops_early, "drains[0].stop", CONFLICT, drains[0].start = 1; drains[0].stop = 0.5)                        \
+    X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].outline.kind = SPH2D_OUTLINE_NONE)           \
+    X(obstacle_of_springs, "obstacles[3].form", UNSUPPORTED, obstacles[3].form = SPH2D_WALL_SPRING)                    \
+    X(line_of_one, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 1)                             \
+    X(line_of_three, "obstacles[0].line", OUT_OF_RANGE,                                                                \
+      obstacles[0].outline.line.count = 3; ends[2] = (sph2d_vec2){0.3, 0.9})                                           \
+    X(line_without_length, "obstacles[0].line", OUT_OF_RANGE, ends[1] = ends[0])                                       \
+    X(line_outside, "obstacles[0].line", OUTSIDE, ends[1].x = -0.1)                                                    \
+    X(polyline_of_one, "obstacles[1].polyline", OUT_OF_RANGE, obstacles[1].outline.polyline.count = 1)                 \
+    X(polyline_stands_still, "obstacles[1].polyline", OUT_OF_RANGE, turns[2] = turns[1])                               \
+    X(circle_outside, "obstacles[2].circle.center", OUTSIDE, obstacles[2].outline.circle.center.x = 1.2)               \
+    X(circle_without_radius, "obstacles[2].circle.radius", OUT_OF_RANGE, obstacles[2].outline.circle.radius = 0)       \
+    X(box_flat, "obstacles[3].box", OUT_OF_RANGE, obstacles[3].outline.box.max.x = obstacles[3].outline.box.min.x)     \
+    X(box_outside, "obstacles[3].box", OUTSIDE, obstacles[3].outline.box.max.y = 1.2)                                  \
+    X(interaction_without_path, "interactions[0].path", MISSING_KEY, interactions[0].path.count = 0)                   \
+    X(interaction_back_in_time, "interactions[0].path", CONFLICT, path[1].t = 0)                                       \
+    X(interaction_without_radius, "interactions[0].radius", OUT_OF_RANGE, interactions[0].radius = 0)                  \
+    X(probe_without_name, "probes[0].name", OUT_OF_RANGE, probes[0].name = NULL)                                       \
+    X(probe_with_empty_name, "probes[0].name", OUT_OF_RANGE, probes[0].name = "")                                      \
+    X(probe_in_a_folder, "probes[0].name", OUT_OF_RANGE, probes[0].name = "../energy")                                 \
+    X(probe_with_a_space, "probes[0].name", OUT_OF_RANGE, probes[0].name = "a b")                                      \
+    X(probe_with_a_dot, "probes[0].name", OUT_OF_RANGE, probes[0].name = "a.b")                                        \
+    X(probe_twice, "probes[1].name", CONFLICT, probes[1].name = "Energy_of-all2")                                      \
+    X(probe_without_rate, "probes[0]", MISSING_KEY, probes[0].rate.every = 0)                                          \
+    X(probe_with_two_rates, "probes[0].every", CONFLICT, probes[0].rate.per_second = 10)                               \
+    X(probe_outside, "probes[1].at", OUTSIDE, probes[1].at.x = -1)                                                     \
+    X(snapshots_with_two_rates, "run.snapshots.every", CONFLICT, scene.run.snapshots.rate = ((sph2d_rate){10, 0.1}))   \
+    X(frames_with_two_rates, "run.frames.every", CONFLICT, scene.run.frames.rate = ((sph2d_rate){10, 0.1}))            \
+    X(frames_too_small, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[1] = 15)                                \
+    X(frames_too_large, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[0] = 16385)                             \
+    X(deflate_level, "run.snapshots.compress", OUT_OF_RANGE, scene.run.snapshots.compress = 10)                        \
+    X(nothing_in_it, "blocks", NO_PARTICLES, scene.block_count = scene.source_count = 0)
+
+#define MAKE_FAULT(label, at, code, ...)                                                                               \
+    static void label(void)                                                                                            \
+    {                                                                                                                  \
+        __VA_ARGS__;                                                                                                   \
+    }
+FAULT_LIST(MAKE_FAULT)
+
+static const struct {
+    void (*make)(void);
+    const char *path;
+    sph2d_code code;
+} faults[] = {
+#define FAULT_ROW(label, at, code, ...) {label, at, SPH2D_CODE_##code},
+    FAULT_LIST(FAULT_ROW)
+#undef FAULT_ROW
+};
+enum { FAULTS = sizeof faults / sizeof faults[0] };
+
+START_TEST(the_sound_scene_is_sound)
+{
+    ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
+    ck_assert_msg(report.count == 0, "%s", test_report_text(&report));
+    ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_OK);
+}
+END_TEST
+
+START_TEST(a_warning_does_not_refuse)
+{
+    scene.fluid.dynamic_viscosity = 0;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+    ck_assert_uint_eq(report.count, 1);
+    ck_assert_uint_eq(report.errors, 0);
+    ck_assert_int_eq(report.items[0].severity, SPH2D_WARNING);
+    ck_assert_str_eq(report.items[0].path, "fluid.dynamic_viscosity");
+}
+END_TEST
+
+START_TEST(every_fault_is_found)
+{
+    faults[_i].make();
+    ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_SCENE, "accepted: fault at %s", faults[_i].path);
+    ck_assert_msg(test_report_has(&report, faults[_i].code, faults[_i].path), "wanted %s at %s, got\n%s",
+                  sph2d_code_text(faults[_i].code), faults[_i].path, test_report_text(&report));
+    ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_SCENE);
+    for (size_t i = 0; i < report.count; ++i) {
+        size_t length = strlen(report.items[i].message);
+        ck_assert_uint_gt(length, 5); /* a sentence, without a full stop */
+        ck_assert_int_ne(report.items[i].message[length - 1], '.');
+    }
+    /* The same fault stops a simulation, with nothing made. */
+    sph2d_sim *sim = (sph2d_sim *)&scene;
+    ck_assert_int_eq(sph2d_sim_create(&scene, NULL, &sim, NULL), SPH2D_SCENE);
+    ck_assert_ptr_null(sim);
+}
+END_TEST
+
+START_TEST(all_faults_are_found_at_once)
+{
+    static void (*const some[])(void) = {block_outside,  polygon_of_two, source_too_rich,          drain_shapeless,
+                                         line_of_one,    circle_outside, interaction_back_in_time, probe_twice,
+                                         deflate_level};
+    size_t count = sizeof some / sizeof some[0];
+    for (size_t k = 0; k < count; ++k)
+        some[k]();
+    scene.wall_damping = 2;
+    scene.fluid.density = NAN;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert_uint_ge(report.errors, count + 2);
+    for (size_t k = 0; k < count; ++k)
+        for (int i = 0; i < FAULTS; ++i)
+            if (faults[i].make == some[k])
+                ck_assert_msg(test_report_has(&report, faults[i].code, faults[i].path), "%s", faults[i].path);
+    ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "wall_damping"));
+    ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "fluid.density"));
+}
+END_TEST
+
+START_TEST(more_faults_than_a_report_holds_are_counted)
+{
+    static sph2d_block many[50];
+    for (int i = 0; i < 50; ++i)
+        many[i] = sph2d_block_default(); /* without a shape */
+    scene.blocks = many;
+    scene.block_count = 50;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert_uint_eq(report.count, 20);
+    ck_assert_uint_eq(report.dropped, 30);
+    ck_assert_uint_eq(report.errors, 50);
+    ck_assert_str_eq(report.items[19].path, "blocks[19]");
+}
+END_TEST
+
+START_TEST(nothing_gives_the_sound_speed)
+{
+    scene.gravity = (sph2d_vec2){0, 0};
+    scene.source_count = scene.interaction_count = 0;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert(test_report_has(&report, SPH2D_CODE_MISSING_KEY, "method.stiffness"));
+    scene.method.stiffness = 1;
+    ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_OK);
+    scene.method.stiffness = 0;
+    blocks[0].velocity.x = 1;
+    ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_OK);
+}
+END_TEST
+
+START_TEST(a_scene_that_was_not_made_is_refused)
+{
+    ck_assert_int_eq(sph2d_scene_check(NULL, &report), SPH2D_SCENE);
+    for (int k = 0; k < 3; ++k) {
+        memset(&scene, k == 0 ? 0 : k == 1 ? 0xff : 0xa5, sizeof scene);
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+        ck_assert_uint_eq(report.errors, 1);
+        ck_assert_ptr_nonnull(strstr(report.items[0].message, "sph2d_scene_default"));
+    }
+}
+END_TEST
+
+START_TEST(a_scene_without_a_name_is_no_crash)
+{
+    scene.name = NULL;
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(&scene, NULL, &sim, &report);
+    ck_assert(status == SPH2D_OK || status == SPH2D_SCENE);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+Suite *suite_scene_check(void)
+{
+    Suite *suite = suite_create("scene_check");
+    TCase *tests = tcase_create("faults");
+    tcase_add_checked_fixture(tests, start, NULL);
+    tcase_add_test(tests, the_sound_scene_is_sound);
+    tcase_add_test(tests, a_warning_does_not_refuse);
+    tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
+    tcase_add_test(tests, all_faults_are_found_at_once);
+    tcase_add_test(tests, more_faults_than_a_report_holds_are_counted);
+    tcase_add_test(tests, nothing_gives_the_sound_speed);
+    tcase_add_test(tests, a_scene_that_was_not_made_is_refused);
+    tcase_add_test(tests, a_scene_without_a_name_is_no_crash);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
