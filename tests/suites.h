@@ -27,7 +27,8 @@
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
-    X(plan)                                                                                                           \
+    X(plan)                                                                                                            \
+    X(outputs)                                                                                                         \
     X(snapshot)                                                                                                        \
     X(report)                                                                                                          \
     RENDER_SUITES(X)

@@ -87,6 +87,7 @@ static void sum_densities(const liquid *l)
 static void add_forces(const liquid *l, size_t i, const cloud *from, double a[2], double *size)
 {
     double h5 = pow(l->support, 5);
+    double calm = 0.005 * l->rho0 * sqrt(l->stiffness) * l->support; /* with which walls drag at least */
     for (size_t j = 0; j < from->count; ++j) {
         double dx = fluid.x[i] - from->x[j], dy = fluid.y[i] - from->y[j], r = hypot(dx, dy);
         if (r >= l->support)
@@ -98,7 +99,7 @@ static void add_forces(const liquid *l, size_t i, const cloud *from, double a[2]
             a[0] += push * dx / r;
             a[1] += push * dy / r;
         }
-        double drag = l->mu / fluid.rho[i] * volume * laplacian;
+        double drag = (from == &walls ? fmax(l->mu, calm) : l->mu) / fluid.rho[i] * volume * laplacian;
         a[0] += drag * (from->vx[j] - fluid.vx[i]);
         a[1] += drag * (from->vy[j] - fluid.vy[i]);
         *size += volume * l->stiffness * (fluid.rho[i] + from->rho[j]) / 2 * slope / fluid.rho[i] +

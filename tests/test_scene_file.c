@@ -153,8 +153,9 @@ START_TEST(all_faults_come_at_once_in_the_order_of_the_file)
     static const struct {
         sph2d_code code;
         int line, column;
-    } expected[] = {{SPH2D_CODE_UNKNOWN_KEY, 1, 1},    {SPH2D_CODE_OUT_OF_RANGE, 3, 10}, {SPH2D_CODE_WRONG_TYPE, 4, 18},
-                    {SPH2D_CODE_DUPLICATE_KEY, 4, 21}, {SPH2D_CODE_WRONG_TYPE, 7, 14},   {SPH2D_CODE_WRONG_TYPE, 7, 36}};
+    } expected[] = {{SPH2D_CODE_UNKNOWN_KEY, 1, 1}, {SPH2D_CODE_OUT_OF_RANGE, 3, 10},
+                    {SPH2D_CODE_WRONG_TYPE, 4, 18}, {SPH2D_CODE_DUPLICATE_KEY, 4, 21},
+                    {SPH2D_CODE_WRONG_TYPE, 7, 14}, {SPH2D_CODE_WRONG_TYPE, 7, 36}};
     sph2d_report report = {0};
     sph2d_scene_file *file;
     ck_assert_int_eq(parse(text, NULL, 0, &file, &report), SPH2D_SCENE);
@@ -173,7 +174,8 @@ START_TEST(consequences_of_a_fault_are_not_faults)
     /* the domain cannot be read, so nothing can be outside it */
     sph2d_report report = {0};
     sph2d_scene_file *file;
-    ck_assert_int_eq(parse("domain: {min: [0, 0], max: [x, 1]}\n" SPACING BLOCKS, NULL, 0, &file, &report), SPH2D_SCENE);
+    ck_assert_int_eq(parse("domain: {min: [0, 0], max: [x, 1]}\n" SPACING BLOCKS, NULL, 0, &file, &report),
+                     SPH2D_SCENE);
     ck_assert_msg(report.count == 1 && report.items[0].code == SPH2D_CODE_WRONG_TYPE, "%s", test_report_text(&report));
     /* but an unknown key spoils nothing */
     static const char both[] = DOMAIN SPACING "blocks:\n  - box: {min: [0, 0], max: [0.4, 1.8]}\n    x: 1\n";
@@ -310,12 +312,9 @@ END_TEST
 
 START_TEST(overrides_change_single_keys)
 {
-    static const sph2d_override overrides[] = {{"run.until", "0.5"},
-                                               {"blocks[0].velocity", "[1, 0]"},
-                                               {"method", "{cfl: 0.2}"},
-                                               {"method.support_ratio", "3"},
-                                               {"run.until", "0.25"},
-                                               {"name", "'x y'"}};
+    static const sph2d_override overrides[] = {{"run.until", "0.5"},     {"blocks[0].velocity", "[1, 0]"},
+                                               {"method", "{cfl: 0.2}"}, {"method.support_ratio", "3"},
+                                               {"run.until", "0.25"},    {"name", "'x y'"}};
     sph2d_report report = {0};
     sph2d_scene_file *file = NULL;
     sph2d_status status = parse(SOUND, overrides, 6, &file, &report);
@@ -378,9 +377,18 @@ START_TEST(paths_are_located)
     static const struct {
         const char *path;
         int line, column;
-    } places[] = {{"blocks[0].box.max", 4, 29}, {"blocks[0].box", 4, 10}, {"blocks[0]", 4, 5},    {"blocks", 3, 1},
-                  {"blocks[7].box", 3, 1},      {"fluid.density", 5, 8},  {"fluid.a[0].b", 5, 8}, {"spacing", 2, 10},
-                  {"domain.max[1]", 1, 32},     {"nothing", 0, 0},        {"", 0, 0},             {"[0]", 0, 0}};
+    } places[] = {{"blocks[0].box.max", 4, 29},
+                  {"blocks[0].box", 4, 10},
+                  {"blocks[0]", 4, 5},
+                  {"blocks", 3, 1},
+                  {"blocks[7].box", 3, 1},
+                  {"fluid.density", 5, 8},
+                  {"fluid.a[0].b", 5, 8},
+                  {"spacing", 2, 10},
+                  {"domain.max[1]", 1, 32},
+                  {"nothing", 0, 0},
+                  {"", 0, 0},
+                  {"[0]", 0, 0}};
     sph2d_report report = {0};
     sph2d_scene_file *file = NULL;
     ck_assert_int_eq(parse(SOUND, NULL, 0, &file, &report), SPH2D_OK);
@@ -521,8 +529,9 @@ END_TEST
 /** Changes a good scene at random. Whatever comes out, it is either read or refused with a reason. */
 START_TEST(nothing_that_is_nearly_a_scene_does_harm)
 {
-    static const char *const pieces[] = {"[", "]", "{", "}", ": ", "- ", "\n", "\n  ", "\"", "'", "&a ", "*a ", "!t ",
-                                         "|\n ", ">-\n", "---\n", "...\n", "%YAML 1.2\n", "#", "? ", ",", "\t", "~"};
+    static const char *const pieces[] = {"[",     "]",           "{",   "}",   ": ",  "- ",   "\n",   "\n  ",
+                                         "\"",    "'",           "&a ", "*a ", "!t ", "|\n ", ">-\n", "---\n",
+                                         "...\n", "%YAML 1.2\n", "#",   "? ",  ",",   "\t",   "~"};
     enum { PIECES = sizeof pieces / sizeof pieces[0] };
     uint64_t random = 7;
     for (int round = 0; round < 2000; ++round) {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_snapshot.c
- *  Snapshots: that they bring back every bit, that they are the same bytes every time, and that no file, however broken,
- *  and no disk, however full, does harm. */
+ *  Snapshots: that they bring back every bit, that they are the same bytes every time, and that no file, however
+ * broken, and no disk, however full, does harm. */
 #include <hdf5.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -284,10 +285,18 @@ START_TEST(the_layout_is_what_other_programs_expect)
     H5Sclose(space);
     H5Dclose(d);
     static const char *const attributes[][2] = {
-        {"/", "Complete"},           {"/Header", "BoxSize"},       {"/Header", "NumPart_Total"},
-        {"/Header", "Time"},         {"/Code", "Code Version"},    {"/Units", "Unit length in cgs (U_L)"},
-        {"/VTKHDF", "Type"},         {"/VTKHDF", "Version"},       {"/Parameters", "fluid.density"},
-        {"/State", "NextTimeStep"},  {"/State", "Checksum"},       {"/Parameters", "blocks[0].box.min"},
+        {"/", "Complete"},
+        {"/Header", "BoxSize"},
+        {"/Header", "NumPart_Total"},
+        {"/Header", "Time"},
+        {"/Code", "Code Version"},
+        {"/Units", "Unit length in cgs (U_L)"},
+        {"/VTKHDF", "Type"},
+        {"/VTKHDF", "Version"},
+        {"/Parameters", "fluid.density"},
+        {"/State", "NextTimeStep"},
+        {"/State", "StateVersion"},
+        {"/Parameters", "blocks[0].box.min"},
         {"/PartType0/Densities", "U_L exponent"},
     };
     for (size_t i = 0; i < sizeof attributes / sizeof attributes[0]; ++i)
@@ -355,30 +364,102 @@ static void put_dataset(hid_t f, const char *path, hid_t type, int rank, hsize_t
 
 #define DENSITIES "/PartType0/Densities"
 
-static void incomplete(hid_t f) { drop_attribute(f, "/", "Complete"); }
-static void not_complete(hid_t f) { put_count(f, "/", "Complete", 0); }
-static void another_kind(hid_t f) { drop_attribute(f, "/", "Format"); }
-static void future_format(hid_t f) { put_count(f, "/", "FormatVersion", 2); }
-static void future_state(hid_t f) { put_count(f, "/State", "StateVersion", SPH2D_STATE_VERSION + 1); }
-static void no_velocities(hid_t f) { drop_link(f, "/PartType0/Velocities"); }
-static void no_masses(hid_t f) { drop_link(f, "/PartType0/Masses"); }
-static void no_walls(hid_t f) { drop_link(f, "/PartType1"); }
-static void no_state(hid_t f) { drop_link(f, "/State"); }
-static void no_list(hid_t f) { drop_link(f, "/State/Arrays"); }
-static void no_clock(hid_t f) { drop_attribute(f, "/State", "NextTimeStep"); }
-static void no_domain(hid_t f) { drop_attribute(f, "/Parameters", "domain.min"); }
-static void short_list(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, 3, 1, 0); }
-static void two_columns(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 2, 200, 2, 0); }
-static void three_dimensions(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 3, 200, 1, 0); }
-static void floats(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_FLOAT, 1, 200, 1, 0); }
-static void signed_numbers(hid_t f) { put_dataset(f, "/PartType0/ParticleIDs", H5T_NATIVE_INT64, 1, 200, 1, 0); }
-static void endless(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 40, 1, 0); }
-static void endless_chunks(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 40, 1, 1000); }
-static void beyond_bytes(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 61, 1, 1000); }
-static void huge_chunk(hid_t f) { put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, 200, 1, (hsize_t)1 << 28); }
-static void clock_list(hid_t f) { put_attribute(f, "/State", "Time", H5T_NATIVE_DOUBLE, 3, NULL); }
-static void clock_count(hid_t f) { put_attribute(f, "/Header", "Time", H5T_NATIVE_UINT64, 1, NULL); }
-static void odd_word(hid_t f) { put_attribute(f, "/Parameters", "run.frames.style", H5T_C_S1, 0, "x"); }
+static void incomplete(hid_t f)
+{
+    drop_attribute(f, "/", "Complete");
+}
+static void not_complete(hid_t f)
+{
+    put_count(f, "/", "Complete", 0);
+}
+static void another_kind(hid_t f)
+{
+    drop_attribute(f, "/", "Format");
+}
+static void future_format(hid_t f)
+{
+    put_count(f, "/", "FormatVersion", 2);
+}
+static void future_state(hid_t f)
+{
+    put_count(f, "/State", "StateVersion", SPH2D_STATE_VERSION + 1);
+}
+static void no_velocities(hid_t f)
+{
+    drop_link(f, "/PartType0/Velocities");
+}
+static void no_masses(hid_t f)
+{
+    drop_link(f, "/PartType0/Masses");
+}
+static void no_walls(hid_t f)
+{
+    drop_link(f, "/PartType1");
+}
+static void no_state(hid_t f)
+{
+    drop_link(f, "/State");
+}
+static void no_list(hid_t f)
+{
+    drop_link(f, "/State/Arrays");
+}
+static void no_clock(hid_t f)
+{
+    drop_attribute(f, "/State", "NextTimeStep");
+}
+static void no_domain(hid_t f)
+{
+    drop_attribute(f, "/Parameters", "domain.min");
+}
+static void short_list(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, 3, 1, 0);
+}
+static void two_columns(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 2, 200, 2, 0);
+}
+static void three_dimensions(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 3, 200, 1, 0);
+}
+static void floats(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_FLOAT, 1, 200, 1, 0);
+}
+static void signed_numbers(hid_t f)
+{
+    put_dataset(f, "/PartType0/ParticleIDs", H5T_NATIVE_INT64, 1, 200, 1, 0);
+}
+static void endless(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 40, 1, 0);
+}
+static void endless_chunks(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 40, 1, 1000);
+}
+static void beyond_bytes(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, (hsize_t)1 << 61, 1, 1000);
+}
+static void huge_chunk(hid_t f)
+{
+    put_dataset(f, DENSITIES, H5T_NATIVE_DOUBLE, 1, 200, 1, (hsize_t)1 << 28);
+}
+static void clock_list(hid_t f)
+{
+    put_attribute(f, "/State", "Time", H5T_NATIVE_DOUBLE, 3, NULL);
+}
+static void clock_count(hid_t f)
+{
+    put_attribute(f, "/Header", "Time", H5T_NATIVE_UINT64, 1, NULL);
+}
+static void odd_word(hid_t f)
+{
+    put_attribute(f, "/Parameters", "run.frames.style", H5T_C_S1, 0, "x");
+}
 static void no_number(hid_t f)
 {
     double nan = strtod("nan", NULL);
@@ -454,8 +535,7 @@ static const struct {
     {no_size, SPH2D_CODE_FILE_FIELD, "'run.frames.size' is out of range"},
     {variable_text, SPH2D_CODE_FILE_FIELD, "'Code Version' has the wrong type"},
     {group_is_dataset, SPH2D_CODE_FILE_FIELD, "'/PartType1/Coordinates' is missing"},
-    {dataset_is_group, SPH2D_CODE_FILE_FIELD, "'Densities' is damaged"},
-    {other_value, SPH2D_CODE_FILE_FIELD, "its values are not those that were written"},
+    {dataset_is_group, SPH2D_CODE_FILE_FIELD, "'Densities' cannot be read"},
 };
 
 static void expect_refusal(const char *path, sph2d_status status, sph2d_code code, const char *message)
@@ -486,7 +566,6 @@ START_TEST(a_change_on_purpose_is_read)
     write_snapshot("a.h5", 0);
     hid_t f = H5Fopen("a.h5", H5F_ACC_RDWR, H5P_DEFAULT);
     other_value(f);
-    drop_attribute(f, "/State", "Checksum");
     H5Fclose(f);
     sph2d_snapshot *snapshot = read_snapshot("a.h5");
     const sph2d_array *densities = sph2d_snapshot_array(snapshot, SPH2D_GROUP_FLUID, "Densities");
@@ -528,14 +607,53 @@ START_TEST(cut_files_are_refused)
 }
 END_TEST
 
-/** Turns bits and bytes at random. HDF5 must not crash over them, nor the reader, nor a simulation made of the result. */
+START_TEST(a_single_bit_is_noticed)
+{
+    write_snapshot("a.h5", 0);
+    size_t size;
+    unsigned char *bytes = load("a.h5", &size);
+    for (size_t i = 0; i < 200; ++i) {
+        size_t at = (size - 16) * i / 200; /* the seal has 16 bytes */
+        bytes[at] ^= (unsigned char)(1u << i % 8);
+        store("b.h5", bytes, size);
+        bytes[at] ^= (unsigned char)(1u << i % 8);
+        if (at >= 8) /* before that, it is not even HDF5 */
+            expect_refusal("b.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_INCOMPLETE,
+                           "its bytes are not those that were written");
+    }
+    free(bytes);
+}
+END_TEST
+
+/** Reads b.h5 and makes a simulation of it if that is possible. Whether everything went as it should. */
+static bool survives(void)
+{
+    sph2d_report_clear(&report);
+    sph2d_snapshot *snapshot = NULL;
+    sph2d_status status = sph2d_snapshot_read("b.h5", &snapshot, &report);
+    if (status == SPH2D_OK) {
+        sph2d_state state = sph2d_snapshot_state(snapshot);
+        sph2d_sim *restored = NULL;
+        sph2d_sim_restore(sph2d_scene_file_scene(file), NULL, &state, &restored, NULL);
+        sph2d_sim_destroy(restored);
+    }
+    sph2d_snapshot_destroy(snapshot);
+    return (status == SPH2D_OK || (status == SPH2D_FORMAT && report.errors > 0)) &&
+           H5Fget_obj_count((hid_t)H5F_OBJ_ALL, H5F_OBJ_ALL) == 0;
+}
+
+/** Takes the seal off and turns bits and bytes at random. HDF5 must not crash over them, nor the reader, nor a
+ *  simulation made of the result. In a process of its own: HDF5 loses memory over damaged files, and would say so. */
 START_TEST(damaged_files_do_no_harm)
 {
     write_snapshot("a.h5", _i ? 6 : 0);
     size_t size;
     unsigned char *bytes = load("a.h5", &size), *damaged = malloc(size);
+    size -= 16;
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
     uint64_t random = 1;
-    for (size_t round = 0; round < 500; ++round) {
+    for (size_t round = 0; child == 0 && round < 500; ++round) {
         memcpy(damaged, bytes, size);
         for (size_t change = 0; change <= round % 4; ++change) {
             size_t at = (size_t)test_random(&random, 0, (double)size);
@@ -544,19 +662,14 @@ START_TEST(damaged_files_do_no_harm)
         }
         store("b.h5", damaged, size);
         alarm(30); /* a hang is a failure, too */
-        sph2d_report_clear(&report);
-        sph2d_snapshot *snapshot = NULL;
-        sph2d_status status = sph2d_snapshot_read("b.h5", &snapshot, &report);
-        ck_assert(status == SPH2D_OK || (status == SPH2D_FORMAT && report.errors > 0));
-        if (status == SPH2D_OK) {
-            sph2d_state state = sph2d_snapshot_state(snapshot);
-            sph2d_sim *restored = NULL;
-            sph2d_sim_restore(sph2d_scene_file_scene(file), NULL, &state, &restored, NULL);
-            sph2d_sim_destroy(restored);
-        }
-        sph2d_snapshot_destroy(snapshot);
-        ck_assert_int_eq(H5Fget_obj_count((hid_t)H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
+        if (!survives())
+            _exit(1);
     }
+    if (child == 0)
+        _exit(0);
+    int state;
+    ck_assert_int_eq(waitpid(child, &state, 0), child);
+    ck_assert_msg(state == 0, "a reader died or was wrong (%x); its file is b.h5", (unsigned)state);
     free(bytes);
     free(damaged);
 }
@@ -631,8 +744,18 @@ START_TEST(a_full_disk_leaves_the_old_file)
 }
 END_TEST
 
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
 START_TEST(a_killed_writer_leaves_a_whole_file_or_none)
 {
+    double start = seconds();
+    write_snapshot("a.h5", 6);
+    double one = seconds() - start; /* what a write takes */
     int found = 0;
     for (int round = 0; round < 40; ++round) {
         remove("a.h5");
@@ -641,8 +764,8 @@ START_TEST(a_killed_writer_leaves_a_whole_file_or_none)
         if (child == 0)
             for (;;)
                 sph2d_snapshot_write(sim, file, round % 2 ? 6 : 0, "a.h5", NULL);
-        struct timespec pause = {0, 500000 + 700000 * (round % 20)};
-        nanosleep(&pause, NULL);
+        double wait = fmin(one * (0.1 + 0.15 * round), 0.9);
+        nanosleep(&(struct timespec){0, (long)(1e9 * wait)}, NULL);
         kill(child, SIGKILL);
         waitpid(child, NULL, 0);
         if (access("a.h5", F_OK) == 0) {
@@ -673,6 +796,7 @@ Suite *suite_snapshot(void)
     tcase_add_test(refused, a_change_on_purpose_is_read);
     tcase_add_test(refused, what_is_no_snapshot_is_refused);
     tcase_add_test(refused, cut_files_are_refused);
+    tcase_add_test(refused, a_single_bit_is_noticed);
     tcase_add_loop_test(refused, damaged_files_do_no_harm, 0, 2);
     suite_add_tcase(suite, refused);
     TCase *unwritable = tcase_create("unwritable");

@@ -74,7 +74,7 @@ typedef enum sph2d_shape_kind {
     SPH2D_SHAPE_NONE = 0,
     SPH2D_SHAPE_BOX,
     SPH2D_SHAPE_DISC,
-    SPH2D_SHAPE_POLYGON /**< closed by itself, 3 points or more, without self-crossing */
+    SPH2D_SHAPE_POLYGON /**< closed by itself, 3 to 10000 points, without self-crossing */
 } sph2d_shape_kind;
 
 typedef struct sph2d_shape {
@@ -137,7 +137,7 @@ typedef struct sph2d_block {
 typedef struct sph2d_source {
     sph2d_vec2 at;        /**< centre of the nozzle [m] */
     sph2d_vec2 direction; /**< of the jet, any length but zero; default (0, -1) */
-    double width;         /**< of the nozzle [m], >= 0; at least one particle */
+    double width;         /**< of the nozzle [m], >= 0; one spacing at least */
     double speed;         /**< of the jet [m/s], > 0 */
     double spread;        /**< random change of each velocity component, as a fraction of speed, 0 to 1; default 0 */
     double rate;          /**< area of liquid per second [m^2/s], at most width * speed; default 0: width * speed */

@@ -81,8 +81,8 @@ static bool excluded(sph2d__converter *c, const mapping *m, size_t index, const 
     if (!key->choice || !rival)
         return false;
     char where[32];
-    sph2d_diagnostic *d = sph2d__fault(c->faults, SPH2D_CODE_CONFLICT, child->key_place, path,
-                                       "'%s' excludes '%s'%s", child->key, rival->key, on_line(rival, where));
+    sph2d_diagnostic *d = sph2d__fault(c->faults, SPH2D_CODE_CONFLICT, child->key_place, path, "'%s' excludes '%s'%s",
+                                       child->key, rival->key, on_line(rival, where));
     sph2d_diagnostic_hint(d, "give one of %s", list);
     return true;
 }
@@ -116,8 +116,7 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
     memcpy((char *)out + key->count_offset, &index, sizeof index);
 }
 
-static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
-                        void *out)
+static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path, void *out)
 {
     if (key->choice)
         memcpy((char *)out + key->choice_offset, &key->choice, sizeof key->choice);
@@ -140,8 +139,8 @@ static void report_missing(sph2d__converter *c, const mapping *m)
         char path[SPH2D__PATH_SIZE];
         join(path, m->path, key->name);
         /* for the scene itself no line is to blame */
-        sph2d__place place = m->path[0] ? sph2d__node_place(m->node)
-                                        : (sph2d__place){m->node->place.source, SPH2D__NOWHERE};
+        sph2d__place place =
+            m->path[0] ? sph2d__node_place(m->node) : (sph2d__place){m->node->place.source, SPH2D__NOWHERE};
         sph2d_diagnostic *d =
             sph2d__fault(c->faults, SPH2D_CODE_MISSING_KEY, place, path, "'%s' must be given", key->name);
         sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);

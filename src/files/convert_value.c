@@ -28,9 +28,8 @@ void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key
     if (node->kind == SPH2D__NODE_FAULTY) /* reported already */
         return;
     char got[80];
-    sph2d_diagnostic *d =
-        sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path, "expected %s, got %s",
-                     expected, sph2d__node_words(node, got, sizeof got));
+    sph2d_diagnostic *d = sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path,
+                                       "expected %s, got %s", expected, sph2d__node_words(node, got, sizeof got));
     hint_key(d, key);
 }
 
@@ -53,8 +52,8 @@ static bool number_is_fine(const value *v, const sph2d__node *node, sph2d__numbe
     else
         snprintf(reason, sizeof reason, "is beyond the numbers that a double can hold");
     sph2d__faults *faults = v->converter->faults;
-    sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_OUT_OF_RANGE, sph2d__node_place(node), v->path, "%s %s", got,
-                                       reason);
+    sph2d_diagnostic *d =
+        sph2d__fault(faults, SPH2D_CODE_OUT_OF_RANGE, sph2d__node_place(node), v->path, "%s %s", got, reason);
     hint_key(d, v->key);
     sph2d__faults_spoil(faults, v->path);
     return false;

@@ -11,6 +11,7 @@
 
 #include "base/atomic_file.h"
 #include "files/h5_read.h"
+#include "files/seal.h"
 #include "files/text.h"
 
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
@@ -36,18 +37,14 @@ static void fail(sph2d__h5_reader *r, const char *what, int error)
     r->status = SPH2D_NOINPUT;
 }
 
-/** Looks at a file before HDF5 does: whether it can be read, its size, and the eight bytes that HDF5 starts with. */
-static void look(sph2d__h5_reader *r)
+/** Looks at an open file before HDF5 does: what it is, its size, the eight bytes that HDF5 starts with, its seal. */
+static void look(sph2d__h5_reader *r, int fd)
 {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
-    int fd = open(r->path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer must not hold us up */
-    if (fd < 0) {
-        fail(r, "open", errno);
-        return;
-    }
     struct stat info;
     unsigned char start[sizeof signature];
     ssize_t got = -1;
+    sph2d__seal seal = SPH2D__SEAL_NONE;
     if (fstat(fd, &info) != 0)
         fail(r, "read", errno);
     else if (S_ISDIR(info.st_mode))
@@ -57,17 +54,27 @@ static void look(sph2d__h5_reader *r)
     else if ((got = pread(fd, start, sizeof start, 0)) < 0)
         fail(r, "read", errno);
     else if ((size_t)got < sizeof start || memcmp(start, signature, sizeof start) != 0)
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, got == 0 ? "this is not an HDF5 file: it is empty"
-                                                           : "this is not an HDF5 file");
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND,
+                         got == 0 ? "this is not an HDF5 file: it is empty" : "this is not an HDF5 file");
+    else if ((seal = sph2d__seal_check(fd)) == SPH2D__SEAL_UNREADABLE)
+        fail(r, "read", errno);
+    else if (seal == SPH2D__SEAL_BROKEN)
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE,
+                         "the file is damaged: its bytes are not those that were written");
     else
         r->file_bytes = (uint64_t)info.st_size;
-    close(fd);
 }
 
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)
 {
     *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
-    look(r);
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer must not hold us up */
+    if (fd < 0) {
+        fail(r, "open", errno);
+        return;
+    }
+    look(r, fd);
+    close(fd);
     if (r->status != SPH2D_OK)
         return;
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);

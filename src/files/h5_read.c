@@ -15,6 +15,14 @@ static sph2d_diagnostic *refuse_item(sph2d__h5_reader *r, const char *name, cons
     return sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' %s", name, what);
 }
 
+static bool read_failed(sph2d__h5_reader *r, const char *name)
+{
+    char cause[120];
+    sph2d__h5_cause(cause, sizeof cause);
+    sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' cannot be read: %s", name, cause);
+    return false;
+}
+
 static bool has_attribute(const sph2d__h5_reader *r, const char *group, const char *name)
 {
     return H5Aexists_by_name(r->file, group, name, H5P_DEFAULT) > 0;
@@ -108,7 +116,10 @@ bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *nam
     item->sizes[1] = sizes[1];
     if (fine && H5Sget_simple_extent_type(item->space) != H5S_NULL && fits(r, item))
         return true;
-    refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: the file cannot hold it");
+    if (item->id < 0)
+        read_failed(r, name);
+    else
+        refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: the file cannot hold it");
     sph2d__h5_item_close(item);
     return false;
 }
@@ -126,20 +137,12 @@ void sph2d__h5_item_close(sph2d__h5_item *item)
     item->id = item->type = item->space = H5I_INVALID_HID;
 }
 
-static bool read_failed(sph2d__h5_reader *r, const char *name)
-{
-    char cause[120];
-    sph2d__h5_cause(cause, sizeof cause);
-    sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' cannot be read: %s", name, cause);
-    return false;
-}
-
 bool sph2d__h5_item_read(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, void *out, const char *name)
 {
     if (item->sizes[0] == 0 || item->sizes[1] == 0)
         return true;
-    herr_t result = item->is_attribute ? H5Aread(item->id, type, out)
-                                       : H5Dread(item->id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out);
+    herr_t result =
+        item->is_attribute ? H5Aread(item->id, type, out) : H5Dread(item->id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out);
     return result >= 0 || read_failed(r, name);
 }
 

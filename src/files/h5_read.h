@@ -15,7 +15,7 @@
 typedef struct sph2d__h5_reader {
     const char *path;
     sph2d_report *report;
-    sph2d__pool *pool;   /**< of what is read */
+    sph2d__pool *pool; /**< of what is read */
     hid_t file;
     uint64_t file_bytes;
     sph2d_status status; /**< SPH2D_OK until something is refused; reading goes on, to find everything */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_scope.h
- *  HDF5 kept quiet: its own error printing is off while we are in this library, and its error stack becomes a sentence. */
+ *  HDF5 kept quiet: its own error printing is off while we are in this library, and its error stack becomes a sentence.
+ */
 #ifndef SPH2D_FILES_H5_SCOPE_H
 #define SPH2D_FILES_H5_SCOPE_H
 

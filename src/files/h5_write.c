@@ -30,6 +30,12 @@ void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what)
                      cause);
 }
 
+void sph2d__h5_check_memory(sph2d__h5_writer *w, bool fine)
+{
+    w->short_of_memory = w->short_of_memory || !fine;
+    w->ok = w->ok && fine;
+}
+
 void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const char *path, sph2d_report *report)
 {
     *w = (sph2d__h5_writer){.path = path,
@@ -54,7 +60,7 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
     H5Pclose(access);
 }
 
-bool sph2d__h5_writer_close(sph2d__h5_writer *w)
+sph2d_status sph2d__h5_writer_close(sph2d__h5_writer *w)
 {
     if (w->file >= 0) {
         sph2d__h5_check(w, H5Fflush(w->file, H5F_SCOPE_GLOBAL) >= 0, "flushing it");
@@ -64,7 +70,7 @@ bool sph2d__h5_writer_close(sph2d__h5_writer *w)
         H5Pclose(w->group_properties);
     if (w->driver >= 0)
         H5FDunregister(w->driver);
-    return w->ok;
+    return w->ok ? SPH2D_OK : w->short_of_memory ? SPH2D_NOMEM : SPH2D_IO;
 }
 
 hid_t sph2d__h5_group(sph2d__h5_writer *w, const char *path)
@@ -195,7 +201,8 @@ void sph2d__h5_put_texts(sph2d__h5_writer *w, hid_t at, const char *name, const 
     char *block = calloc(count > 0 ? count : 1, longest);
     hid_t type = w->ok ? text_type(longest, false) : H5I_INVALID_HID;
     hid_t space = w->ok ? make_space(count, 0) : H5I_INVALID_HID;
-    sph2d__h5_check(w, block && type >= 0 && space >= 0, name);
+    sph2d__h5_check(w, type >= 0 && space >= 0, name);
+    sph2d__h5_check_memory(w, block != NULL);
     if (w->ok) {
         for (size_t i = 0; i < count; ++i)
             memcpy(block + i * longest, texts[i], strlen(texts[i]));

@@ -20,15 +20,18 @@ typedef struct sph2d__h5_writer {
     hid_t group_properties; /**< without times, so that the same data gives the same bytes */
     unsigned compress;      /**< deflate level of large datasets; 0 for none */
     bool ok;
+    bool short_of_memory; /**< why it is not */
 } sph2d__h5_writer;
 
 /** Starts an HDF5 file on an empty file open as `fd`. End it with sph2d__h5_writer_close in any case. */
 void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const char *path, sph2d_report *report);
-/** Flushes and closes the file; what fails only now is reported. Returns whether everything is written. */
-bool sph2d__h5_writer_close(sph2d__h5_writer *w);
+/** Flushes and closes the file; what fails only now is reported. Errors: SPH2D_IO, SPH2D_NOMEM. */
+sph2d_status sph2d__h5_writer_close(sph2d__h5_writer *w);
 
 /** Takes note of the result of an HDF5 call. */
 void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what);
+/** Takes note of the result of an allocation. */
+void sph2d__h5_check_memory(sph2d__h5_writer *w, bool fine);
 
 /** Makes a group by its whole path. Close it with sph2d__h5_close. */
 hid_t sph2d__h5_group(sph2d__h5_writer *w, const char *path);

@@ -9,7 +9,9 @@
  *      /Scene            the scene file as it was written, and the overrides on top of it
  *      /PartType0, 1     fluid and boundary particles: one dataset a field
  *      /State            what a run needs to go on beside the particles, and the list of what it needs of them
- *      /VTKHDF           the fluid once more for ParaView, as hard links */
+ *      /VTKHDF           the fluid once more for ParaView, as hard links
+ *
+ *  Behind the end of the HDF5 data stands a seal (seal.h). */
 #ifndef SPH2D_FILES_LAYOUT_H
 #define SPH2D_FILES_LAYOUT_H
 
@@ -43,8 +45,7 @@
 
 #define SPH2D__GROUP_STATE "/State"
 #define SPH2D__AT_STATE_VERSION "StateVersion"
-#define SPH2D__AT_CHECKSUM "Checksum" /**< of those arrays; not compared where it is absent */
-#define SPH2D__STATE_ARRAYS "Arrays" /**< paths of all arrays of the state, in their order; beside it ... */
+#define SPH2D__STATE_ARRAYS "Arrays"           /**< paths of all arrays of the state, in their order; beside it ... */
 #define SPH2D__STATE_UNITS "ArrayUnits"        /**< ... their exponents of metre, kilogram and second ... */
 #define SPH2D__STATE_TEXTS "ArrayDescriptions" /**< ... and what they are */
 

@@ -8,9 +8,9 @@
 
 typedef enum sph2d__number {
     SPH2D__NUMBER_FINE,
-    SPH2D__NUMBER_NONE,      /**< no number, or something behind it */
-    SPH2D__NUMBER_NOT_FINITE,/**< NaN or infinity, in any of its spellings */
-    SPH2D__NUMBER_RANGE      /**< a number that the type cannot hold */
+    SPH2D__NUMBER_NONE,       /**< no number, or something behind it */
+    SPH2D__NUMBER_NOT_FINITE, /**< NaN or infinity, in any of its spellings */
+    SPH2D__NUMBER_RANGE       /**< a number that the type cannot hold */
 } sph2d__number;
 
 /** Reads all of `text` as a double. The thread must be in the C locale (c_locale.h). */

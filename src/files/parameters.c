@@ -39,8 +39,7 @@ static void put_pointed(sph2d__h5_writer *w, hid_t at, const sph2d_key *key, con
     if (key->kind == SPH2D_KEY_LIST)
         put_list(w, at, key->keys, items, count, path);
     else if (key->kind != SPH2D_KEY_TEXT)
-        put_tuples(w, at, path, items, count,
-                   key->kind == SPH2D_KEY_POINTS ? 2 : key->kind == SPH2D_KEY_PATH ? 3 : 1);
+        put_tuples(w, at, path, items, count, key->kind == SPH2D_KEY_POINTS ? 2 : key->kind == SPH2D_KEY_PATH ? 3 : 1);
     else if (items)
         sph2d__h5_put_text(w, at, path, items);
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/checksum.h"
 #include "files/snapshot_parts.h"
 
 /** Rows that are put together in memory at a time. */
@@ -13,7 +12,7 @@ enum { BLOCK_ROWS = 16384 };
 
 const char *sph2d__snapshot_group(sph2d_group group)
 {
-    return group == SPH2D_GROUP_FLUID ? SPH2D__GROUP_FLUID
+    return group == SPH2D_GROUP_FLUID  ? SPH2D__GROUP_FLUID
            : group == SPH2D_GROUP_WALL ? SPH2D__GROUP_WALLS
                                        : SPH2D__GROUP_STATE;
 }
@@ -88,7 +87,7 @@ static void put_array(sph2d__h5_writer *w, hid_t at, const sph2d_array *array, s
     hid_t dataset = sph2d__h5_dataset(w, at, array->name, array_type(array), array->count, columns);
     size_t most = array->count < BLOCK_ROWS ? array->count : BLOCK_ROWS;
     uint64_t *block = malloc((most > 0 ? most : 1) * (columns > 0 ? columns : 1) * sizeof *block);
-    sph2d__h5_check(w, block != NULL, "out of memory");
+    sph2d__h5_check_memory(w, block != NULL);
     for (size_t first = 0; w->ok && first < array->count; first += most) {
         size_t rows = array->count - first < most ? array->count - first : most;
         gather(array, first, rows, columns, block);
@@ -134,7 +133,7 @@ static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_state *state)
     char *block = calloc(count + 1, PATH_SIZE);
     signed char(*units)[3] = calloc(count + 1, sizeof *units);
     const char **texts = calloc(2 * count + 1, sizeof *texts);
-    sph2d__h5_check(w, block && units && texts, "out of memory");
+    sph2d__h5_check_memory(w, block && units && texts);
     for (size_t i = 0; w->ok && i < count; ++i) {
         const sph2d_array *array = &state->arrays[i];
         texts[i] = block + i * PATH_SIZE;
@@ -159,10 +158,6 @@ static void put_state(sph2d__h5_writer *w, const sph2d_state *state)
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_STATE);
     sph2d__h5_put_counts(w, at, SPH2D__AT_STATE_VERSION, &state->version, 0);
     put_list(w, at, state);
-    uint64_t sum = 0;
-    for (size_t i = 0; i < state->array_count; ++i)
-        sum = sph2d__checksum(sum, &state->arrays[i]);
-    sph2d__h5_put_counts(w, at, SPH2D__AT_CHECKSUM, &sum, 0);
     for (size_t i = 0; w->ok && i < state->array_count; ++i) {
         const sph2d_array *array = &state->arrays[i];
         if (array->group != SPH2D_GROUP_RUN)

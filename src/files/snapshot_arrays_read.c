@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/checksum.h"
 #include "files/snapshot.h"
 
 enum { BLOCK_ROWS = 16384 };
@@ -178,30 +177,11 @@ static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
     }
 }
 
-/** Compares the state, the first `count` arrays, with its checksum, when nothing else is wrong. */
-static void check_sum(sph2d__h5_reader *r, const sph2d_snapshot *s, size_t count)
-{
-    uint64_t written, sum = 0;
-    if (r->status != SPH2D_OK || !sph2d__h5_has(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM) ||
-        !sph2d__h5_get_counts(r, SPH2D__GROUP_STATE, SPH2D__AT_CHECKSUM, &written, 1))
-        return;
-    for (size_t i = 0; i < count; ++i)
-        sum = sph2d__checksum(sum, &s->arrays[i]);
-    if (sum == written)
-        return;
-    sph2d_diagnostic *d =
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "the file is damaged: its values are not those that were written");
-    sph2d_diagnostic_hint(d, "if they were changed on purpose, delete the attribute '%s' of %s", SPH2D__AT_CHECKSUM,
-                          SPH2D__GROUP_STATE);
-}
-
 void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     read_state(r, s);
     if (!s->arrays)
         return;
-    size_t count = s->array_count;
     read_fields(r, s, SPH2D_GROUP_FLUID, SPH2D__GROUP_FLUID);
     read_fields(r, s, SPH2D_GROUP_WALL, SPH2D__GROUP_WALLS);
-    check_sum(r, s, count);
 }

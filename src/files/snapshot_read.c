@@ -25,10 +25,10 @@ static bool is_readable(sph2d__h5_reader *r, sph2d_snapshot *s)
     else if (sph2d__h5_get_counts(r, "/", SPH2D__AT_FORMAT_VERSION, &version, 1) &&
              sph2d__h5_get_counts(r, SPH2D__GROUP_STATE, SPH2D__AT_STATE_VERSION, &s->state_version, 1) &&
              (version != SPH2D__FORMAT_VERSION || s->state_version != SPH2D_STATE_VERSION)) {
-        sph2d_diagnostic *d = sph2d__h5_refuse(
-            r, SPH2D_CODE_FILE_VERSION, "the file has version %llu.%llu, this program reads %u.%u",
-            (unsigned long long)version, (unsigned long long)s->state_version, SPH2D__FORMAT_VERSION,
-            SPH2D_STATE_VERSION);
+        sph2d_diagnostic *d =
+            sph2d__h5_refuse(r, SPH2D_CODE_FILE_VERSION, "the file has version %llu.%llu, this program reads %u.%u",
+                             (unsigned long long)version, (unsigned long long)s->state_version, SPH2D__FORMAT_VERSION,
+                             SPH2D_STATE_VERSION);
         const char *code = sph2d__h5_has(r, SPH2D__GROUP_CODE, SPH2D__AT_CODE_VERSION)
                                ? sph2d__h5_get_text(r, SPH2D__GROUP_CODE, SPH2D__AT_CODE_VERSION)
                                : NULL;

@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "files/c_locale.h"
+#include "files/seal.h"
 #include "files/snapshot_parts.h"
 
 /** The scene file and its overrides, as they were. */
@@ -18,7 +19,7 @@ static void put_scene(sph2d__h5_writer *w, const sph2d_scene_file *file)
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_SCENE);
     sph2d__h5_put_document(w, at, SPH2D__SCENE_TEXT, sph2d_scene_file_text(file));
     const char **texts = calloc(2 * count + 1, sizeof *texts);
-    sph2d__h5_check(w, texts != NULL, "out of memory");
+    sph2d__h5_check_memory(w, texts != NULL);
     for (size_t i = 0; w->ok && i < count; ++i) {
         texts[i] = overrides[i].path;
         texts[count + i] = overrides[i].value;
@@ -46,6 +47,28 @@ static void put_everything(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2
     sph2d__h5_put_counts(w, w->file, SPH2D__AT_COMPLETE, &complete, 0);
 }
 
+/** Writes the temporary file and closes it. */
+static sph2d_status write_file(int fd, sph2d_sim *sim, const sph2d_scene_file *file, const sph2d_state *state,
+                               unsigned compress, const char *path, sph2d_report *report)
+{
+    sph2d__h5_scope scope;
+    sph2d__h5_writer w;
+    sph2d__h5_scope_begin(&scope);
+    sph2d__h5_writer_open(&w, fd, compress, path, report);
+    put_everything(&w, sim, file, state);
+    sph2d_status status = sph2d__h5_writer_close(&w);
+    sph2d__h5_scope_end(&scope);
+    int error = 0; /* of what follows; HDF5's is reported already */
+    if (status == SPH2D_OK && !sph2d__seal_put(fd))
+        error = errno;
+    if (close(fd) != 0 && status == SPH2D_OK && error == 0)
+        error = errno;
+    if (error == 0)
+        return status;
+    sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, error);
+    return SPH2D_IO;
+}
+
 sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
                                   sph2d_report *report)
 {
@@ -57,22 +80,13 @@ sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, 
         return SPH2D_NOMEM;
     sph2d__atomic_file target;
     sph2d_status status = sph2d__atomic_begin(&target, path, report);
-    int fd = status == SPH2D_OK ? open(target.temp_path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666) : -1;
-    if (status == SPH2D_OK && fd < 0) {
-        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "create", path, errno);
-        status = SPH2D_CANTCREAT;
-    }
-    if (fd >= 0) {
-        sph2d__h5_scope scope;
-        sph2d__h5_writer w;
-        sph2d__h5_scope_begin(&scope);
-        sph2d__h5_writer_open(&w, fd, compress, path, report);
-        put_everything(&w, sim, file, &state);
-        status = sph2d__h5_writer_close(&w) ? SPH2D_OK : SPH2D_IO;
-        sph2d__h5_scope_end(&scope);
-        if (close(fd) != 0 && status == SPH2D_OK) {
-            sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, errno);
-            status = SPH2D_IO;
+    if (status == SPH2D_OK) {
+        int fd = open(target.temp_path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (fd >= 0) {
+            status = write_file(fd, sim, file, &state, compress, path, report);
+        } else {
+            sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "create", path, errno);
+            status = SPH2D_CANTCREAT;
         }
     }
     if (status == SPH2D_OK)

@@ -16,7 +16,7 @@ typedef struct sph2d__source {
     const char *name; /**< for messages: the path, or `--set PATH=VALUE` */
     const char *text;
     size_t length;
-    bool has_lines;   /**< messages tell line and column; an override is its own line already */
+    bool has_lines; /**< messages tell line and column; an override is its own line already */
 } sph2d__source;
 
 /** A byte of a source. */

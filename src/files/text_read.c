@@ -25,8 +25,7 @@ static sph2d_status fail(const char *what, const char *path, sph2d_report *repor
 }
 
 /** Reads to the end or to one byte more than `limit`, growing as it goes: a pipe does not tell its size. */
-static sph2d_status read_all(int fd, const char *path, size_t limit, char **text, size_t *length,
-                             sph2d_report *report)
+static sph2d_status read_all(int fd, const char *path, size_t limit, char **text, size_t *length, sph2d_report *report)
 {
     size_t room = 0;
     for (*length = 0;;) {

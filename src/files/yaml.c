@@ -18,11 +18,11 @@ typedef struct builder {
     sph2d__node *root;
     sph2d__node *open[SPH2D__TREE_DEPTH]; /**< collections that are not closed yet, outermost first */
     size_t depth;
-    const char *key;        /**< of the value that comes next, where it has one */
+    const char *key; /**< of the value that comes next, where it has one */
     sph2d__place key_place;
-    size_t last;            /**< where the last event started: the place of values that leave no trace in the text */
+    size_t last; /**< where the last event started: the place of values that leave no trace in the text */
     size_t nodes;
-    bool ended;             /**< a document was complete */
+    bool ended; /**< a document was complete */
     sph2d_status status;
 } builder;
 

@@ -100,11 +100,18 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, con
     }
 }
 
+/** Adds the acceleration times density that the sums stand for. */
+SPH2D__INLINE void add_sums(double *fx, double *fy, const force_sums *sums, double press, double drag)
+{
+    *fx += press * sph2d__lanes_total(sums->press_x) + drag * sph2d__lanes_total(sums->drag_x);
+    *fy += press * sph2d__lanes_total(sums->press_y) + drag * sph2d__lanes_total(sums->drag_y);
+}
+
 SPH2D__INLINE void force_with(sph2d__system *s, bool viscous)
 {
     sph2d__store *fluid = &s->fluid;
     double press = sph2d__spiky_constant(s->support) / 2;
-    double drag = s->viscosity * sph2d__viscosity_constant(s->support);
+    double laplacian = sph2d__viscosity_constant(s->support);
     bool walls_press = s->walls_press;
     int threads = sph2d__threads_for(s->threads, fluid->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
@@ -113,20 +120,19 @@ SPH2D__INLINE void force_with(sph2d__system *s, bool viscous)
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t i = 0; i < fluid->count; ++i) {
             receiver me = {fluid->x[i], fluid->y[i], fluid->vx[i], fluid->vy[i], fluid->pressure[i]};
+            double fx = 0, fy = 0;
             force_sums sums = {{0}, {0}, {0}, {0}};
             sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
             SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
                 add_force(&sums, s->support, viscous, &me, fluid, j, left);
-            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y))
+            add_sums(&fx, &fy, &sums, press, s->viscosity * laplacian);
+            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y)) {
+                force_sums wall_sums = {{0}, {0}, {0}, {0}};
                 SPH2D__FOR_BLOCKS (&wall_cursor.ranges, j, left)
-                    add_force(&sums, s->support, viscous, &me, &s->walls, j, left);
-            double ax = press * sph2d__lanes_total(sums.press_x), ay = press * sph2d__lanes_total(sums.press_y);
-            if (viscous) {
-                ax += drag * sph2d__lanes_total(sums.drag_x);
-                ay += drag * sph2d__lanes_total(sums.drag_y);
+                    add_force(&wall_sums, s->support, true, &me, &s->walls, j, left);
+                add_sums(&fx, &fy, &wall_sums, press, s->wall_viscosity * laplacian);
             }
-            ax /= fluid->density[i];
-            ay /= fluid->density[i];
+            double ax = fx / fluid->density[i], ay = fy / fluid->density[i];
             sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
             fluid->ax[i] = ax;
             fluid->ay[i] = ay;

@@ -23,6 +23,7 @@ typedef struct sph2d__system {
     double rest_density;   /**< [kg/m^3] */
     double sound_speed;    /**< c0 [m/s] */
     double viscosity;      /**< dynamic [Pa s] */
+    double wall_viscosity; /**< of fluid on boundary particles [Pa s] */
     double cfl;            /**< of the acoustic limit */
     double calibration;    /**< factor on summed density that makes a filled lattice have the rest density */
     sph2d__body body;

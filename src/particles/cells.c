@@ -14,6 +14,9 @@ enum { RIM = 2 };
 /* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index. */
 static const double MARGIN = 1 + 1e-6;
 
+/* Cells grow by no more than this at a time, so that an extent near the end of the numbers does not make them infinite. */
+static const double MAX_GROWTH = 1e100;
+
 typedef struct bounds {
     double min_x, min_y, max_x, max_y;
 } bounds;
@@ -46,8 +49,8 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
         ny = floor((b.max_y - b.min_y) / size) + 1 + 2 * RIM;
         if (nx * ny <= limit)
             break;
-        double excess = sqrt(nx * ny / limit);
-        size *= excess > 1.01 ? excess : 1.01;
+        double excess = sqrt(nx) * sqrt(ny / limit);
+        size *= !(excess < MAX_GROWTH) ? MAX_GROWTH : excess > 1.01 ? excess : 1.01;
     }
     cells->nx = (uint32_t)nx;
     cells->ny = (uint32_t)ny;

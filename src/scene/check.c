@@ -18,7 +18,8 @@ typedef struct checker {
     bool broken;   /**< a list that cannot be read */
 } checker;
 
-enum { PATH_SIZE = 256 };
+/* Corners of a polygon: the search for crossings compares every side with every other. */
+enum { PATH_SIZE = 256, MAX_CORNERS = 10000 };
 
 static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *path, const char *message)
 {
@@ -176,6 +177,10 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
         item_path(path, list, index, ".polygon");
         if (shape->polygon.count < 3 || !(sph2d__shape_area(shape) > 0)) {
             fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon needs 3 corners or more that are not on one line");
+            return;
+        }
+        if (shape->polygon.count > MAX_CORNERS || sph2d__polygon_crosses_itself(shape->polygon)) {
+            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon must not cross itself, and has 10000 corners at most");
             return;
         }
         break;

@@ -108,6 +108,30 @@ bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point)
     return false;
 }
 
+/** Twice the signed area of a triangle: positive when c lies to the left of the way from a to b. */
+static double turn(sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static bool sides_cross(sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 c, sph2d_vec2 d)
+{
+    return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
+}
+
+bool sph2d__polygon_crosses_itself(sph2d_points points)
+{
+    const sph2d_vec2 *p = points.items;
+    size_t n = points.count;
+    for (size_t i = 0; i < n; ++i)
+        for (size_t k = i + 2; k < n; ++k) {
+            bool neighbours = i == 0 && k + 1 == n;
+            if (!neighbours && sides_cross(p[i], p[i + 1], p[k], p[(k + 1) % n]))
+                return true;
+        }
+    return false;
+}
+
 size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
 {
     switch (outline->kind) {

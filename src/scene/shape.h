@@ -15,6 +15,9 @@ double sph2d__shape_area(const sph2d_shape *shape);
 /** Whether a point lies inside; points on the lower and left edges of a rectangle do, on the others not. */
 bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point);
 
+/** Whether two sides of a closed polygon that are no neighbours meet. */
+bool sph2d__polygon_crosses_itself(sph2d_points points);
+
 /** A straight piece of wall. */
 typedef struct sph2d__segment {
     sph2d_vec2 a, b;

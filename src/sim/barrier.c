@@ -165,6 +165,8 @@ static bool meet_segment(const sph2d__segment *s, double clearance, sph2d_vec2 f
     d1 *= side;
     if (d1 >= TOUCH * clearance || d1 >= d0)
         return false;
+    if (clearance == 0 && d0 == 0) /* a way that starts on the wall has no side to keep */
+        return false;
     double u0 = (from.x - s->a.x) * ex + (from.y - s->a.y) * ey;
     double u1 = (to.x - s->a.x) * ex + (to.y - s->a.y) * ey;
     m->normal = (sph2d_vec2){-ey * side, ex * side};
@@ -209,10 +211,11 @@ static bool meet_first(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to, 
     return found;
 }
 
-/** Whether the straight way between two places crosses a wall. */
-static bool crosses(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
+bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to)
 {
-    sph2d__barrier bare = *b;
+    if (barrier->count == 0)
+        return false;
+    sph2d__barrier bare = *barrier;
     bare.clearance = 0;
     meeting m;
     return meet_first(&bare, from, to, &m);
@@ -244,7 +247,7 @@ int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_v
         sph2d_vec2 stop = {from.x + m.t * (to->x - from.x) + m.gap * n.x, from.y + m.t * (to->y - from.y) + m.gap * n.y};
         double rest_x = (1 - m.t) * (to->x - from.x), rest_y = (1 - m.t) * (to->y - from.y);
         double rest_n = rest_x * n.x + rest_y * n.y;
-        if (hits == MAX_SLIDES || crosses(barrier, from, stop)) {
+        if (hits == MAX_SLIDES || sph2d__barrier_crosses(barrier, from, stop)) {
             *v = (sph2d_vec2){0, 0};
             *to = from;
             return hits;

@@ -31,6 +31,9 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
  *  clearance, loses its velocity into the wall and slides along it; it never gains energy. Returns the number of hits. */
 int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
 
+/** Whether the straight way between two places crosses a wall. */
+bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to);
+
 void sph2d__barrier_free(sph2d__barrier *barrier, sph2d__memory *memory);
 
 #endif

@@ -55,22 +55,16 @@ static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
     return false;
 }
 
-static sph2d_status too_many(sph2d_report *report, size_t block, double count)
-{
-    char path[64];
-    snprintf(path, sizeof path, "blocks[%zu]", block);
-    double bytes = count * PARTICLE_BYTES;
-    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
-                                           "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
-    sph2d_diagnostic_hint(d, "a larger spacing needs fewer: their number goes with 1/spacing^2");
-    return SPH2D_SCENE;
-}
-
-/** More than this machine's memory, or than a 32-bit index can name. */
-static bool is_too_many(double count)
+bool sph2d__sim_too_many(double count, const char *path, sph2d_report *report)
 {
     double memory = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    return count > 4e9 || (memory > 0 && count * PARTICLE_BYTES > memory);
+    double bytes = count * PARTICLE_BYTES;
+    if (count < 4e9 && !(memory > 0 && bytes > memory))
+        return false;
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
+                                           "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
+    sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
+    return true;
 }
 
 static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
@@ -78,9 +72,10 @@ static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *repo
     const sph2d_block *block = &sim->scene.blocks[index];
     sph2d__store *fluid = &sim->system.fluid;
     lattice l = lattice_of(sim, block);
-    double wanted = (double)fluid->count + l.nx * l.ny;
-    if (is_too_many(wanted))
-        return too_many(report, index, wanted);
+    char path[64];
+    snprintf(path, sizeof path, "blocks[%zu]", index);
+    if (sph2d__sim_too_many((double)fluid->count + l.nx * l.ny, path, report))
+        return SPH2D_SCENE;
     size_t nx = (size_t)l.nx, ny = (size_t)l.ny;
     if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + nx * ny))
         return SPH2D_NOMEM;

@@ -54,11 +54,8 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     sph2d__system *s = &sim->system;
     const sph2d__segment *line = &piece->segment;
     double intervals = piece_intervals(line, s->spacing);
-    if ((double)s->walls.count + intervals > 1e9) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, "obstacles",
-                         "a wall needs %.3g boundary particles at this spacing", intervals);
+    if (sph2d__sim_too_many((double)s->walls.count + intervals, "obstacles", report))
         return SPH2D_SCENE;
-    }
     size_t n = (size_t)intervals, count = n + piece->with_end;
     if (!reserve_walls(s, count))
         return SPH2D_NOMEM;

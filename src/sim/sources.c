@@ -30,17 +30,19 @@ static double noise(uint64_t seed, uint64_t source, uint64_t row, uint64_t colum
 typedef struct nozzle {
     double ux, uy;    /**< unit vector of the jet */
     double columns;   /**< particles in a row */
-    double interval;  /**< between rows [s] */
+    double across;    /**< between them [m] */
+    double interval;  /**< between rows [s], which gives each particle its area dx^2 */
 } nozzle;
 
 static nozzle nozzle_of(const sph2d_scene *scene, const sph2d_source *source)
 {
     double dx = scene->spacing;
     double length = hypot(source->direction.x, source->direction.y);
-    nozzle n = {source->direction.x / length, source->direction.y / length, fmax(floor(source->width / dx + 0.5), 1), 0};
-    double rate = source->rate > 0 ? source->rate : n.columns * dx * source->speed;
-    n.interval = n.columns * dx * dx / rate;
-    return n;
+    double width = fmax(source->width, dx);
+    double rate = source->rate > 0 ? source->rate : width * source->speed;
+    double columns = fmax(floor(width / dx + 0.5), 1);
+    return (nozzle){source->direction.x / length, source->direction.y / length, columns, width / columns,
+                    columns * dx * dx / rate};
 }
 
 static bool near_any(const sph2d__cells *cells, const sph2d__store *store, double x, double y, double distance)
@@ -56,14 +58,16 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     return false;
 }
 
-/** Whether a new particle has room: inside the walls, away from liquid and boundary particles. `sorted` particles are in
- *  the cells, those behind are new. */
-static bool has_room(const sph2d_sim *sim, size_t sorted, double x, double y)
+/** Whether a new particle has room: on the nozzle's side of every wall, away from liquid and boundary particles. `sorted`
+ *  particles are in the cells, those behind are new. */
+static bool has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
 {
     const sph2d__system *s = &sim->system;
     double distance = ROOM * s->spacing, margin = 0.25 * s->spacing;
     sph2d_box d = sim->scene.domain;
     if (x < d.min.x + margin || x > d.max.x - margin || y < d.min.y + margin || y > d.max.y - margin)
+        return false;
+    if (sph2d__barrier_crosses(&sim->barrier, start, (sph2d_vec2){x, y}))
         return false;
     if (s->walls.count > 0 && near_any(&s->wall_cells, &s->walls, x, y, distance))
         return false;
@@ -84,11 +88,11 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
-        double across = ((double)k - (n->columns - 1) / 2) * sim->scene.spacing;
+        double across = ((double)k - (n->columns - 1) / 2) * n->across;
         double along = age * source->speed;
         double x = source->at.x + along * n->ux - across * n->uy;
         double y = source->at.y + along * n->uy + across * n->ux;
-        if (!has_room(sim, sorted, x, y)) {
+        if (!has_room(sim, sorted, source->at, x, y)) {
             ++sim->record.blocked;
             continue;
         }

@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_guards.c
+ *  What stops a run, and what must not: a fixed step that is too large, NaN, an escaped particle and a collapsing step are
+ *  named; a burst of liquid pressed together survives by its time step alone. No step ever succeeds with a value that is
+ *  not finite. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "common.h"
+#include "sim/simulation.h"
+
+static sph2d_report report;
+
+static bool all_finite(const sph2d_sim *sim)
+{
+    sph2d_view f = sph2d_sim_fluid(sim);
+    bool finite = isfinite(sph2d_sim_time(sim)) && isfinite(sph2d_sim_time_step(sim));
+    for (size_t i = 0; i < f.count; ++i)
+        finite = finite && isfinite(f.x[i] + f.y[i] + f.vx[i] + f.vy[i]) && isfinite(f.ax[i] + f.ay[i]) &&
+                 isfinite(f.density[i]) && isfinite(f.pressure[i]) && f.density[i] > 0;
+    return finite;
+}
+
+static sph2d_scene dam(sph2d_block *block)
+{
+    sph2d_scene scene = sph2d_scene_default();
+    scene.spacing = 0.02;
+    scene.domain = (sph2d_box){{0, 0}, {1, 1}};
+    *block = test_block(0, 0, 0.3, 0.4);
+    scene.blocks = block;
+    scene.block_count = 1;
+    return scene;
+}
+
+/** Steps until one fails, at most so many; success only with finite values. */
+static sph2d_status step_until_stopped(sph2d_sim *sim, int most)
+{
+    sph2d_status status = SPH2D_OK;
+    sph2d_report_clear(&report);
+    for (int n = 0; n < most && status == SPH2D_OK; ++n) {
+        status = sph2d_sim_step(sim, &report);
+        ck_assert_msg(status == SPH2D_GUARD || all_finite(sim), "step %d succeeds with values that are not finite", n);
+    }
+    return status;
+}
+
+/** The last step was stopped by this code, with a sentence that names the step and something to do. */
+static void check_stopped(sph2d_sim *sim, sph2d_code code, const char *says)
+{
+    ck_assert_uint_eq(report.errors, 1);
+    const sph2d_diagnostic *d = &report.items[0];
+    ck_assert_msg(d->code == code, "%s", test_report_text(&report));
+    ck_assert_msg(strstr(d->message, says) != NULL, "not \"%s\": %s", says, d->message);
+    ck_assert_ptr_nonnull(strstr(d->message, "step"));
+    ck_assert_uint_gt(strlen(d->hint), 10);
+    /* Later steps fail too, and change nothing: what is there can be looked at and written. */
+    sph2d_view f = sph2d_sim_fluid(sim);
+    double time = sph2d_sim_time(sim), x = f.x[f.count / 2];
+    uint64_t steps = sph2d_sim_steps(sim);
+    for (int n = 0; n < 3; ++n) {
+        ck_assert_int_eq(sph2d_sim_step(sim, NULL), SPH2D_GUARD);
+        sph2d_view g = sph2d_sim_fluid(sim);
+        ck_assert(g.count == f.count && memcmp(&g.x[g.count / 2], &x, sizeof x) == 0);
+        ck_assert(sph2d_sim_time(sim) == time && sph2d_sim_steps(sim) == steps);
+    }
+    ck_assert_uint_gt(sph2d_sim_state(sim).array_count, 10);
+    ck_assert_uint_eq(sph2d_sim_summary(sim).particles, f.count);
+}
+
+START_TEST(a_fixed_step_is_right_or_stopped)
+{
+    /* From a tenth of the acoustic step to ten thousand times as much. */
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    sph2d_plan plan;
+    ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, NULL), SPH2D_OK);
+    int stopped = 0, ran = 0;
+    for (double factor = 0.1; factor < 2e4; factor *= 2.3) {
+        scene.method.time_step = factor * plan.time_step;
+        sph2d_sim *sim = test_create(&scene, NULL);
+        sph2d_status status = step_until_stopped(sim, 100);
+        if (status == SPH2D_GUARD) {
+            ++stopped;
+            sph2d_code code = report.items[0].code;
+            ck_assert_msg(code == SPH2D_CODE_STEP_TOO_LARGE || code == SPH2D_CODE_NOT_FINITE, "%s",
+                          test_report_text(&report));
+            check_stopped(sim, code, "time");
+            ck_assert_ptr_nonnull(strstr(report.items[0].hint, "method.time_step"));
+            ck_assert_double_gt(factor, 2); /* what is sound is not stopped */
+        } else {
+            ++ran;
+            ck_assert_double_lt(factor, 50);
+        }
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_int_ge(stopped, 5);
+    ck_assert_int_ge(ran, 3);
+}
+END_TEST
+
+START_TEST(a_step_beyond_the_support_is_refused_at_the_start)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    block.velocity.x = 1;
+    scene.method.time_step = 0.05; /* 0.05 m in a step, H = 0.04 m */
+    sph2d_sim *sim = NULL;
+    sph2d_report_clear(&report);
+    ck_assert_int_eq(sph2d_sim_create(&scene, NULL, &sim, &report), SPH2D_SCENE);
+    ck_assert_ptr_null(sim);
+    ck_assert(test_report_has(&report, SPH2D_CODE_STEP_TOO_LARGE, "method.time_step"));
+}
+END_TEST
+
+START_TEST(nan_is_found_in_the_step_in_which_it_appears)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    for (int where = 0; where < 3; ++where) {
+        sph2d_sim *sim = test_create(&scene, NULL);
+        test_steps(sim, 10);
+        sph2d__store *f = &sim->system.fluid;
+        double *values[3] = {f->x, f->vy, f->ax};
+        char name[64];
+        snprintf(name, sizeof name, "particle %llu", (unsigned long long)f->id[37]);
+        values[where][37] = where == 1 ? INFINITY : NAN;
+        ck_assert_int_eq(step_until_stopped(sim, 1), SPH2D_GUARD);
+        check_stopped(sim, SPH2D_CODE_NOT_FINITE, where == 0 ? "particle" : name);
+        sph2d_sim_destroy(sim);
+    }
+}
+END_TEST
+
+START_TEST(a_particle_outside_a_wall_is_named)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    sph2d_sim *sim = test_create(&scene, NULL), *restored = NULL;
+    test_steps(sim, 5);
+    test_state state = test_state_copy(sim);
+    char name[64];
+    snprintf(name, sizeof name, "particle %llu",
+             (unsigned long long)test_state_counts(&state, SPH2D_GROUP_FLUID, "ParticleIDs")[11]);
+    test_state_reals(&state, SPH2D_GROUP_FLUID, "Coordinates", 0)[11] = 1.3; /* the right side is at 1 */
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &restored, NULL), SPH2D_OK);
+    ck_assert_int_eq(step_until_stopped(restored, 1), SPH2D_GUARD);
+    check_stopped(restored, SPH2D_CODE_ESCAPED, name);
+    test_state_free(&state);
+    sph2d_sim_destroy(sim);
+    sph2d_sim_destroy(restored);
+}
+END_TEST
+
+START_TEST(a_collapsing_step_is_stopped)
+{
+    /* A pull of 10^13 c0^2/H makes steps of 10^-7 of the acoustic one, again and again. */
+    sph2d_scene scene = test_open_scene(0.01, -1e4, -1e4, 1e4, 1e4);
+    sph2d_block block = test_block(0, 0, 0.1, 0.1);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 2);
+    ck_assert_int_eq(sph2d_sim_set_pointer(sim, (sph2d_vec2){5000, 0}, 1e9, 1e13 * 100 / 0.02), SPH2D_OK);
+    ck_assert_int_eq(step_until_stopped(sim, 300), SPH2D_GUARD);
+    check_stopped(sim, SPH2D_CODE_STEP_COLLAPSE, "collapsed");
+    ck_assert_uint_gt(sph2d_sim_steps(sim), 50); /* not at the first short one */
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- what must survive ------------------------------------------------------------------------------------------- */
+
+START_TEST(a_burst_survives_and_keeps_its_momentum)
+{
+    /* 400 particles at a twelfth of the spacing, all of them within one support radius. */
+    const double dx = 0.01;
+    sph2d_scene scene = test_scene(dx, -0.5, -0.5, 0.5, 0.5);
+    sph2d_block block = test_block(-10 * dx / 12, -10 * dx / 12, 10 * dx / 12, 10 * dx / 12);
+    block.spacing = dx / 12;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.fluid.dynamic_viscosity = _i;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    ck_assert_uint_eq(f.count, 400);
+    double reach = 0, worst = 0, turn = 0, fastest = 0;
+    int steps = 0;
+    while (reach < 0.5 - 2 * dx) {
+        test_steps(sim, 1);
+        ck_assert_int_lt(++steps, 20000);
+        f = sph2d_sim_fluid(sim);
+        double p[2] = {0, 0}, size = 0, l = 0, l_size = 0;
+        reach = 0;
+        for (size_t i = 0; i < f.count; ++i) {
+            double speed = hypot(f.vx[i], f.vy[i]);
+            p[0] += f.vx[i];
+            p[1] += f.vy[i];
+            size += speed;
+            l += f.x[i] * f.vy[i] - f.y[i] * f.vx[i];
+            l_size += hypot(f.x[i], f.y[i]) * speed;
+            reach = fmax(reach, fmax(fabs(f.x[i]), fabs(f.y[i])));
+            fastest = fmax(fastest, speed);
+        }
+        worst = fmax(worst, hypot(p[0], p[1]) / size);
+        turn = fmax(turn, fabs(l) / l_size);
+    }
+    ck_assert_double_gt(fastest, 10); /* c0: it did burst */
+    ck_assert_double_le(worst, 1e-13);
+    if (_i == 0) /* viscosity does not act along the line between two particles */
+        ck_assert_double_le(turn, 1e-13);
+    ck_assert_double_gt(sph2d_sim_summary(sim).compression_max, 50);
+    ck_assert_int_eq(step_until_stopped(sim, 200), SPH2D_OK); /* and it survives the walls */
+    ck_assert_uint_eq(sph2d_sim_summary(sim).particles, 400);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Scenes at the edge of what numbers can hold: each is refused, stopped, or right. */
+static void make_extreme(int index, sph2d_scene *scene, sph2d_block *block)
+{
+    double scale = 1;
+    switch (index) {
+    case 0: scene->gravity.y = -1e300; break;
+    case 1: scene->gravity.y = -1e-300; break;
+    case 2: block->velocity.x = 1e200; break;
+    case 3: scene->fluid.density = 1e300; break;
+    case 4: scene->fluid.density = 1e-300; break;
+    case 5: scene->fluid.dynamic_viscosity = 1e300; break;
+    case 6: scene->method.stiffness = 1e300; break;
+    case 7: scene->method.stiffness = 1e-300; break;
+    case 8: scale = 1e-30; break;
+    case 9: scale = 1e30; break;
+    case 10: scale = 1e-100; break;
+    case 11: scale = 1e100; break;
+    case 12: block->spacing = 0.01 * scene->spacing; block->shape.box.max = (sph2d_vec2){0.004, 0.004}; break;
+    case 13: scene->method.time_step = 1e300; break;
+    case 14: scene->method.time_step = 1e-300; break;
+    case 15: scene->gravity = (sph2d_vec2){1e5, -1e5}; break;
+    case 16: scene->method.max_compression = 1e-6; break;
+    case 17: block->velocity.y = -1e5; break;
+    case 18: scene->fluid.dynamic_viscosity = 1e6; break;
+    default: break;
+    }
+    scene->spacing *= scale;
+    scene->domain.max = (sph2d_vec2){scale, scale};
+    block->shape.box.max = (sph2d_vec2){scale * block->shape.box.max.x, scale * block->shape.box.max.y};
+}
+enum { EXTREMES = 19 };
+
+START_TEST(extreme_scenes_are_refused_or_right)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    make_extreme(_i, &scene, &block);
+    sph2d_sim *sim = NULL;
+    sph2d_report_clear(&report);
+    sph2d_status status = sph2d_sim_create(&scene, NULL, &sim, &report);
+    ck_assert_msg(status == SPH2D_OK || (status == SPH2D_SCENE && report.errors > 0), "%d", status);
+    if (status != SPH2D_OK)
+        return;
+    ck_assert(all_finite(sim));
+    ck_assert_double_gt(sph2d_sim_time_step(sim), 0);
+    double before = -1;
+    for (int n = 0; n < 20 && status == SPH2D_OK; ++n) {
+        ck_assert_double_gt(sph2d_sim_time(sim), before); /* no run that stands still */
+        before = sph2d_sim_time(sim);
+        status = step_until_stopped(sim, 1);
+    }
+    ck_assert_uint_eq(sph2d_sim_summary(sim).particles, sph2d_sim_plan(sim)->fluid_particles);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(nothing_is_no_fault)
+{
+    /* A source that has not opened yet: no particle, but time goes on. */
+    sph2d_scene scene = test_scene(0.01, 0, 0, 1, 1);
+    sph2d_source source = sph2d_source_default();
+    source.at = (sph2d_vec2){0.5, 0.5};
+    source.speed = 1;
+    source.start = 0.05;
+    scene.sources = &source;
+    scene.source_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_double_gt(sph2d_sim_time_step(sim), 0);
+    while (sph2d_sim_time(sim) < 0.04) {
+        double before = sph2d_sim_time(sim);
+        test_steps(sim, 1);
+        ck_assert_double_gt(sph2d_sim_time(sim), before);
+        ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 0);
+    }
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert(s.kinetic == 0 && s.potential == 0 && s.speed_max == 0 && s.compression_max == 0 && s.neighbours == 0);
+    while (sph2d_sim_time(sim) < 0.1)
+        test_steps(sim, 1);
+    ck_assert_uint_gt(sph2d_sim_fluid(sim).count, 3);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+Suite *suite_guards(void)
+{
+    Suite *suite = suite_create("guards");
+    TCase *tests = tcase_create("guards");
+    tcase_add_test(tests, a_fixed_step_is_right_or_stopped);
+    tcase_add_test(tests, a_step_beyond_the_support_is_refused_at_the_start);
+    tcase_add_test(tests, nan_is_found_in_the_step_in_which_it_appears);
+    tcase_add_test(tests, a_particle_outside_a_wall_is_named);
+    tcase_add_test(tests, a_collapsing_step_is_stopped);
+    suite_add_tcase(suite, tests);
+    TCase *survivors = tcase_create("survivors");
+    tcase_add_loop_test(survivors, a_burst_survives_and_keeps_its_momentum, 0, 2);
+    tcase_add_loop_test(survivors, extreme_scenes_are_refused_or_right, 0, EXTREMES);
+    tcase_add_test(survivors, nothing_is_no_fault);
+    suite_add_tcase(suite, survivors);
+    return suite;
+}

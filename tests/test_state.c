@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_state.c
+ *  A state taken out and restored goes on bit for bit, with everything that a run can have; a state that is not whole, not
+ *  finite or not of its scene is refused; the field table and the views show the same data. */
+#include <math.h>
+#include <string.h>
+
+#include "common.h"
+
+static const double DX = 0.02;
+
+/* ---- a run with everything --------------------------------------------------------------------------------------- */
+
+static sph2d_block block;
+static sph2d_source sources[2];
+static sph2d_drain drain;
+static sph2d_vec2 line[2] = {{0.5, 0.1}, {0.7, 0.25}};
+static sph2d_obstacle obstacles[2];
+static sph2d_path_point path[3] = {{0, 0.2, 0.3}, {0.1, 0.6, 0.4}, {9, 0.1, 0.1}};
+static sph2d_interaction pull;
+static sph2d_probe probes[2];
+static sph2d_scene scene;
+
+static void start(void)
+{
+    scene = test_scene(DX, 0, 0, 1, 0.8);
+    scene.boundary.right = SPH2D_SIDE_OPEN;
+    scene.gravity.y = -9.81;
+    scene.fluid.dynamic_viscosity = 0.5;
+    block = test_block(0, 0, 0.4, 0.4);
+    for (int i = 0; i < 2; ++i) {
+        sources[i] = sph2d_source_default();
+        sources[i].at = (sph2d_vec2){0.55 + 0.2 * i, 0.7};
+        sources[i].speed = 2;
+        sources[i].width = 4 * DX;
+        sources[i].spread = 0.2;
+        obstacles[i] = sph2d_obstacle_default();
+        probes[i] = sph2d_probe_default();
+        probes[i].rate.every = 0.01;
+    }
+    sources[1].start = 0.1;
+    drain = sph2d_drain_default();
+    drain.shape.kind = SPH2D_SHAPE_DISC;
+    drain.shape.disc = (sph2d_disc){{0.4, 0.05}, 0.1};
+    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
+    obstacles[0].outline.line = (sph2d_points){line, 2};
+    obstacles[1].outline.kind = SPH2D_OUTLINE_CIRCLE;
+    obstacles[1].outline.circle = (sph2d_disc){{0.55, 0.5}, 0.08};
+    obstacles[1].form = SPH2D_WALL_REFLECT;
+    pull = sph2d_interaction_default();
+    pull.path = (sph2d_path){path, 3};
+    pull.radius = 0.3;
+    pull.acceleration = 20;
+    probes[0].name = "energy";
+    probes[1].name = "speed";
+    probes[1].kind = SPH2D_PROBE_SPEED;
+    probes[1].at = (sph2d_vec2){0.3, 0.2};
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.sources = sources;
+    scene.source_count = 2;
+    scene.drains = &drain;
+    scene.drain_count = 1;
+    scene.obstacles = obstacles;
+    scene.obstacle_count = 2;
+    scene.interactions = &pull;
+    scene.interaction_count = 1;
+    scene.probes = probes;
+    scene.probe_count = 2;
+    scene.run.snapshots.rate.every = 0.02;
+}
+
+/** Steps that take outputs as they fall due, as a program does. */
+static void run(sph2d_sim *sim, int steps)
+{
+    for (int n = 0; n < steps; ++n) {
+        for (size_t output = 0; output < 4; ++output)
+            if (sph2d_sim_output_due(sim, output))
+                sph2d_sim_output_done(sim, output);
+        test_steps(sim, 1);
+    }
+}
+
+/** In the middle of everything: fed, drained, steered. */
+static sph2d_sim *run_to_the_middle(void)
+{
+    sph2d_sim *sim = test_create(&scene, NULL);
+    run(sim, 150);
+    sph2d_sim_set_pointer(sim, (sph2d_vec2){0.3, 0.5}, 0.4, -15);
+    sph2d_sim_set_gravity(sim, (sph2d_vec2){1, -8});
+    run(sim, 7);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert(s.fed > 0 && s.drained > 0 && s.reflections > 0 && s.time > 0.1);
+    return sim;
+}
+
+static bool same_array(const sph2d_array *a, const sph2d_array *b)
+{
+    bool same = a->group == b->group && strcmp(a->name, b->name) == 0 && a->type == b->type && a->count == b->count &&
+                a->components == b->components && a->stride == b->stride;
+    for (unsigned c = 0; same && c < a->components; ++c)
+        same = a->count == 0 || memcmp(a->data[c], b->data[c], 8 * (a->stride ? a->count * a->stride : 1)) == 0;
+    return same;
+}
+
+/** Both are the same to the last bit: state, fields, summary. */
+static void check_same(sph2d_sim *a, sph2d_sim *b)
+{
+    sph2d_state s = sph2d_sim_state(a), t = sph2d_sim_state(b);
+    ck_assert_uint_eq(s.version, SPH2D_STATE_VERSION);
+    ck_assert_uint_eq(s.array_count, t.array_count);
+    for (size_t i = 0; i < s.array_count; ++i)
+        ck_assert_msg(same_array(&s.arrays[i], &t.arrays[i]), "%s", s.arrays[i].name);
+    for (int g = SPH2D_GROUP_FLUID; g <= SPH2D_GROUP_WALL; ++g)
+        for (size_t i = 0; i < sph2d_field_count((sph2d_group)g); ++i) {
+            sph2d_array x = sph2d_field(a, (sph2d_group)g, i), y = sph2d_field(b, (sph2d_group)g, i);
+            ck_assert_msg(same_array(&x, &y), "field %s", x.name);
+        }
+    sph2d_summary p = sph2d_sim_summary(a), q = sph2d_sim_summary(b);
+    ck_assert_mem_eq(&p, &q, sizeof p);
+    double u[SPH2D_PROBE_MAX_COLUMNS], v[SPH2D_PROBE_MAX_COLUMNS];
+    for (size_t i = 0; i < 2; ++i) {
+        size_t n = sph2d_sim_probe(a, i, u);
+        ck_assert_uint_eq(sph2d_sim_probe(b, i, v), n);
+        ck_assert(memcmp(u, v, n * sizeof *u) == 0);
+    }
+    for (size_t output = 0; output < 4; ++output)
+        ck_assert_uint_eq(sph2d_sim_output_count(a, output), sph2d_sim_output_count(b, output));
+    ck_assert(sph2d_sim_time(a) == sph2d_sim_time(b) && sph2d_sim_time_step(a) == sph2d_sim_time_step(b));
+    ck_assert(sph2d_sim_steps(a) == sph2d_sim_steps(b) && sph2d_sim_isa(a) == sph2d_sim_isa(b));
+}
+
+START_TEST(a_restored_run_goes_on_bit_for_bit)
+{
+    sph2d_sim *went_on = run_to_the_middle(), *restored = NULL;
+    test_state state = test_state_copy(went_on);
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = _i + 1;
+    ck_assert_int_eq(sph2d_sim_restore(&scene, &options, &state.state, &restored, NULL), SPH2D_OK);
+    test_state_free(&state); /* it was copied */
+    check_same(went_on, restored);
+    run(went_on, 50);
+    run(restored, 50);
+    check_same(went_on, restored);
+    sph2d_sim_destroy(went_on);
+    sph2d_sim_destroy(restored);
+}
+END_TEST
+
+START_TEST(the_state_at_the_start_and_of_nothing)
+{
+    scene.block_count = 0; /* sources alone: no particle yet */
+    for (int steps = 0; steps < 3; ++steps) {
+        sph2d_sim *went_on = test_create(&scene, NULL), *restored = NULL;
+        run(went_on, steps);
+        test_state state = test_state_copy(went_on);
+        ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &restored, NULL), SPH2D_OK);
+        run(went_on, 20);
+        run(restored, 20);
+        check_same(went_on, restored);
+        test_state_free(&state);
+        sph2d_sim_destroy(went_on);
+        sph2d_sim_destroy(restored);
+    }
+}
+END_TEST
+
+START_TEST(the_state_keeps_its_instruction_set)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.isa = SPH2D_ISA_BASELINE;
+    sph2d_sim *went_on = test_create(&scene, &options), *restored = NULL;
+    run(went_on, 5);
+    test_state state = test_state_copy(went_on);
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &restored, NULL), SPH2D_OK);
+    ck_assert_int_eq(sph2d_sim_isa(restored), SPH2D_ISA_BASELINE);
+    run(went_on, 20);
+    run(restored, 20);
+    check_same(went_on, restored);
+    test_state_free(&state);
+    sph2d_sim_destroy(went_on);
+    sph2d_sim_destroy(restored);
+}
+END_TEST
+
+/* ---- states that are refused ------------------------------------------------------------------------------------- */
+
+/** Whether a changed state is refused as no state of this scene, without a simulation. */
+static bool refused(const test_state *state)
+{
+    static sph2d_report report;
+    sph2d_report_clear(&report);
+    sph2d_sim *sim = (sph2d_sim *)&scene;
+    sph2d_status status = sph2d_sim_restore(&scene, NULL, &state->state, &sim, &report);
+    bool good = status == SPH2D_FORMAT && sim == NULL && report.errors > 0;
+    if (status == SPH2D_OK)
+        sph2d_sim_destroy(sim);
+    return good;
+}
+
+static test_state sound_state(void)
+{
+    sph2d_sim *sim = run_to_the_middle();
+    test_state state = test_state_copy(sim);
+    sph2d_sim_destroy(sim);
+    return state;
+}
+
+START_TEST(every_array_must_be_there_whole)
+{
+    test_state state = sound_state();
+    ck_assert(!refused(&state));
+    for (size_t i = 0; i < state.count; ++i) {
+        sph2d_array *array = &state.arrays[i], good = *array;
+        array->name = "Nothing";
+        ck_assert_msg(refused(&state), "%s missing", good.name);
+        *array = good;
+        array->group = (sph2d_group)((good.group + 1) % 3);
+        ck_assert_msg(refused(&state), "%s in another group", good.name);
+        *array = good;
+        array->count = good.count - 1;
+        ck_assert_msg(refused(&state), "%s too short", good.name);
+        *array = good;
+        array->count = 0;
+        ck_assert_msg(refused(&state), "%s empty", good.name);
+        *array = good;
+        array->type = good.type == SPH2D_F64 ? SPH2D_U64 : SPH2D_F64;
+        ck_assert_msg(refused(&state), "%s of another type", good.name);
+        *array = good;
+        array->components = 3 - good.components;
+        ck_assert_msg(refused(&state), "%s with other components", good.name);
+        *array = good;
+        array->data[good.components - 1] = NULL;
+        ck_assert_msg(refused(&state), "%s without data", good.name);
+        *array = good;
+    }
+    ck_assert(!refused(&state));
+    for (size_t count = 0; count < state.count; ++count) {
+        state.state.array_count = count;
+        ck_assert_msg(refused(&state), "%zu arrays", count);
+    }
+    state.state.array_count = state.count;
+    state.state.version = SPH2D_STATE_VERSION + 1;
+    ck_assert(refused(&state));
+    state.state.version = 0;
+    ck_assert(refused(&state));
+    test_state_free(&state);
+}
+END_TEST
+
+START_TEST(every_number_must_be_finite)
+{
+    test_state state = sound_state();
+    static const double bad[3] = {NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < state.count; ++i) {
+        const sph2d_array *array = &state.arrays[i];
+        if (array->type != SPH2D_F64)
+            continue;
+        for (unsigned c = 0; c < array->components; ++c) {
+            double *values = test_state_reals(&state, array->group, array->name, c);
+            size_t last = array->stride ? array->count - 1 : 0, places[2] = {0, last};
+            for (int k = 0; k < 6; ++k) {
+                double good = values[places[k / 3]];
+                values[places[k / 3]] = bad[k % 3];
+                ck_assert_msg(refused(&state), "%s with %g", array->name, bad[k % 3]);
+                values[places[k / 3]] = good;
+            }
+        }
+    }
+    ck_assert(!refused(&state));
+    test_state_free(&state);
+}
+END_TEST
+
+/** Numbers of the run that no run can have. */
+static const struct {
+    const char *name;
+    double real;
+    uint64_t count; /**< where it is a count */
+} out_of_range[] = {
+    {"Time", -1, 0},
+    {"NextTimeStep", 0, 0},
+    {"NextTimeStep", -1e-4, 0},
+    {"LastTimeStep", -1e-4, 0},
+    {"PointerRadius", -0.1, 0}, /* sph2d_sim_set_pointer refuses it too */
+    {"InstructionSet", 0, 0},
+    {"InstructionSet", 0, 4},
+    {"InstructionSet", 0, UINT64_MAX},
+    {"NextLimit", 0, 4},
+    {"NextLimit", 0, UINT64_MAX},
+};
+enum { RANGES = sizeof out_of_range / sizeof out_of_range[0] };
+
+START_TEST(numbers_of_the_run_must_be_in_range)
+{
+    test_state state = sound_state();
+    const char *name = out_of_range[_i].name;
+    if (test_state_array(&state, SPH2D_GROUP_RUN, name)->type == SPH2D_F64)
+        test_state_reals(&state, SPH2D_GROUP_RUN, name, 0)[0] = out_of_range[_i].real;
+    else
+        test_state_counts(&state, SPH2D_GROUP_RUN, name)[0] = out_of_range[_i].count;
+    ck_assert_msg(refused(&state), "%s is accepted", name);
+    test_state_free(&state);
+}
+END_TEST
+
+START_TEST(densities_must_be_positive)
+{
+    test_state state = sound_state();
+    double *density = test_state_reals(&state, SPH2D_GROUP_FLUID, "Densities", 0), good = density[3];
+    density[3] = 0;
+    ck_assert(refused(&state));
+    density[3] = -1000;
+    ck_assert(refused(&state));
+    density[3] = good;
+    ck_assert(!refused(&state));
+    test_state_free(&state);
+}
+END_TEST
+
+START_TEST(a_state_of_another_scene_is_refused)
+{
+    test_state state = sound_state();
+    sph2d_scene good = scene;
+    scene.source_count = 1;
+    ck_assert(refused(&state));
+    scene = good;
+    scene.probe_count = 1;
+    ck_assert(refused(&state));
+    scene = good;
+    scene.obstacle_count = 1;
+    ck_assert(refused(&state));
+    scene = good;
+    line[1].x += 1e-6; /* the same number of boundary particles, elsewhere */
+    ck_assert(refused(&state));
+    line[1].x = 0.7;
+    ck_assert(!refused(&state));
+    test_state_free(&state);
+}
+END_TEST
+
+START_TEST(a_wrong_scene_is_told_apart)
+{
+    test_state state = sound_state();
+    sph2d_sim *sim = (sph2d_sim *)&scene;
+    scene.spacing = -1;
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &sim, NULL), SPH2D_SCENE);
+    ck_assert_ptr_null(sim);
+    test_state_free(&state);
+}
+END_TEST
+
+Suite *suite_state(void)
+{
+    Suite *suite = suite_create("state");
+    TCase *tests = tcase_create("state");
+    tcase_add_checked_fixture(tests, start, NULL);
+    tcase_add_loop_test(tests, a_restored_run_goes_on_bit_for_bit, 0, 2);
+    tcase_add_test(tests, the_state_at_the_start_and_of_nothing);
+    tcase_add_test(tests, the_state_keeps_its_instruction_set);
+    tcase_add_test(tests, every_array_must_be_there_whole);
+    tcase_add_test(tests, every_number_must_be_finite);
+    tcase_add_loop_test(tests, numbers_of_the_run_must_be_in_range, 0, RANGES);
+    tcase_add_test(tests, densities_must_be_positive);
+    tcase_add_test(tests, a_state_of_another_scene_is_refused);
+    tcase_add_test(tests, a_wrong_scene_is_told_apart);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
