@@ -28,7 +28,12 @@
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
     X(plan)                                                                                                            \
+    X(fields)                                                                                                          \
+    X(state)                                                                                                           \
+    X(guards)                                                                                                          \
+    X(memory)                                                                                                          \
     X(outputs)                                                                                                         \
+    X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(report)                                                                                                          \
     RENDER_SUITES(X)

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_scene_file.c
  *  Scene files: what is read, and that every fault is told once, with its code and its place. */
-#include <fcntl.h>
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "common.h"
 #include "sph2d/io.h"
@@ -405,126 +402,34 @@ END_TEST
 
 START_TEST(a_long_line_is_cut_between_characters)
 {
-    char text[600] = SOUND "# ";
-    for (int i = 0; i < 100; ++i)
-        strcat(text, "\xe2\x82\xac");
-    strcat(text, "\nname: {\t}\n");
+    char euros[301];
+    for (size_t i = 0; i < 300; ++i)
+        euros[i] = "\xe2\x82\xac"[i % 3];
+    euros[300] = '\0';
+    char text[600];
+    snprintf(text, sizeof text, "%s# %s\nname: {\t}\n", SOUND, euros);
     sph2d_report report = {0};
     sph2d_scene_file *file;
     ck_assert_int_eq(parse(text, NULL, 0, &file, &report), SPH2D_SCENE);
     ck_assert_str_eq(report.items[0].excerpt, "name: { }");
-    char *comment = strchr(text, '#');
-    memmove(comment, comment + 2, strlen(comment + 2) + 1);
+    snprintf(text, sizeof text, "%s%s: 1\n", SOUND, euros);
     ck_assert_int_eq(parse(text, NULL, 0, &file, &report), SPH2D_SCENE);
     ck_assert_int_eq(report.items[0].line, 6);
     ck_assert_uint_eq(strlen(report.items[0].excerpt), 159);
 }
 END_TEST
 
-/* ---- files ------------------------------------------------------------------------------------------------------- */
-
-static char folder[] = "/tmp/sph2d-scene-XXXXXX";
-
-static void make_folder(void)
-{
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
-    ck_assert_int_eq(chmod(folder, 0755), 0);
-}
-
-static void remove_folder(void)
-{
-    remove("x.yaml");
-    ck_assert_int_eq(chdir("/"), 0);
-    rmdir(folder);
-}
-
-/** Writes x.yaml: `text` over and over, up to `length` bytes. */
-static void write_file(const char *text, size_t length)
-{
-    FILE *stream = fopen("x.yaml", "w");
-    ck_assert_ptr_nonnull(stream);
-    size_t period = strlen(text);
-    char block[8192];
-    size_t whole_periods = sizeof block / period * period;
-    for (size_t i = 0; i < whole_periods; ++i)
-        block[i] = text[i % period];
-    for (size_t done = 0; done < length;) {
-        size_t part = length - done < whole_periods ? length - done : whole_periods;
-        ck_assert_uint_eq(fwrite(block, 1, part, stream), part);
-        done += part;
-    }
-    ck_assert_int_eq(fclose(stream), 0);
-}
-
-static void expect_refusal(const char *path, sph2d_status status, sph2d_code code, const char *message)
+START_TEST(a_message_holds_nothing_for_the_terminal)
 {
     sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    ck_assert_int_eq(sph2d_scene_file_read(path, NULL, 0, &file, &report), status);
-    ck_assert_ptr_null(file);
-    ck_assert_uint_eq(report.errors, 1);
-    ck_assert_msg(report.items[0].code == code, "%s", test_report_text(&report));
-    ck_assert_msg(strstr(report.items[0].message, message) != NULL, "%s", test_report_text(&report));
-}
-
-START_TEST(a_file_is_read)
-{
-    write_file(SOUND, strlen(SOUND));
-    sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    ck_assert_int_eq(sph2d_scene_file_read("x.yaml", NULL, 0, &file, &report), SPH2D_OK);
-    ck_assert_str_eq(sph2d_scene_file_text(file), SOUND);
-    sph2d_scene_file_destroy(file);
+    sph2d_scene_file *file;
+    ck_assert_int_eq(parse(SOUND "\"\\e[31m\\n\": \"\\e[0m\"\nspacing: 1\n", NULL, 0, &file, &report), SPH2D_SCENE);
+    ck_assert_str_eq(report.items[0].path, "?[31m?");
+    ck_assert_str_eq(report.items[0].message, "unknown key '?[31m?'");
 }
 END_TEST
 
-START_TEST(files_that_cannot_be_read)
-{
-    expect_refusal("missing.yaml", SPH2D_NOINPUT, SPH2D_CODE_FILE_OPEN, "'missing.yaml': No such file");
-    expect_refusal(folder, SPH2D_NOINPUT, SPH2D_CODE_FILE_OPEN, "Is a directory");
-    expect_refusal("/dev/null", SPH2D_SCENE, SPH2D_CODE_SYNTAX, "it is empty");
-    expect_refusal("/dev/zero", SPH2D_SCENE, SPH2D_CODE_FILE_KIND, "too long");
-    write_file(SOUND, strlen(SOUND));
-    ck_assert_int_eq(chmod("x.yaml", 0), 0);
-    if (geteuid() == 0) /* root may read anything; nobody may not */
-        ck_assert_int_eq(seteuid(65534), 0);
-    expect_refusal("x.yaml", SPH2D_NOINPUT, SPH2D_CODE_FILE_OPEN, "Permission denied");
-    if (getuid() == 0)
-        ck_assert_int_eq(seteuid(0), 0);
-}
-END_TEST
-
-/** Text by the megabyte that is no scene. */
-static const struct {
-    const char *text;
-    sph2d_code code;
-    const char *message;
-} garbage[] = {
-    {"\x01\xfe\x80", SPH2D_CODE_SYNTAX, "this is not text"},
-    {"[", SPH2D_CODE_SYNTAX, "more than a million values"},
-    {"{\"a\":", SPH2D_CODE_SYNTAX, "more than a million values"},
-    {"- ", SPH2D_CODE_SYNTAX, "nested deeper than any scene"},
-    {"- a\n", SPH2D_CODE_SYNTAX, "more than a million values"},
-    {"&", SPH2D_CODE_SYNTAX, "more than a million values"},
-    {"lorem ipsum ", SPH2D_CODE_SYNTAX, "expected the keys of a scene"},
-    {"#\n", SPH2D_CODE_SYNTAX, "it is empty"},
-};
-
-START_TEST(garbage_is_refused_soon)
-{
-    write_file(garbage[_i].text, 12 << 20);
-    expect_refusal("x.yaml", SPH2D_SCENE, garbage[_i].code, garbage[_i].message);
-}
-END_TEST
-
-START_TEST(files_beyond_the_limit_are_not_read)
-{
-    write_file(SOUND, strlen(SOUND));
-    ck_assert_int_eq(truncate("x.yaml", 100000000), 0);
-    expect_refusal("x.yaml", SPH2D_SCENE, SPH2D_CODE_FILE_KIND, "too long");
-}
-END_TEST
+/* ---- almost scenes ----------------------------------------------------------------------------------------------- */
 
 /** Changes a good scene at random. Whatever comes out, it is either read or refused with a reason. */
 START_TEST(nothing_that_is_nearly_a_scene_does_harm)
@@ -544,9 +449,11 @@ START_TEST(nothing_that_is_nearly_a_scene_does_harm)
             if (test_random(&random, 0, 1) < 0.3) {
                 text[at] = (char)test_random(&random, 0, 128);
             } else {
-                memmove(text + at + strlen(piece), text + at, length - at);
-                memcpy(text + at, piece, strlen(piece));
-                length += strlen(piece);
+                size_t more = strlen(piece);
+                memmove(text + at + more, text + at, length - at);
+                for (size_t i = 0; i < more; ++i)
+                    text[at + i] = piece[i];
+                length += more;
             }
         }
         sph2d_report report = {0};
@@ -559,6 +466,8 @@ START_TEST(nothing_that_is_nearly_a_scene_does_harm)
     }
 }
 END_TEST
+
+TCase *scene_file_on_disk(void); /* scene_file_on_disk.c */
 
 Suite *suite_scene_file(void)
 {
@@ -576,14 +485,9 @@ Suite *suite_scene_file(void)
     tcase_add_loop_test(text, faults_of_overrides_name_the_override, 0, sizeof bad_overrides / sizeof bad_overrides[0]);
     tcase_add_test(text, paths_are_located);
     tcase_add_test(text, a_long_line_is_cut_between_characters);
+    tcase_add_test(text, a_message_holds_nothing_for_the_terminal);
     tcase_add_test(text, nothing_that_is_nearly_a_scene_does_harm);
     suite_add_tcase(suite, text);
-    TCase *files = tcase_create("files");
-    tcase_add_checked_fixture(files, make_folder, remove_folder);
-    tcase_add_test(files, a_file_is_read);
-    tcase_add_test(files, files_that_cannot_be_read);
-    tcase_add_loop_test(files, garbage_is_refused_soon, 0, sizeof garbage / sizeof garbage[0]);
-    tcase_add_test(files, files_beyond_the_limit_are_not_read);
-    suite_add_tcase(suite, files);
+    suite_add_tcase(suite, scene_file_on_disk());
     return suite;
 }

@@ -57,7 +57,7 @@ typedef enum sph2d_status {
     X(GAP, "S112", "a wall with a gap")                                                                                \
     X(FILE_OPEN, "F201", "a file cannot be opened")                                                                    \
     X(FILE_KIND, "F202", "a file of another kind")                                                                     \
-    X(FILE_INCOMPLETE, "F203", "a file that was not written to its end")                                               \
+    X(FILE_INCOMPLETE, "F203", "a file not written to its end, or damaged")                                            \
     X(FILE_FIELD, "F204", "a field is missing or has the wrong shape or type")                                         \
     X(FILE_VERSION, "F205", "a file of an unknown version")                                                            \
     X(FILE_WRITE, "F206", "a file cannot be written")                                                                  \

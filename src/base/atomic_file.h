@@ -14,7 +14,8 @@ typedef struct sph2d__atomic_file {
     char *temp_path; /**< what to write to */
 } sph2d__atomic_file;
 
-/** Names the temporary file beside `path`. Nothing is created. Errors: SPH2D_NOMEM. */
+/** Names the temporary file beside `path`. Nothing is created. Errors: SPH2D_CANTCREAT where `path` names a folder, a
+ *  device or nothing, SPH2D_NOMEM. */
 sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph2d_report *report);
 
 /** Syncs the temporary file, which the caller has closed, and renames it to its final name. Frees `file` in any case;

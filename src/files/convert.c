@@ -12,12 +12,12 @@
 enum { MOST_KEYS = 64 };
 
 /** A mapping that is being converted. */
-typedef struct mapping {
+typedef struct level {
     const sph2d_keys *keys;
     const sph2d__node *node;
     const char *path;
     const sph2d__node *given[MOST_KEYS]; /**< by the key's index: the value that was taken */
-} mapping;
+} level;
 
 static void join(char path[SPH2D__PATH_SIZE], const char *above, const char *name)
 {
@@ -48,7 +48,7 @@ static const char *on_line(const sph2d__node *node, char out[32])
     return out;
 }
 
-static void report_unknown(sph2d__converter *c, const mapping *m, const sph2d__node *child, const char *path)
+static void report_unknown(sph2d__converter *c, const level *m, const sph2d__node *child, const char *path)
 {
     sph2d_diagnostic *d =
         sph2d__fault(c->faults, SPH2D_CODE_UNKNOWN_KEY, child->key_place, path, "unknown key '%.60s'", child->key);
@@ -64,7 +64,7 @@ static void report_twice(sph2d__converter *c, const sph2d__node *child, const sp
 }
 
 /** Whether a key of the same choice was given before; then that is reported. */
-static bool excluded(sph2d__converter *c, const mapping *m, size_t index, const sph2d__node *child, const char *path)
+static bool excluded(sph2d__converter *c, const level *m, size_t index, const sph2d__node *child, const char *path)
 {
     const sph2d_key *key = &m->keys->items[index];
     const sph2d__node *rival = NULL;
@@ -130,7 +130,7 @@ static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__
         sph2d__convert_wrong_type(c, key, node, path, "a mapping");
 }
 
-static void report_missing(sph2d__converter *c, const mapping *m)
+static void report_missing(sph2d__converter *c, const level *m)
 {
     for (size_t i = 0; i < key_count(m->keys); ++i) {
         const sph2d_key *key = &m->keys->items[i];
@@ -148,11 +148,11 @@ static void report_missing(sph2d__converter *c, const mapping *m)
     }
 }
 
-void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys, const sph2d__node *node,
+void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys, const sph2d__node *mapping,
                             const char *path, void *out)
 {
-    mapping m = {.keys = keys, .node = node, .path = path};
-    for (const sph2d__node *child = node->first; child; child = child->next) {
+    level m = {.keys = keys, .node = mapping, .path = path};
+    for (const sph2d__node *child = mapping->first; child; child = child->next) {
         char child_path[SPH2D__PATH_SIZE];
         join(child_path, path, child->key);
         size_t index = key_index(keys, child->key);

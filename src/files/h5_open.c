@@ -42,27 +42,34 @@ static void look(sph2d__h5_reader *r, int fd)
 {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     struct stat info;
-    unsigned char start[sizeof signature];
-    ssize_t got = -1;
-    sph2d__seal seal = SPH2D__SEAL_NONE;
-    if (fstat(fd, &info) != 0)
+    if (fstat(fd, &info) != 0) {
         fail(r, "read", errno);
-    else if (S_ISDIR(info.st_mode))
+        return;
+    }
+    if (S_ISDIR(info.st_mode)) {
         fail(r, "read", EISDIR);
-    else if (!S_ISREG(info.st_mode))
+        return;
+    }
+    if (!S_ISREG(info.st_mode)) {
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is a device or pipe, not a snapshot");
-    else if ((got = pread(fd, start, sizeof start, 0)) < 0)
+        return;
+    }
+    unsigned char start[sizeof signature];
+    ssize_t got = pread(fd, start, sizeof start, 0);
+    if (got == (ssize_t)sizeof start && memcmp(start, signature, sizeof start) == 0) {
+        sph2d__seal seal = sph2d__seal_check(fd);
+        if (seal == SPH2D__SEAL_UNREADABLE)
+            fail(r, "read", errno);
+        else if (seal == SPH2D__SEAL_BROKEN)
+            sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE,
+                             "the file is damaged: its bytes are not those that were written");
+        else
+            r->file_bytes = (uint64_t)info.st_size;
+    } else if (got < 0) {
         fail(r, "read", errno);
-    else if ((size_t)got < sizeof start || memcmp(start, signature, sizeof start) != 0)
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND,
-                         got == 0 ? "this is not an HDF5 file: it is empty" : "this is not an HDF5 file");
-    else if ((seal = sph2d__seal_check(fd)) == SPH2D__SEAL_UNREADABLE)
-        fail(r, "read", errno);
-    else if (seal == SPH2D__SEAL_BROKEN)
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE,
-                         "the file is damaged: its bytes are not those that were written");
-    else
-        r->file_bytes = (uint64_t)info.st_size;
+    } else {
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is not an HDF5 file%s", got == 0 ? ": it is empty" : "");
+    }
 }
 
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)

@@ -88,7 +88,7 @@ static void put_array(sph2d__h5_writer *w, hid_t at, const sph2d_array *array, s
     size_t most = array->count < BLOCK_ROWS ? array->count : BLOCK_ROWS;
     uint64_t *block = malloc((most > 0 ? most : 1) * (columns > 0 ? columns : 1) * sizeof *block);
     sph2d__h5_check_memory(w, block != NULL);
-    for (size_t first = 0; w->ok && first < array->count; first += most) {
+    for (size_t first = 0; block && w->ok && first < array->count; first += most) {
         size_t rows = array->count - first < most ? array->count - first : most;
         gather(array, first, rows, columns, block);
         sph2d__h5_write_rows(w, dataset, array_type(array), first, rows, columns, block);
@@ -133,15 +133,16 @@ static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_state *state)
     char *block = calloc(count + 1, PATH_SIZE);
     signed char(*units)[3] = calloc(count + 1, sizeof *units);
     const char **texts = calloc(2 * count + 1, sizeof *texts);
-    sph2d__h5_check_memory(w, block && units && texts);
-    for (size_t i = 0; w->ok && i < count; ++i) {
+    bool fine = block && units && texts;
+    sph2d__h5_check_memory(w, fine);
+    for (size_t i = 0; fine && i < count; ++i) {
         const sph2d_array *array = &state->arrays[i];
         texts[i] = block + i * PATH_SIZE;
         snprintf(block + i * PATH_SIZE, PATH_SIZE, "%s/%s", sph2d__snapshot_group(array->group), array->name);
         texts[count + i] = array->description ? array->description : "";
         memcpy(units[i], array->unit, sizeof units[i]);
     }
-    if (w->ok) {
+    if (fine && w->ok) {
         sph2d__h5_put_texts(w, at, SPH2D__STATE_ARRAYS, texts, count);
         sph2d__h5_put_texts(w, at, SPH2D__STATE_TEXTS, texts + count, count);
         hid_t dataset = sph2d__h5_dataset(w, at, SPH2D__STATE_UNITS, H5T_NATIVE_INT8, count, 3);

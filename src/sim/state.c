@@ -165,8 +165,14 @@ static size_t fluid_count(const sph2d_state *state)
 static void check_record(loader *l, const sph2d_sim *sim)
 {
     const sph2d__record *r = &sim->record;
-    if (!(r->time >= 0) || !(r->next_step > 0))
-        refuse(l, "NextTimeStep", "or its time is out of range");
+    if (!(r->time >= 0))
+        refuse(l, "Time", "is below 0");
+    if (!(r->next_step > 0))
+        refuse(l, "NextTimeStep", "is not above 0");
+    if (!(r->last_step >= 0))
+        refuse(l, "LastTimeStep", "is below 0");
+    if (r->pointer_acceleration != 0 ? !(r->pointer_radius > 0) : !(r->pointer_radius >= 0))
+        refuse(l, "PointerRadius", "is not above 0");
     if (r->next_limit >= SPH2D__LIMIT_COUNT)
         refuse(l, "NextLimit", "is out of range");
     if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))
