@@ -36,7 +36,8 @@ bool test_report_has(const sph2d_report *report, sph2d_code code, const char *pa
 /** All messages of a report, for the text of a failed test. Static storage. */
 const char *test_report_text(const sph2d_report *report);
 
-/** Memory of the C library as sph2d_allocator wants it: aligned to 64 bytes, freed by size 0, NULL when there is none. */
+/** Memory of the C library as sph2d_allocator wants it: aligned to 64 bytes, freed by size 0, NULL when there is none.
+ */
 void *test_resize(void *block, size_t old_size, size_t new_size);
 
 /** A state with data of its own, to be changed at will. */

@@ -28,6 +28,7 @@
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
     X(plan)                                                                                                            \
+    X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(guards)                                                                                                          \

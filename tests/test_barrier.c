@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_barrier.c
- *  The swept test against walls (sim/barrier.h), by what it promises: a motion ends on its own side of every wall, speed
- *  never grows, only the part into the wall is lost, sliding is free, corners hold.
+ *  The swept test against walls (sim/barrier.h), by what it promises: a motion ends on its own side of every wall,
+ * speed never grows, only the part into the wall is lost, sliding is free, corners hold.
  *
- *  Sides are told by the sign of the cross product and by compartments that no path can leave: cells of an arrangement of
- *  lines, insides of closed polygons. */
+ *  Sides are told by the sign of the cross product and by compartments that no path can leave: cells of an arrangement
+ * of lines, insides of closed polygons. */
 #include <math.h>
 #include <string.h>
 
@@ -104,6 +104,19 @@ START_TEST(a_motion_into_a_wall_stops_at_the_clearance_and_slides)
 }
 END_TEST
 
+START_TEST(the_first_of_several_walls_counts)
+{
+    for (int i = 0; i < 5; ++i)
+        add(-1, -0.1 * i, 1, -0.1 * i);
+    build(0.02);
+    sph2d_vec2 to = {0.8, -0.7}, v = {8, -7};
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){-0.2, 0.3}, &to, &v), 1);
+    ck_assert_double_eq_tol(to.x, 0.8, 1e-12);
+    ck_assert_double_eq_tol(to.y, CLEARANCE, 1e-12);
+    ck_assert(v.x == 8 && v.y == 0);
+}
+END_TEST
+
 START_TEST(one_wall_is_never_crossed)
 {
     uint64_t random = 1 + (uint64_t)_i;
@@ -138,8 +151,8 @@ START_TEST(one_wall_is_never_crossed)
         spurious += clear && (hits > 0 || to.x != aim.x || to.y != aim.y);
     }
     ck_assert_uint_gt(tested, 9000);
-    ck_assert_msg(crossed + faster + missed + spurious == 0, "%zu crossed, %zu faster, %zu missed, %zu spurious", crossed,
-                  faster, missed, spurious);
+    ck_assert_msg(crossed + faster + missed + spurious == 0, "%zu crossed, %zu faster, %zu missed, %zu spurious",
+                  crossed, faster, missed, spurious);
 }
 END_TEST
 
@@ -278,7 +291,8 @@ START_TEST(walls_hold_against_what_comes_from_far_away)
     size_t entered = 0;
     for (int k = 0; k < 20000; ++k) {
         double a = test_random(&random, 0, 2 * TEST_PI), r = pow(10, test_random(&random, 0.01, 8));
-        sph2d_vec2 from = {r * cos(a), r * sin(a)}, to = random_point(&random, -1, 1), v = {to.x - from.x, to.y - from.y};
+        sph2d_vec2 from = {r * cos(a), r * sin(a)}, to = random_point(&random, -1, 1),
+                   v = {to.x - from.x, to.y - from.y};
         if (k % 2)
             to = (sph2d_vec2){-from.x, -from.y};
         sph2d__barrier_sweep(&barrier, from, &to, &v);
@@ -327,6 +341,7 @@ Suite *suite_barrier(void)
     tcase_add_checked_fixture(tests, start, finish);
     tcase_add_test(tests, nothing_in_the_way_changes_nothing);
     tcase_add_test(tests, a_motion_into_a_wall_stops_at_the_clearance_and_slides);
+    tcase_add_test(tests, the_first_of_several_walls_counts);
     tcase_add_loop_test(tests, one_wall_is_never_crossed, 0, 3);
     tcase_add_loop_test(tests, no_motion_leaves_its_cell_of_crossing_lines, 0, 12);
     tcase_add_loop_test(tests, a_narrow_corner_holds_from_within_the_clearance, 0, 4);

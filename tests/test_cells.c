@@ -176,11 +176,11 @@ static void lay_support_apart(void)
 }
 
 static void (*const layouts[])(void) = {
-    lay_random,        lay_dense,        lay_on_cell_edges,      lay_on_wider_cell_edges,
-    lay_in_corner,     lay_one,          lay_all_in_one_cell,    lay_none,
-    lay_coincident,    lay_narrow_strip, lay_domain_of_one_cell, lay_long_strip,
-    lay_two_far_groups, lay_one_very_far, lay_far_from_origin,   lay_one_beyond_all_measure,
-    lay_column,        lay_row,          lay_aligned_lattice,    lay_support_apart,
+    lay_random,         lay_dense,        lay_on_cell_edges,      lay_on_wider_cell_edges,
+    lay_in_corner,      lay_one,          lay_all_in_one_cell,    lay_none,
+    lay_coincident,     lay_narrow_strip, lay_domain_of_one_cell, lay_long_strip,
+    lay_two_far_groups, lay_one_very_far, lay_far_from_origin,    lay_one_beyond_all_measure,
+    lay_column,         lay_row,          lay_aligned_lattice,    lay_support_apart,
 };
 enum { LAYOUTS = sizeof layouts / sizeof layouts[0] };
 

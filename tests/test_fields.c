@@ -11,10 +11,10 @@ static const struct {
     sph2d_type type;
     unsigned components;
 } expected[] = {
-    {"Coordinates", {1, 0, 0}, SPH2D_F64, 2},     {"Velocities", {1, 0, -1}, SPH2D_F64, 2},
-    {"Masses", {-1, 1, 0}, SPH2D_F64, 1},         {"Densities", {-3, 1, 0}, SPH2D_F64, 1},
-    {"Pressures", {-1, 1, -2}, SPH2D_F64, 1},     {"SmoothingLengths", {1, 0, 0}, SPH2D_F64, 1},
-    {"ParticleIDs", {0, 0, 0}, SPH2D_U64, 1},     {"Accelerations", {1, 0, -2}, SPH2D_F64, 2},
+    {"Coordinates", {1, 0, 0}, SPH2D_F64, 2}, {"Velocities", {1, 0, -1}, SPH2D_F64, 2},
+    {"Masses", {-1, 1, 0}, SPH2D_F64, 1},     {"Densities", {-3, 1, 0}, SPH2D_F64, 1},
+    {"Pressures", {-1, 1, -2}, SPH2D_F64, 1}, {"SmoothingLengths", {1, 0, 0}, SPH2D_F64, 1},
+    {"ParticleIDs", {0, 0, 0}, SPH2D_U64, 1}, {"Accelerations", {1, 0, -2}, SPH2D_F64, 2},
 };
 enum { FIELDS = sizeof expected / sizeof expected[0] };
 
@@ -83,7 +83,8 @@ START_TEST(names_are_unique_and_indices_end)
 END_TEST
 
 /** A field shows this array of a view. */
-static void check_field(const sph2d_sim *sim, sph2d_group group, const char *name, const void *first, const void *second)
+static void check_field(const sph2d_sim *sim, sph2d_group group, const char *name, const void *first,
+                        const void *second)
 {
     sph2d_array field = find(sim, group, name);
     size_t count = group == SPH2D_GROUP_FLUID ? sph2d_sim_fluid(sim).count : sph2d_sim_walls(sim).count;
@@ -130,8 +131,8 @@ START_TEST(the_state_has_what_a_run_needs)
 {
     sph2d_sim *sim = pool();
     sph2d_state state = sph2d_sim_state(sim);
-    static const char *const needed[] = {"Coordinates", "Velocities", "Accelerations", "Densities", "Pressures",
-                                         "ParticleIDs"};
+    static const char *const needed[] = {"Coordinates", "Velocities", "Accelerations",
+                                         "Densities",   "Pressures",  "ParticleIDs"};
     for (size_t k = 0; k < sizeof needed / sizeof needed[0]; ++k) {
         sph2d_array field = find(sim, SPH2D_GROUP_FLUID, needed[k]);
         size_t found = 0;
@@ -145,7 +146,8 @@ START_TEST(the_state_has_what_a_run_needs)
         ck_assert(a->name && a->name[0] && a->description && a->description[0]);
         ck_assert_msg(a->count == 0 || a->data[0], "%s", a->name);
         for (size_t j = 0; j < i; ++j)
-            ck_assert_msg(a->group != state.arrays[j].group || strcmp(a->name, state.arrays[j].name) != 0, "%s", a->name);
+            ck_assert_msg(a->group != state.arrays[j].group || strcmp(a->name, state.arrays[j].name) != 0, "%s",
+                          a->name);
     }
     sph2d_sim_destroy(sim);
 }

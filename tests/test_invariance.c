@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_invariance.c
- *  What must not matter: units, mirror, order of the blocks, a frame that moves, number of threads. */
+ *  What must not matter: units, mirror, order of the blocks, a frame that moves, number of threads, other
+ *  simulations. */
 #include <math.h>
-#include <stdlib.h>
+#include <pthread.h>
 #include <string.h>
 
 #include "common.h"
@@ -12,8 +13,8 @@ typedef struct affine {
     double ax, bx, ay, by;
 } affine;
 
-/** Largest distance between a particle of `a` and its partner in `b`, mapped. The partner has the same id, or the one that
- *  `other` gives. */
+/** Largest distance between a particle of `a` and its partner in `b`, mapped. The partner has the same id, or the one
+ * that `other` gives. */
 static double largest_distance(sph2d_view a, sph2d_view b, affine m, uint64_t (*other)(uint64_t))
 {
     ck_assert_uint_eq(a.count, b.count);
@@ -76,12 +77,14 @@ START_TEST(units_do_not_matter)
         test_steps(si, 50);
         test_steps(other, 50);
         double scale = 1 / all[_i].length;
-        double apart = largest_distance(sph2d_sim_fluid(si), sph2d_sim_fluid(other), (affine){scale, 0, scale, 0}, NULL);
+        double apart =
+            largest_distance(sph2d_sim_fluid(si), sph2d_sim_fluid(other), (affine){scale, 0, scale, 0}, NULL);
         ck_assert_double_le(apart, 1e-9);
     }
     ck_assert_double_eq_tol(sph2d_sim_time(other) / all[_i].time / sph2d_sim_time(si), 1, 1e-9);
     sph2d_summary a = sph2d_sim_summary(si), b = sph2d_sim_summary(other);
-    ck_assert_double_eq_tol(b.kinetic / a.kinetic * all[_i].time * all[_i].time / all[_i].mass / all[_i].length, 1, 1e-8);
+    ck_assert_double_eq_tol(b.kinetic / a.kinetic * all[_i].time * all[_i].time / all[_i].mass / all[_i].length, 1,
+                            1e-8);
     ck_assert_double_eq_tol(b.compression_max, a.compression_max, 1e-8);
     ck_assert_uint_eq(a.reflections, b.reflections);
     ck_assert_double_gt(a.speed_max, 1);
@@ -275,6 +278,43 @@ START_TEST(threads_give_the_same_bits)
 }
 END_TEST
 
+/** One of several simulations that run at the same time. */
+typedef struct worker {
+    pthread_t thread;
+    sph2d_sim *sim;
+    bool failed;
+} worker;
+
+static void *work(void *argument)
+{
+    worker *w = argument;
+    for (int n = 0; n < 12; ++n)
+        w->failed = w->failed || sph2d_sim_step(w->sim, NULL) != SPH2D_OK;
+    return NULL;
+}
+
+START_TEST(simulations_in_several_threads_do_not_meet)
+{
+    worker workers[3] = {{.failed = false}};
+    sph2d_sim *alone = busy_tank(1);
+    test_steps(alone, 12);
+    for (int i = 0; i < 3; ++i)
+        workers[i].sim = busy_tank(1 + i % 2);
+    for (int i = 0; i < 3; ++i)
+        ck_assert_int_eq(pthread_create(&workers[i].thread, NULL, work, &workers[i]), 0);
+    for (int i = 0; i < 3; ++i)
+        pthread_join(workers[i].thread, NULL);
+    sph2d_view a = sph2d_sim_fluid(alone);
+    for (int i = 0; i < 3; ++i) {
+        sph2d_view b = sph2d_sim_fluid(workers[i].sim);
+        ck_assert(!workers[i].failed && a.count == b.count);
+        ck_assert(memcmp(a.x, b.x, a.count * sizeof *a.x) == 0 && memcmp(a.vy, b.vy, a.count * sizeof *a.vy) == 0);
+        sph2d_sim_destroy(workers[i].sim);
+    }
+    sph2d_sim_destroy(alone);
+}
+END_TEST
+
 Suite *suite_invariance(void)
 {
     Suite *suite = suite_create("invariance");
@@ -284,6 +324,7 @@ Suite *suite_invariance(void)
     tcase_add_test(tests, the_order_of_the_blocks_does_not_matter);
     tcase_add_test(tests, a_moving_frame_sees_the_same);
     tcase_add_loop_test(tests, threads_give_the_same_bits, 0, 3);
+    tcase_add_test(tests, simulations_in_several_threads_do_not_meet);
     suite_add_tcase(suite, tests);
     return suite;
 }

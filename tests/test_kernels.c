@@ -33,8 +33,8 @@ static double viscosity_laplacian(double support, double r)
     return sph2d__viscosity_constant(support) * (support - r);
 }
 
-/** Integral from 0 to H of pi r^power f(r) dr by Simpson's rule: over the plane, the angle gives 2 pi for functions of r
- *  and pi for those times cos^2. */
+/** Integral from 0 to H of pi r^power f(r) dr by Simpson's rule: over the plane, the angle gives 2 pi for functions of
+ * r and pi for those times cos^2. */
 static double radial(double (*f)(double, double), double support, int power)
 {
     enum { INTERVALS = 2000 };
@@ -105,8 +105,8 @@ START_TEST(derivatives_equal_finite_differences)
         double slope = (w[2] - w[0]) / (2 * e);
         double laplacian = (v[2] - 2 * v[1] + v[0]) / (e * e) + (v[2] - v[0]) / (2 * e) / r;
         worst_slope = fmax(worst_slope, fabs(slope + spiky_slope(h, r)) / spiky_slope(h, 0));
-        worst_laplacian = fmax(worst_laplacian,
-                               fabs(laplacian - viscosity_laplacian(h, r)) / viscosity_laplacian(h, 0));
+        worst_laplacian =
+            fmax(worst_laplacian, fabs(laplacian - viscosity_laplacian(h, r)) / viscosity_laplacian(h, 0));
     }
     ck_assert_double_le(worst_slope, 1e-7);
     ck_assert_double_le(worst_laplacian, 1e-5);
@@ -155,7 +155,8 @@ END_TEST
 
 START_TEST(kernels_scale_with_the_unit_of_length)
 {
-    /* W is 1/length^2, its slope 1/length^3, its Laplacian 1/length^4: in millimetres 1e-6, 1e-9, 1e-12 times as much. */
+    /* W is 1/length^2, its slope 1/length^3, its Laplacian 1/length^4: in millimetres 1e-6, 1e-9, 1e-12 times as much.
+     */
     double h = supports[_i], mm = 1000 * h;
     for (double q = 0; q < 1; q += 0.24) {
         ck_assert_double_eq_tol(1e6 * poly6(mm, q * mm) / poly6(h, q * h), 1, 1e-12);

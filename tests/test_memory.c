@@ -137,7 +137,8 @@ static bool live(size_t fail_at, const sph2d_state *from)
         status = sph2d_sim_step(sim, &report);
         bool fails_here = !failed && fail_at > 0 && count.calls >= fail_at;
         failed = failed || fails_here;
-        ck_assert_msg(status == (fails_here ? SPH2D_NOMEM : SPH2D_OK), "call %zu, step %d: status %d", fail_at, n, status);
+        ck_assert_msg(status == (fails_here ? SPH2D_NOMEM : SPH2D_OK), "call %zu, step %d: status %d", fail_at, n,
+                      status);
     }
     if (sim) {
         ck_assert_uint_eq(sph2d_sim_memory(sim), count.bytes);
@@ -146,7 +147,7 @@ static bool live(size_t fail_at, const sph2d_state *from)
         failed = failed || (fail_at > 0 && count.calls >= fail_at);
         ck_assert_msg((arrays > 0) == (before || !failed), "call %zu: %zu arrays", fail_at, arrays);
         ck_assert_uint_gt(sph2d_sim_state(sim).array_count, 0); /* there is memory again */
-        if (failed && sph2d_sim_step(sim, NULL) == SPH2D_OK) /* it may go on; then all must be as it should */
+        if (failed && sph2d_sim_step(sim, NULL) == SPH2D_OK)    /* it may go on; then all must be as it should */
             for (int n = 0; n < STEPS; ++n)
                 ck_assert_int_eq(sph2d_sim_step(sim, NULL), SPH2D_OK);
         sph2d_sim_destroy(sim);

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_muller.c
- *  Density, pressure and acceleration of method `muller` against sums over all pairs, written here from the equations of
- *  Mueller, Charypar & Gross 2003 with two-dimensional kernel constants:
+ *  Density, pressure and acceleration of method `muller` against sums over all pairs, written here from the equations
+ * of Mueller, Charypar & Gross 2003 with two-dimensional kernel constants:
  *
  *      rho_i = c sum_j m W(r_ij) + sum_b m_b W(r_ib),  W = 4/(pi H^8) (H^2 - r^2)^3
  *      p_i   = max(k (rho_i - rho0), 0)
- *      a_i   = 1/rho_i sum_j V_j (p_i + p_j)/2 30/(pi H^5) (H - r)^2 r_ij/r + mu/rho_i sum_j V_j (v_j - v_i) 40/(pi H^5) (H - r)
+ *      a_i   = 1/rho_i sum_j V_j (p_i + p_j)/2 30/(pi H^5) (H - r)^2 r_ij/r + mu/rho_i sum_j V_j (v_j - v_i) 40/(pi
+ * H^5) (H - r)
  *
- *  with V = m/rho, j over fluid and heavy boundary particles, c = 1/(dx^2 sum of W over a filled lattice), boundary masses
- *  m_b = rho0 / sum_b' W(r_bb') and boundary densities rho0 + c sum_j m W(r_bj). */
+ *  with V = m/rho, j over fluid and heavy boundary particles, c = 1/(dx^2 sum of W over a filled lattice), boundary
+ * masses m_b = rho0 / sum_b' W(r_bb') and boundary densities rho0 + c sum_j m W(r_bj). Boundary particles drag with
+ *  max(mu, 0.005 rho0 c0 H) for mu. */
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_outputs.c
- *  What a run tells: outputs fall due at n times their interval, probes give what their columns say, the summary sums. */
+ *  What a run tells: outputs fall due at n times their interval, probes give what their columns say, the summary sums.
+ */
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,7 +15,8 @@ static sph2d_sim *pool(sph2d_vec2 velocity, double step, sph2d_rate snapshots, s
     sph2d_scene scene = test_open_scene(DX, -5, -5, 5, 5);
     sph2d_block block = test_block(0, 0, 0.2, 0.2);
     block.velocity = velocity;
-    sph2d_probe probes[4] = {sph2d_probe_default(), sph2d_probe_default(), sph2d_probe_default(), sph2d_probe_default()};
+    sph2d_probe probes[4] = {sph2d_probe_default(), sph2d_probe_default(), sph2d_probe_default(),
+                             sph2d_probe_default()};
     static const char *const names[4] = {"a", "b", "c", "d"};
     for (int i = 0; i < 4; ++i) {
         probes[i].name = names[i];
@@ -179,7 +181,8 @@ END_TEST
 
 START_TEST(compression_is_of_density_over_rest)
 {
-    /* A block at half the spacing is at four times rest density in its middle; the summary's largest is that of the view. */
+    /* A block at half the spacing is at four times rest density in its middle; the summary's largest is that of the
+     * view. */
     sph2d_scene scene = test_open_scene(DX, -5, -5, 5, 5);
     sph2d_block block = test_block(0, 0, 0.1, 0.1);
     block.spacing = DX / 2;
@@ -204,6 +207,70 @@ START_TEST(compression_is_of_density_over_rest)
 }
 END_TEST
 
+static int falling(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+START_TEST(one_in_a_hundred_is_compressed_more)
+{
+    /* A compressed block on its way apart, after the ten steps to the first sample: 4 of 400 are above the percentile.
+     */
+    sph2d_scene scene = test_open_scene(DX, -5, -5, 5, 5);
+    sph2d_block block = test_block(0, 0, 0.1, 0.1);
+    block.spacing = DX / 2;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.method.time_step = 4e-4;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 10);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    static double c[400];
+    ck_assert_uint_eq(f.count, 400);
+    for (size_t i = 0; i < 400; ++i)
+        c[i] = f.density[i] / 1000 - 1;
+    qsort(c, 400, sizeof *c, falling);
+    ck_assert_double_gt(c[4], 1.1 * c[40]); /* far from the tenth part */
+    double p99 = sph2d_sim_summary(sim).compression_p99, bin = c[0] / 1000;
+    ck_assert_double_le(p99, c[3] + bin);
+    ck_assert_double_ge(p99, c[5] - bin);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(the_mean_compression_leaves_out_impacts)
+{
+    /* A compressed block bursts at t = 0, which the scene may call an impact: then the first 0.05 s do not count. */
+    static const double impacts[1] = {0};
+    sph2d_scene scene = test_scene(DX, 0, 0, 0.3, 0.3);
+    sph2d_block block = test_block(0.1, 0.1, 0.2, 0.2);
+    block.spacing = 0.5 * DX;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.fluid.dynamic_viscosity = 1;
+    scene.method.time_step = 5e-5; /* so small that every tenth step tells it all */
+    scene.run.impacts.items = impacts;
+    scene.run.impacts.count = (size_t)_i;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    double sum = 0, time = 0, early = 0;
+    while (sph2d_sim_time(sim) < 0.15) {
+        double step = sph2d_sim_time_step(sim), mean = 0;
+        test_steps(sim, 1);
+        sph2d_view f = sph2d_sim_fluid(sim);
+        for (size_t i = 0; i < f.count; ++i)
+            mean += fmax(f.density[i] / 1000 - 1, 0) / (double)f.count;
+        bool counts = _i == 0 || sph2d_sim_time(sim) >= 0.05;
+        sum += counts ? step * mean : 0;
+        time += counts ? step : 0;
+        early += sph2d_sim_time(sim) < 0.05 ? step * mean : 0;
+    }
+    ck_assert_double_gt(early / 0.05, 1.5 * sum / time * _i); /* it makes a difference */
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).compression_mean / (sum / time), 1, 0.05);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_outputs(void)
 {
     Suite *suite = suite_create("outputs");
@@ -215,6 +282,8 @@ Suite *suite_outputs(void)
     tcase_add_test(tests, a_speed_probe_weighs_with_the_kernel);
     tcase_add_test(tests, the_summary_counts_steps);
     tcase_add_test(tests, compression_is_of_density_over_rest);
+    tcase_add_test(tests, one_in_a_hundred_is_compressed_more);
+    tcase_add_loop_test(tests, the_mean_compression_leaves_out_impacts, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

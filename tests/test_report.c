@@ -42,16 +42,20 @@ START_TEST(codes_keep_their_text)
         sph2d_code code;
         const char *text;
     } expected[] = {
-        {SPH2D_CODE_GENERAL, "G000"},       {SPH2D_CODE_SYNTAX, "S100"},          {SPH2D_CODE_UNKNOWN_KEY, "S101"},
-        {SPH2D_CODE_DUPLICATE_KEY, "S102"}, {SPH2D_CODE_WRONG_TYPE, "S103"},      {SPH2D_CODE_OUT_OF_RANGE, "S104"},
-        {SPH2D_CODE_MISSING_KEY, "S105"},   {SPH2D_CODE_CONFLICT, "S106"},        {SPH2D_CODE_OUTSIDE, "S107"},
-        {SPH2D_CODE_OVERLAP, "S108"},       {SPH2D_CODE_NO_PARTICLES, "S109"},    {SPH2D_CODE_TOO_MANY, "S110"},
-        {SPH2D_CODE_UNSUPPORTED, "S111"},   {SPH2D_CODE_GAP, "S112"},             {SPH2D_CODE_FILE_OPEN, "F201"},
-        {SPH2D_CODE_FILE_KIND, "F202"},     {SPH2D_CODE_FILE_INCOMPLETE, "F203"}, {SPH2D_CODE_FILE_FIELD, "F204"},
-        {SPH2D_CODE_FILE_VERSION, "F205"},  {SPH2D_CODE_FILE_WRITE, "F206"},      {SPH2D_CODE_FILE_EXISTS, "F207"},
-        {SPH2D_CODE_NOT_FINITE, "R301"},    {SPH2D_CODE_ESCAPED, "R302"},         {SPH2D_CODE_STEP_COLLAPSE, "R303"},
-        {SPH2D_CODE_STEP_TOO_LARGE, "R304"}, {SPH2D_CODE_GL_MISSING, "P401"},     {SPH2D_CODE_GL_SHADER, "P402"},
-        {SPH2D_CODE_GL_FAILED, "P403"},
+        {SPH2D_CODE_GENERAL, "G000"},         {SPH2D_CODE_SYNTAX, "S100"},
+        {SPH2D_CODE_UNKNOWN_KEY, "S101"},     {SPH2D_CODE_DUPLICATE_KEY, "S102"},
+        {SPH2D_CODE_WRONG_TYPE, "S103"},      {SPH2D_CODE_OUT_OF_RANGE, "S104"},
+        {SPH2D_CODE_MISSING_KEY, "S105"},     {SPH2D_CODE_CONFLICT, "S106"},
+        {SPH2D_CODE_OUTSIDE, "S107"},         {SPH2D_CODE_OVERLAP, "S108"},
+        {SPH2D_CODE_NO_PARTICLES, "S109"},    {SPH2D_CODE_TOO_MANY, "S110"},
+        {SPH2D_CODE_UNSUPPORTED, "S111"},     {SPH2D_CODE_GAP, "S112"},
+        {SPH2D_CODE_FILE_OPEN, "F201"},       {SPH2D_CODE_FILE_KIND, "F202"},
+        {SPH2D_CODE_FILE_INCOMPLETE, "F203"}, {SPH2D_CODE_FILE_FIELD, "F204"},
+        {SPH2D_CODE_FILE_VERSION, "F205"},    {SPH2D_CODE_FILE_WRITE, "F206"},
+        {SPH2D_CODE_FILE_EXISTS, "F207"},     {SPH2D_CODE_NOT_FINITE, "R301"},
+        {SPH2D_CODE_ESCAPED, "R302"},         {SPH2D_CODE_STEP_COLLAPSE, "R303"},
+        {SPH2D_CODE_STEP_TOO_LARGE, "R304"},  {SPH2D_CODE_GL_MISSING, "P401"},
+        {SPH2D_CODE_GL_SHADER, "P402"},       {SPH2D_CODE_GL_FAILED, "P403"},
     };
     ck_assert_uint_eq(sizeof expected / sizeof expected[0], SPH2D_CODE_COUNT);
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; ++i)
@@ -172,8 +176,8 @@ START_TEST(formatting_works_like_snprintf)
     for (size_t size = 1; size <= length + 1; ++size) {
         memset(part, '#', sizeof part);
         size_t needed = sph2d_diagnostic_format(&d, part, size);
-        bool ok = needed == length && strlen(part) == size - 1 && strncmp(part, whole, size - 1) == 0 &&
-                  part[size] == '#';
+        bool ok =
+            needed == length && strlen(part) == size - 1 && strncmp(part, whole, size - 1) == 0 && part[size] == '#';
         ck_assert_msg(ok, "buffer of %zu bytes", size);
     }
 }

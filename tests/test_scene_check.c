@@ -106,8 +106,8 @@ static void start(void)
     X(disc_outside, "blocks[1].disc", OUTSIDE, blocks[1].shape.disc.center.x = 0.05)                                   \
     X(disc_without_radius, "blocks[1].disc.radius", OUT_OF_RANGE, blocks[1].shape.disc.radius = 0)                     \
     X(polygon_of_two, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.polygon.count = 2)                            \
-    X(polygon_on_a_line, "blocks[2].polygon", OUT_OF_RANGE,                                                            \
-      blocks[2].shape.polygon.count = 3; corners[2] = (sph2d_vec2){0.9, 0.1})                                          \
+    X(polygon_on_a_line, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.polygon.count = 3;                         \
+      corners[2] = (sph2d_vec2){0.9, 0.1})                                                                             \
     X(polygon_outside, "blocks[2].polygon", OUTSIDE, corners[3].y = 1.01)                                              \
     X(polygon_crosses_itself, "blocks[2].polygon", OUT_OF_RANGE, corners[3] = (sph2d_vec2){0.6, 0.05})                 \
     X(source_outside, "sources[0].at", OUTSIDE, sources[0].at.y = 1.5)                                                 \
@@ -121,8 +121,8 @@ static void start(void)
     X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].outline.kind = SPH2D_OUTLINE_NONE)           \
     X(obstacle_of_springs, "obstacles[3].form", UNSUPPORTED, obstacles[3].form = SPH2D_WALL_SPRING)                    \
     X(line_of_one, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 1)                             \
-    X(line_of_three, "obstacles[0].line", OUT_OF_RANGE,                                                                \
-      obstacles[0].outline.line.count = 3; ends[2] = (sph2d_vec2){0.3, 0.9})                                           \
+    X(line_of_three, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 3;                           \
+      ends[2] = (sph2d_vec2){0.3, 0.9})                                                                                \
     X(line_without_length, "obstacles[0].line", OUT_OF_RANGE, ends[1] = ends[0])                                       \
     X(line_outside, "obstacles[0].line", OUTSIDE, ends[1].x = -0.1)                                                    \
     X(polyline_of_one, "obstacles[1].polyline", OUT_OF_RANGE, obstacles[1].outline.polyline.count = 1)                 \
@@ -208,8 +208,8 @@ END_TEST
 
 START_TEST(all_faults_are_found_at_once)
 {
-    static void (*const some[])(void) = {block_outside,  polygon_of_two, source_too_rich,          drain_shapeless,
-                                         line_of_one,    circle_outside, interaction_back_in_time, probe_twice,
+    static void (*const some[])(void) = {block_outside, polygon_of_two, source_too_rich,          drain_shapeless,
+                                         line_of_one,   circle_outside, interaction_back_in_time, probe_twice,
                                          deflate_level};
     size_t count = sizeof some / sizeof some[0];
     for (size_t k = 0; k < count; ++k)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_scene_keys.c
- *  The key table against the scene checker: whatever number the table knows is refused when it is NaN, infinite or out of
- *  range, under its own key path, and the ranges are those that sph2d/scene.h documents. */
+ *  The key table against the scene checker: whatever number the table knows is refused when it is NaN, infinite or out
+ * of range, under its own key path, and the ranges are those that sph2d/scene.h documents. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,8 @@
 /* ---- a scene with every key -------------------------------------------------------------------------------------- */
 
 static sph2d_vec2 corners[3] = {{0.5, 0.1}, {0.7, 0.1}, {0.6, 0.3}}, ends[2] = {{0.1, 0.8}, {0.2, 0.8}};
-static sph2d_vec2 drain_corners[3] = {{0.8, 0.1}, {0.9, 0.1}, {0.9, 0.2}}, turns[3] = {{0.4, 0.8}, {0.5, 0.85}, {0.6, 0.8}};
+static sph2d_vec2 drain_corners[3] = {{0.8, 0.1}, {0.9, 0.1}, {0.9, 0.2}},
+                  turns[3] = {{0.4, 0.8}, {0.5, 0.85}, {0.6, 0.8}};
 static sph2d_path_point path[2] = {{0, 0.1, 0.1}, {1, 0.9, 0.9}};
 static double impacts[2] = {0.1, 0.2};
 static sph2d_block blocks[3];

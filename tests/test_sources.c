@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_sources.c
- *  What comes and goes: sources feed even jets (rows one spacing apart, mass per time = density * rate), drains and open
- *  sides take and count, and the ledger closes at every step. */
+ *  What comes and goes: sources feed even jets (rows one spacing apart, mass per time = density * rate), drains and
+ * open sides take and count, and the ledger closes at every step. */
 #include <math.h>
 #include <string.h>
 
@@ -119,7 +119,7 @@ START_TEST(start_and_stop_are_kept)
     while (sph2d_sim_time(sim) < 0.4) {
         double t = sph2d_sim_time(sim); /* of feeding: rows due at 0.10, 0.11 ... 0.24 */
         test_steps(sim, 1);
-        double rows = t < 0.1 ? 0 : fmin(floor((t - 0.1) / 0.01 + 1e-9) + 1, 15);
+        double rows = t * (1 + 1e-12) < 0.1 ? 0 : fmin(floor((t - 0.1) / 0.01 + 1e-9) + 1, 15);
         ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 3 * (size_t)rows);
     }
     ck_assert_uint_eq(sph2d_sim_summary(sim).fed, 45);
@@ -149,7 +149,7 @@ START_TEST(spread_is_random_bounded_and_from_the_seed)
     first_row(1, b);
     first_row(2, other);
     ck_assert_mem_eq(a, b, sizeof a);
-    double low = 0, high = 0, mean = 0, product = 0, same = 0;
+    double low = 0, high = 0, mean = 0, product = 0, same = 0, drawn[160];
     for (int i = 0; i < 80; ++i) {
         double x = (a[i].x - 1.2) / 0.5, y = (a[i].y + 1.6) / 0.5; /* in units of spread * speed */
         low = fmin(low, fmin(x, y));
@@ -157,11 +157,45 @@ START_TEST(spread_is_random_bounded_and_from_the_seed)
         mean += (x + y) / 160;
         product += x * y / 80;
         same += a[i].x == other[i].x;
+        drawn[2 * i] = x;
+        drawn[2 * i + 1] = y;
     }
+    for (int i = 0; i < 160; ++i) /* every number is a new one */
+        for (int j = 0; j < i; ++j)
+            same += fabs(drawn[i] - drawn[j]) < 1e-9;
     ck_assert(low >= -1 && low < -0.9 && high <= 1 && high > 0.9);
     ck_assert_double_le(fabs(mean), 0.15);    /* of 160 uniform numbers: 0.046 */
     ck_assert_double_le(fabs(product), 0.15); /* the components are independent: 0.037 */
     ck_assert(same == 0);
+}
+END_TEST
+
+START_TEST(each_source_is_its_own)
+{
+    sph2d_scene scene = test_open_scene(DX, -2, -2, 2, 2);
+    sph2d_source sources[2] = {jet(2 * DX, 1), jet(3 * DX, 2)};
+    sources[1].at = (sph2d_vec2){1, 1};
+    sources[1].direction = (sph2d_vec2){0, 1};
+    sources[1].start = 0.05;
+    scene.sources = sources;
+    scene.source_count = 2;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    run_until(sim, 0.2);
+    double t = sph2d_sim_time(sim);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    size_t first = 0, second = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        if (f.x[i] < 0.5) {
+            first += hypot(f.vx[i] - 0.6, f.vy[i] + 0.8) < 1e-9;
+        } else {
+            second += hypot(f.vx[i], f.vy[i] - 2) < 1e-9 && f.y[i] < 1 + 2 * (t - 0.05) + 1e-9;
+        }
+    ck_assert_uint_eq(first + second, f.count);
+    ck_assert_uint_ge(first, 2 * 20);
+    ck_assert_uint_le(first, 2 * 22);
+    ck_assert_uint_ge(second, 3 * 30);
+    ck_assert_uint_le(second, 3 * 32);
+    sph2d_sim_destroy(sim);
 }
 END_TEST
 
@@ -341,6 +375,7 @@ Suite *suite_sources(void)
     tcase_add_test(tests, direction_points_down_and_one_particle_is_the_least);
     tcase_add_test(tests, start_and_stop_are_kept);
     tcase_add_test(tests, spread_is_random_bounded_and_from_the_seed);
+    tcase_add_test(tests, each_source_is_its_own);
     tcase_add_test(tests, taken_places_are_counted_and_stay_empty);
     tcase_add_test(tests, walls_take_places_too);
     suite_add_tcase(suite, tests);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_steering.c
- *  Pulls and pushes: acceleration * (1 - r/radius) towards a point inside `radius`, along a path in time, through the scene
- *  and through the library; gravity that changes while a run goes on. */
+ *  Pulls and pushes: acceleration * (1 - r/radius) towards a point inside `radius`, along a path in time, through the
+ * scene and through the library; gravity that changes while a run goes on. */
 #include <math.h>
 
 #include "common.h"
@@ -93,8 +93,8 @@ START_TEST(a_path_leads_the_point_through_time)
     int active = 0;
     for (int n = 0; n < 110; ++n) {
         double t = sph2d_sim_time(sim), nearest = fmin(fabs(t - 0.02), fabs(t - 0.08));
-        sph2d_vec2 at = t < 0.04 ? (sph2d_vec2){-0.2 + 20 * (t - 0.02), 15 * (t - 0.02)}
-                                 : (sph2d_vec2){0.2, 0.3 - 20 * (t - 0.04)};
+        sph2d_vec2 at =
+            t < 0.04 ? (sph2d_vec2){-0.2 + 20 * (t - 0.02), 15 * (t - 0.02)} : (sph2d_vec2){0.2, 0.3 - 20 * (t - 0.04)};
         bool on = t > 0.02 && t < 0.08;
         active += on;
         if (nearest > 1e-9) /* at the ends themselves rounding of the clock decides */

@@ -2,7 +2,8 @@
 /** @file test_tunnelling.c
  *  Nothing passes a wall one particle thick: jets at 10 sqrt(g H), H = 0.3 m, from five angles onto lines, corners, a
  *  circle, a box and a knife edge, heavy and reflecting, with adaptive steps and with the largest fixed step that the
- *  guards allow. Counted by place (the far side of a wall that closes it off) and by way (no particle's step crosses it). */
+ *  guards allow. Counted by place (the far side of a wall that closes it off) and by way (no particle's step crosses
+ * it). */
 #include <math.h>
 #include <string.h>
 
@@ -26,7 +27,7 @@ static const size_t counts[TARGETS] = {[LINE] = 2, [SLANTED] = 2, [CORNER] = 3, 
 
 /** Where the jets aim: on the line, the corner, the circle's top, the box's upper edge, the knife's tip. */
 static const sph2d_vec2 aims[TARGETS] = {
-    [LINE] = {0.5, 0.3},   [SLANTED] = {0.5, 0.325}, [CORNER] = {0.5, 0.15},
+    [LINE] = {0.5, 0.3},    [SLANTED] = {0.5, 0.325}, [CORNER] = {0.5, 0.15},
     [CIRCLE] = {0.5, 0.45}, [BOX] = {0.45, 0.4},      [KNIFE] = {0.5, 0.4},
 };
 

@@ -7,8 +7,10 @@
  *
  *      v exp(-zeta (pi - 2 asin zeta)/sqrt(1 - zeta^2)),
  *
- *  the solution of d" + 2 zeta w d' + w^2 d = 0 from d = 0 up to the moment at which the push would turn into a pull. */
+ *  the solution of d" + 2 zeta w d' + w^2 d = 0 from d = 0 up to the moment at which the push would turn into a pull.
+ */
 #include <math.h>
+#include <string.h>
 
 #include "common.h"
 #include "physics/spring_wall.h"
@@ -135,6 +137,54 @@ START_TEST(damping_takes_energy_as_the_oscillator_does)
 }
 END_TEST
 
+/* ---- two forms side by side -------------------------------------------------------------------------------------- */
+
+/** The masses of all boundary particles, in their order. */
+static const double *wall_masses(const sph2d_sim *sim)
+{
+    for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_WALL); ++i) {
+        sph2d_array field = sph2d_field(sim, SPH2D_GROUP_WALL, i);
+        if (strcmp(field.name, "Masses") == 0)
+            return field.data[0];
+    }
+    ck_abort_msg("no masses");
+    return NULL;
+}
+
+START_TEST(reflecting_particles_neither_weigh_nor_press)
+{
+    /* A heavy line has the same masses with a reflecting one beside it, and liquid near both feels the heavy one alone.
+     */
+    sph2d_vec2 ends[2] = {{-0.1, 0}, {0.1, 0}}, beside[2] = {{-0.1, 0.4 * DX}, {0.1, 0.4 * DX}};
+    sph2d_obstacle obstacles[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
+    obstacles[0].outline.kind = obstacles[1].outline.kind = SPH2D_OUTLINE_LINE;
+    obstacles[0].outline.line = (sph2d_points){ends, 2};
+    obstacles[1].outline.line = (sph2d_points){beside, 2};
+    obstacles[1].form = SPH2D_WALL_REFLECT;
+    sph2d_scene scene = test_open_scene(DX, -1, -1, 1, 1);
+    sph2d_block block = test_particle(DX, 0.003, -1.1 * DX, 0, 0);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.obstacles = obstacles;
+    double push[2], weight[2] = {0, 0};
+    for (size_t k = 0; k < 2; ++k) {
+        scene.obstacle_count = k + 1;
+        sph2d_sim *sim = test_create(&scene, NULL);
+        push[k] = sph2d_sim_fluid(sim).ay[0];
+        sph2d_view w = sph2d_sim_walls(sim);
+        const double *masses = wall_masses(sim);
+        for (size_t b = 0; b < w.count; ++b) {
+            weight[k] += masses[b];
+            ck_assert((w.y[b] > 0) == (masses[b] == 0));
+        }
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_double_lt(push[0], -10);
+    ck_assert_double_eq_tol(push[1] / push[0], 1, 1e-12);
+    ck_assert_double_eq_tol(weight[1] / weight[0], 1, 1e-12);
+}
+END_TEST
+
 /* ---- drops ------------------------------------------------------------------------------------------------------- */
 
 /** Forms of wall to fall on: three as sides of the domain, two as an obstacle. */
@@ -153,9 +203,7 @@ static sph2d_sim *drop(int index, double height, double viscosity)
     scene.spacing = DX;
     scene.domain = (sph2d_box){{0, 0}, {40 * DX, 60 * DX}};
     scene.fluid.dynamic_viscosity = viscosity;
-    scene.walls = form == HEAVY_SIDE     ? SPH2D_WALL_HEAVY
-                  : form == REFLECT_SIDE ? SPH2D_WALL_REFLECT
-                                         : SPH2D_WALL_SPRING;
+    scene.walls = form == HEAVY_SIDE ? SPH2D_WALL_HEAVY : form == REFLECT_SIDE ? SPH2D_WALL_REFLECT : SPH2D_WALL_SPRING;
     sph2d_vec2 line[2] = {{0, LEVEL}, {40 * DX, LEVEL}};
     sph2d_obstacle obstacle = sph2d_obstacle_default();
     obstacle.outline.kind = SPH2D_OUTLINE_LINE;
@@ -226,7 +274,7 @@ START_TEST(a_dropped_particle_comes_to_rest)
     energy(sim, _i, &end);
     ck_assert_double_gt(end, 0);
     ck_assert_double_lt(end, 1.6 * DX); /* heavy ones keep it near one spacing, springs within half a one */
-    if (form == SPRING_SIDE) { /* where k d = g */
+    if (form == SPRING_SIDE) {          /* where k d = g */
         double c0 = sph2d_sim_plan(sim)->sound_speed;
         ck_assert_double_eq_tol((0.5 * DX - end) * c0 * c0 / (DX * DX * 9.81), 1, 1e-6);
     }
@@ -237,14 +285,15 @@ END_TEST
 Suite *suite_walls(void)
 {
     Suite *suite = suite_create("walls");
-    TCase *springs = tcase_create("springs");
-    tcase_add_test(springs, the_push_is_as_documented);
-    tcase_add_loop_test(springs, each_side_pushes_inwards, 0, 6);
-    tcase_add_test(springs, only_the_normal_velocity_is_damped);
-    tcase_add_test(springs, a_faster_particle_goes_deeper_and_bounces_harder);
-    tcase_add_test(springs, the_angle_out_is_the_angle_in);
-    tcase_add_test(springs, damping_takes_energy_as_the_oscillator_does);
-    suite_add_tcase(suite, springs);
+    TCase *forms = tcase_create("forms");
+    tcase_add_test(forms, the_push_is_as_documented);
+    tcase_add_loop_test(forms, each_side_pushes_inwards, 0, 6);
+    tcase_add_test(forms, only_the_normal_velocity_is_damped);
+    tcase_add_test(forms, a_faster_particle_goes_deeper_and_bounces_harder);
+    tcase_add_test(forms, the_angle_out_is_the_angle_in);
+    tcase_add_test(forms, damping_takes_energy_as_the_oscillator_does);
+    tcase_add_test(forms, reflecting_particles_neither_weigh_nor_press);
+    suite_add_tcase(suite, forms);
     TCase *drops = tcase_create("drops");
     tcase_add_loop_test(drops, a_dropped_particle_never_rises_above_its_start, 0, DROPS);
     tcase_add_loop_test(drops, a_dropped_particle_comes_to_rest, 0, DROPS);

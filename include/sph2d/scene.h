@@ -121,7 +121,7 @@ typedef struct sph2d_method_options {
                                  acceleration * radius / 2, and 2 for the swing after a release */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 2.0 */
-    double cfl;             /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0.3 */
+    double cfl;             /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0.4 */
     double time_step;       /**< fixed step [s]; default 0: adaptive */
 } sph2d_method_options;
 

@@ -13,7 +13,7 @@ sph2d_scene sph2d_scene_default(void)
         .wall_damping = 0.1,
         .gravity = {0.0, -9.81},
         .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
-        .method = {.name = SPH2D_METHOD_MULLER, .max_compression = 0.1, .support_ratio = 2.0, .cfl = 0.3},
+        .method = {.name = SPH2D_METHOD_MULLER, .max_compression = 0.1, .support_ratio = 2.0, .cfl = 0.4},
         .run = {.until = 1.0, .frames = {.size = {1280, 720}}},
     };
 }

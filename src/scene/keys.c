@@ -206,7 +206,7 @@ static const sph2d_key method_items[] = {
      .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN(1.2, 6), .unit = "",
      .standard = "2.0", .text = "support radius over spacing, H/dx"},
-    {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN(0.01, 0.9), .unit = "", .standard = "0.3",
+    {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN(0.01, 0.9), .unit = "", .standard = "0.4",
      .text = "step limit: dt <= cfl H / (c0 + v_max)"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .standard = "adaptive", .text = "a fixed step"},

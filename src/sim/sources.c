@@ -10,6 +10,9 @@
 /* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart. */
 static const double ROOM = 0.7;
 
+/* The clock is a sum of steps: a due time that it misses by rounding alone is reached. */
+static const double REACHED = 1 + 1e-12;
+
 /** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
 static uint64_t mix(uint64_t z)
 {
@@ -116,9 +119,9 @@ sph2d_status sph2d__sim_feed(sph2d_sim *sim)
         for (;;) {
             uint64_t row = sim->source_rows[i];
             double due = source->start + (double)row * n.interval;
-            if (due > sim->record.time || (source->stop > 0 && due >= source->stop))
+            if (due > REACHED * sim->record.time || (source->stop > 0 && due >= source->stop))
                 break;
-            sph2d_status status = feed_row(sim, i, &n, row, sim->record.time - due, sorted);
+            sph2d_status status = feed_row(sim, i, &n, row, fmax(sim->record.time - due, 0), sorted);
             if (status != SPH2D_OK)
                 return status;
             ++sim->source_rows[i];

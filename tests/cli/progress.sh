@@ -15,7 +15,7 @@ grep -q ' left  t ' err && fail 'progress all the same'
 expect 0 "$SPH2D" "$@" -o json --json && says '"severity": "note".* 50 %'
 expect 0 "$SPH2D" "$@" -o always --progress always -s spacing=0.02 && says '\[=*>* *\] .* left'
 
-command -v script >/dev/null || exit 77
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77 # no such command, or no pseudo-terminals here
 # in_terminal FILE COMMAND: what the command prints in a pseudo-terminal.
 in_terminal() {
     script -qec "$2" /dev/null >"$1" </dev/null || fail "$2"
