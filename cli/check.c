@@ -26,14 +26,16 @@ typedef struct checked {
     sph2d_report report;
 } checked;
 
-static int told(checked *c, sph2d_status status) {
+static int told(checked *c, sph2d_status status)
+{
     message_report(status, &c->report, c->file);
     return exit_of_status(status);
 }
 
 /* Steps for a moment, to say how long a run will take. The first step warms up caches and threads, and is not counted.
  */
-static int measure(checked *c) {
+static int measure(checked *c)
+{
     const double longest = 0.3;
     double begun = 0;
     sph2d_status status = sph2d_sim_step(c->sim, &c->report);
@@ -47,7 +49,8 @@ static int measure(checked *c) {
     return told(c, status);
 }
 
-static int draw_preview(checked *c) {
+static int draw_preview(checked *c)
+{
     cli_look look = look_of_scene(c->scene);
     cli_painter *painter = NULL;
     sph2d_status status = painter_create(&look, c->options, &painter, &c->report);
@@ -62,7 +65,8 @@ static int draw_preview(checked *c) {
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
-static void print_terms(const sph2d_scene *scene) {
+static void print_terms(const sph2d_scene *scene)
+{
     static const char *const forms[] = {"spring walls", "heavy walls", "reflecting walls"};
     const struct {
         size_t count;
@@ -85,11 +89,13 @@ static void print_terms(const sph2d_scene *scene) {
     putchar('\n');
 }
 
-static double expected_compression(const sph2d_plan *plan) {
+static double expected_compression(const sph2d_plan *plan)
+{
     return plan->sound_speed > 0 ? plan->head / (plan->sound_speed * plan->sound_speed) : NAN;
 }
 
-static void print_table(const checked *c) {
+static void print_table(const checked *c)
+{
     const sph2d_plan *plan = &c->plan;
     char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], in_use[TEXT_SIZE];
     text_row("scene", "%s: no faults", c->scene->name);
@@ -116,7 +122,8 @@ static void print_table(const checked *c) {
                  threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
-static void print_object(const checked *c) {
+static void print_object(const checked *c)
+{
     const sph2d_plan *plan = &c->plan;
     cli_json line = json_begin(stdout);
     json_text(&line, "scene", c->scene->name);
@@ -145,7 +152,8 @@ static void print_object(const checked *c) {
 /* ---- the command ------------------------------------------------------------------------------------------------- */
 
 /* Each step finds the warnings of the one before again, so they are told once, by the last. */
-static int prepare(checked *c) {
+static int prepare(checked *c)
+{
     const cli_options *options = c->options;
     sph2d_status status =
         sph2d_scene_file_read(options->operands[0], options->overrides, options->override_count, &c->file, &c->report);
@@ -165,7 +173,8 @@ static int prepare(checked *c) {
     return told(c, sph2d_sim_create(c->scene, &sim_options, &c->sim, &c->report));
 }
 
-int command_check(const cli_options *options) {
+int command_check(const cli_options *options)
+{
     if (options->operand_count != 1) {
         message_usage("check", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
         return CLI_EXIT_USAGE;

@@ -6,7 +6,8 @@
 
 #include <time.h>
 
-static inline double clock_seconds(clockid_t id) {
+static inline double clock_seconds(clockid_t id)
+{
     struct timespec now;
     if (clock_gettime(id, &now) != 0)
         return 0;
@@ -14,12 +15,14 @@ static inline double clock_seconds(clockid_t id) {
 }
 
 /** Seconds that pass for everyone. */
-static inline double clock_wall(void) {
+static inline double clock_wall(void)
+{
     return clock_seconds(CLOCK_MONOTONIC);
 }
 
 /** Seconds that processors spent on this process, all threads together. */
-static inline double clock_cpu(void) {
+static inline double clock_cpu(void)
+{
     return clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 

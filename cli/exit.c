@@ -3,7 +3,8 @@
  *  From the library's status to the process's exit code. */
 #include "exit.h"
 
-int exit_of_status(sph2d_status status) {
+int exit_of_status(sph2d_status status)
+{
     /* Without a default, so that the compiler names a status that was added and forgotten here. */
     switch (status) {
     case SPH2D_OK:

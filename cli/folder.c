@@ -20,7 +20,8 @@
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
 
-bool folder_numbered(const char *name, const char *prefix, const char *suffix, uint64_t *number) {
+bool folder_numbered(const char *name, const char *prefix, const char *suffix, uint64_t *number)
+{
     size_t skip = strlen(prefix);
     if (strncmp(name, prefix, skip) != 0)
         return false;
@@ -32,7 +33,8 @@ bool folder_numbered(const char *name, const char *prefix, const char *suffix, u
     return true;
 }
 
-static bool is_cleared(const char *name, folder_clearing clearing) {
+static bool is_cleared(const char *name, folder_clearing clearing)
+{
     uint64_t number;
     if (clearing == FOLDER_KEEP)
         return false;
@@ -43,18 +45,21 @@ static bool is_cleared(const char *name, folder_clearing clearing) {
 }
 
 /* ".NAME.tmp.PID": what a writer that was killed leaves behind. */
-static bool is_leftover(const char *name) {
+static bool is_leftover(const char *name)
+{
     const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
     if (mark == NULL || !isdigit((unsigned char)mark[5]))
         return false;
     return mark[5 + strspn(mark + 5, "0123456789")] == '\0';
 }
 
-static bool is_dot(const char *name) {
+static bool is_dot(const char *name)
+{
     return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
 }
 
-const char *folder_file(cli_folder *f, const char *format, ...) {
+const char *folder_file(cli_folder *f, const char *format, ...)
+{
     va_list values, again;
     va_start(values, format);
     va_copy(again, values);
@@ -76,17 +81,20 @@ const char *folder_file(cli_folder *f, const char *format, ...) {
 
 /* ---- taking it --------------------------------------------------------------------------------------------------- */
 
-static int refuse(const char *path, const char *what, int error) {
+static int refuse(const char *path, const char *what, int error)
+{
     message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot %s '%s': %s", what, path, strerror(error));
     return CLI_EXIT_CANTCREAT;
 }
 
-static int refuse_memory(void) {
+static int refuse_memory(void)
+{
     message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
     return CLI_EXIT_SOFTWARE;
 }
 
-static bool is_empty(DIR *listing) {
+static bool is_empty(DIR *listing)
+{
     const struct dirent *entry;
     while ((entry = readdir(listing)) != NULL)
         if (!is_dot(entry->d_name))
@@ -94,7 +102,8 @@ static bool is_empty(DIR *listing) {
     return true;
 }
 
-int folder_refuse(const char *path, bool force) {
+int folder_refuse(const char *path, bool force)
+{
     DIR *listing = opendir(path);
     if (listing == NULL)
         return errno == ENOENT && path[0] != '\0' ? CLI_EXIT_SUCCESS : refuse(path, "write to", errno);
@@ -111,7 +120,8 @@ int folder_refuse(const char *path, bool force) {
 }
 
 /* mkdir -p */
-static int make_path(const char *path) {
+static int make_path(const char *path)
+{
     char *part = strdup(path);
     if (part == NULL)
         return refuse_memory();
@@ -132,7 +142,8 @@ static int make_path(const char *path) {
 
 /* Two sessions in one folder would overwrite each other. The lock is the kernel's and goes with the process; a file
  *  system that has none is no reason to refuse. */
-static int take_lock(cli_folder *f) {
+static int take_lock(cli_folder *f)
+{
     f->lock = open(f->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (f->lock < 0)
         return refuse(f->path, "open the folder", errno);
@@ -145,7 +156,8 @@ static int take_lock(cli_folder *f) {
 }
 
 /* Removes leftovers, and what `clearing` says, from one folder; `inside` is "" or ends in a slash. */
-static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers) {
+static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers)
+{
     const struct dirent *entry;
     while ((entry = readdir(listing)) != NULL) {
         bool leftover = is_leftover(entry->d_name);
@@ -161,7 +173,8 @@ static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder
     return CLI_EXIT_SUCCESS;
 }
 
-static int clean(cli_folder *f, const char *inside, folder_clearing clearing) {
+static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
+{
     const char *path = folder_file(f, "%s", inside);
     if (path == NULL)
         return refuse_memory();
@@ -177,7 +190,8 @@ static int clean(cli_folder *f, const char *inside, folder_clearing clearing) {
     return code;
 }
 
-static int take(cli_folder *f, const char *path, folder_clearing clearing) {
+static int take(cli_folder *f, const char *path, folder_clearing clearing)
+{
     *f = (cli_folder){path, -1, NULL};
     int code = take_lock(f);
     if (code == CLI_EXIT_SUCCESS)
@@ -188,7 +202,8 @@ static int take(cli_folder *f, const char *path, folder_clearing clearing) {
     return code;
 }
 
-int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing) {
+int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing)
+{
     *f = (cli_folder)FOLDER_CLOSED;
     int code = make_path(path);
     if (code == CLI_EXIT_SUCCESS)
@@ -202,7 +217,8 @@ int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing) {
     return code;
 }
 
-int folder_open_again(cli_folder *f, const char *path) {
+int folder_open_again(cli_folder *f, const char *path)
+{
     *f = (cli_folder)FOLDER_CLOSED;
     struct stat status;
     if (stat(path, &status) != 0 || !S_ISDIR(status.st_mode)) {
@@ -212,7 +228,8 @@ int folder_open_again(cli_folder *f, const char *path) {
     return take(f, path, FOLDER_KEEP);
 }
 
-int folder_make_inside(cli_folder *f, const char *name) {
+int folder_make_inside(cli_folder *f, const char *name)
+{
     const char *path = folder_file(f, "%s", name);
     if (path == NULL)
         return refuse_memory();
@@ -221,7 +238,8 @@ int folder_make_inside(cli_folder *f, const char *name) {
     return CLI_EXIT_SUCCESS;
 }
 
-void folder_close(cli_folder *f) {
+void folder_close(cli_folder *f)
+{
     if (f->lock >= 0)
         close(f->lock);
     free(f->file);

@@ -22,7 +22,9 @@ typedef enum folder_clearing {
 } folder_clearing;
 
 #define FOLDER_CLOSED                                                                                                  \
-    { NULL, -1, NULL }
+    {                                                                                                                  \
+        NULL, -1, NULL                                                                                                 \
+    }
 
 /** Says no, with a message and an exit code, to a folder that cannot take new outputs: it holds something and `force`
  *  was not given, it is no folder, it cannot be written to. Touches nothing, so that it can be asked before the work.

@@ -57,7 +57,8 @@ static const char *const details[CLI_COMMAND_COUNT] = {
     [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file).\n",
 };
 
-void help_print(void) {
+void help_print(void)
+{
     printf("sph2d simulates liquids in two dimensions with smoothed particle hydrodynamics.\n\n");
     printf("usage: sph2d COMMAND ...\n\n");
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
@@ -65,7 +66,8 @@ void help_print(void) {
     printf("\n'sph2d COMMAND --help' tells the options of a command, 'sph2d --version' what this build has.\n");
 }
 
-void help_print_command(const cli_command *about) {
+void help_print_command(const cli_command *about)
+{
     printf("usage: sph2d %s %s [options]\n\n", about->name, about->operands);
     printf("%s.\n\n%s\n", about->text, details[about - commands]);
     if (about->bit == CLI_INIT) {
@@ -80,7 +82,8 @@ void help_print_command(const cli_command *about) {
 
 /* ---- version ----------------------------------------------------------------------------------------------------- */
 
-static void list_isas(char *out, size_t size) {
+static void list_isas(char *out, size_t size)
+{
     out[0] = '\0';
     for (int isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa) {
         size_t used = strlen(out);
@@ -89,7 +92,8 @@ static void list_isas(char *out, size_t size) {
     }
 }
 
-void help_print_version(bool json) {
+void help_print_version(bool json)
+{
 #ifdef _OPENMP
     const bool openmp = true;
 #else
@@ -119,7 +123,8 @@ void help_print_version(bool json) {
 
 /* ---- topics ------------------------------------------------------------------------------------------------------ */
 
-static void print_exits(void) {
+static void print_exits(void)
+{
     static const struct {
         int value;
         const char *sysexit, *text;
@@ -132,7 +137,8 @@ static void print_exits(void) {
         printf("%4d  %-14s %s\n", exits[i].value, exits[i].sysexit, exits[i].text);
 }
 
-static void print_codes(void) {
+static void print_codes(void)
+{
     static const struct {
         const char *code, *text;
     } codes[] = {
@@ -150,7 +156,8 @@ static const struct {
 } topics[] = {{"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
-static void unknown_topic(const char *topic) {
+static void unknown_topic(const char *topic)
+{
     const char *names[CLI_COMMAND_COUNT + TOPIC_COUNT];
     size_t count = 0;
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
@@ -164,7 +171,8 @@ static void unknown_topic(const char *topic) {
         message_usage("help", "no topic '%s'", topic);
 }
 
-int command_help(const cli_options *options) {
+int command_help(const cli_options *options)
+{
     if (options->operand_count == 0) {
         help_print();
         return CLI_EXIT_SUCCESS;

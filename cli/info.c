@@ -14,14 +14,16 @@
 
 static const char *const group_names[] = {"fluid", "wall", "run"};
 
-static double value_of(const sph2d_array *array, unsigned component, size_t index) {
+static double value_of(const sph2d_array *array, unsigned component, size_t index)
+{
     const void *data = array->data[component];
     size_t place = index * array->stride;
     return array->type == SPH2D_F64 ? ((const double *)data)[place] : (double)((const uint64_t *)data)[place];
 }
 
 /* The ends of one component's values; NaN for an empty array. */
-static void find_range(const sph2d_array *array, unsigned component, double *min, double *max) {
+static void find_range(const sph2d_array *array, unsigned component, double *min, double *max)
+{
     *min = *max = NAN;
     for (size_t i = 0; i < array->count; ++i) {
         double value = value_of(array, component, i);
@@ -32,7 +34,8 @@ static void find_range(const sph2d_array *array, unsigned component, double *min
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
-static void print_header(const char *path, const sph2d_snapshot_info *info) {
+static void print_header(const char *path, const sph2d_snapshot_info *info)
+{
     text_row("file", "%s", path);
     text_row("scene", "%s%s", info->scene_name, info->scene_text != NULL ? "" : " (from structs, without a file)");
     text_row("written by", "sph2d %s, method %s, %s", info->code_version, info->method, info->isa);
@@ -42,7 +45,8 @@ static void print_header(const char *path, const sph2d_snapshot_info *info) {
     text_row("spacing", "%g m; support radius %g m", info->spacing, info->support_radius);
 }
 
-static void print_field(const sph2d_array *array) {
+static void print_field(const sph2d_array *array)
+{
     char unit[TEXT_SIZE];
     text_unit(unit, array->unit);
     for (unsigned k = 0; k < array->components; ++k) {
@@ -60,7 +64,8 @@ static void print_field(const sph2d_array *array) {
 }
 
 /* Run scalars are shown whole, lists by their size. */
-static void print_run_array(const sph2d_array *array) {
+static void print_run_array(const sph2d_array *array)
+{
     char unit[TEXT_SIZE];
     text_unit(unit, array->unit);
     printf("  %-30s", array->name);
@@ -75,7 +80,8 @@ static void print_run_array(const sph2d_array *array) {
     printf("%s%s\n", unit[0] != '\0' ? " " : "", unit);
 }
 
-static void print_table(const char *path, const sph2d_snapshot *snapshot) {
+static void print_table(const char *path, const sph2d_snapshot *snapshot)
+{
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
     sph2d_state state = sph2d_snapshot_state(snapshot);
     print_header(path, &info);
@@ -98,7 +104,8 @@ static void print_table(const char *path, const sph2d_snapshot *snapshot) {
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
-static void add_array(cli_json *line, const sph2d_array *array) {
+static void add_array(cli_json *line, const sph2d_array *array)
+{
     char unit[TEXT_SIZE];
     json_open_object(line, NULL);
     json_text(line, "group", group_names[array->group]);
@@ -118,7 +125,8 @@ static void add_array(cli_json *line, const sph2d_array *array) {
     json_close_object(line);
 }
 
-static void print_object(const char *path, const sph2d_snapshot *snapshot) {
+static void print_object(const char *path, const sph2d_snapshot *snapshot)
+{
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
     sph2d_state state = sph2d_snapshot_state(snapshot);
     cli_json line = json_begin(stdout);
@@ -144,7 +152,8 @@ static void print_object(const char *path, const sph2d_snapshot *snapshot) {
     json_end(&line);
 }
 
-int command_info(const cli_options *options) {
+int command_info(const cli_options *options)
+{
     if (options->operand_count == 0) {
         message_usage("info", "a snapshot must be given");
         return CLI_EXIT_USAGE;

@@ -27,7 +27,8 @@ typedef struct writer {
 
 /* ---- what the template says -------------------------------------------------------------------------------------- */
 
-static const char *find_value(const writer *w, const char *path) {
+static const char *find_value(const writer *w, const char *path)
+{
     if (strcmp(path, "name") == 0)
         return w->name;
     for (size_t i = 0; i < w->template->count; ++i)
@@ -37,7 +38,8 @@ static const char *find_value(const writer *w, const char *path) {
 }
 
 /* Whether it says something about a key inside. */
-static bool has_inside(const writer *w, const char *path) {
+static bool has_inside(const writer *w, const char *path)
+{
     size_t length = strlen(path);
     for (size_t i = 0; i < w->template->count; ++i) {
         const char *given = w->template->values[i].path;
@@ -50,7 +52,8 @@ static bool has_inside(const writer *w, const char *path) {
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
 /* A key's description, broken at spaces. */
-static void write_comment(const writer *w, int indent, const sph2d_key *key) {
+static void write_comment(const writer *w, int indent, const sph2d_key *key)
+{
     char text[400];
     keys_describe(key, text, sizeof text);
     size_t room = (size_t)(WIDTH - indent - 2);
@@ -71,7 +74,8 @@ static void write_comment(const writer *w, int indent, const sph2d_key *key) {
 }
 
 /* A default that could stand in a file as it is; some are words about it. */
-static const char *literal_default(const sph2d_key *key) {
+static const char *literal_default(const sph2d_key *key)
+{
     double number;
     const char *text = key->standard;
     if (text == NULL)
@@ -89,7 +93,8 @@ typedef struct place {
 } place;
 
 /* A key that the template does not give is switched off with a #: without it the line is right. */
-static void write_key(const writer *w, place *p, bool given, const char *name, const char *value) {
+static void write_key(const writer *w, place *p, bool given, const char *name, const char *value)
+{
     const char *space = value[0] != '\0' ? " " : "";
     fprintf(w->out, "%*s%s%s%s:%s%s\n", p->indent, "", p->lead, given ? "" : "#", name, space, value);
     if (p->lead[0] != '\0')
@@ -98,7 +103,8 @@ static void write_key(const writer *w, place *p, bool given, const char *name, c
 
 static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p);
 
-static void write_items(const writer *w, const sph2d_key *key, const char *path, int indent) {
+static void write_items(const writer *w, const sph2d_key *key, const char *path, int indent)
+{
     char item[PATH_SIZE];
     snprintf(item, sizeof item, "%.100s[0]", path);
     for (size_t i = 1; has_inside(w, item); ++i) {
@@ -107,7 +113,8 @@ static void write_items(const writer *w, const sph2d_key *key, const char *path,
     }
 }
 
-static void write_one(const writer *w, const sph2d_key *key, const char *path, bool given, place *p) {
+static void write_one(const writer *w, const sph2d_key *key, const char *path, bool given, place *p)
+{
     int indent = p->indent + (int)strlen(p->lead);
     if (indent == 0)
         fputc('\n', w->out);
@@ -123,13 +130,15 @@ static void write_one(const writer *w, const sph2d_key *key, const char *path, b
     }
 }
 
-static bool is_given(const writer *w, const sph2d_key *key, const char *prefix, char path[PATH_SIZE]) {
+static bool is_given(const writer *w, const sph2d_key *key, const char *prefix, char path[PATH_SIZE])
+{
     snprintf(path, PATH_SIZE, "%.90s%s%.30s", prefix, prefix[0] != '\0' ? "." : "", key->name);
     return find_value(w, path) != NULL || has_inside(w, path);
 }
 
 /* Whether `key` is one of a choice in which the template takes another. */
-static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_key *key, const char *prefix) {
+static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_key *key, const char *prefix)
+{
     char path[PATH_SIZE];
     for (size_t i = 0; key->choice != 0 && i < keys->count; ++i) {
         const sph2d_key *other = &keys->items[i];
@@ -141,7 +150,8 @@ static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_
 }
 
 /* In a list's item the keys that have a value come first, since the dash must stand on one of them. */
-static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p) {
+static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p)
+{
     bool item = p.lead[0] != '\0';
     for (int pass = 0; pass < (item ? 2 : 1); ++pass) {
         for (size_t i = 0; i < keys->count; ++i) {
@@ -155,13 +165,15 @@ static void write_struct(const writer *w, const sph2d_keys *keys, const char *pr
 
 /* ---- the file ---------------------------------------------------------------------------------------------------- */
 
-static bool ends_with(const char *text, const char *end) {
+static bool ends_with(const char *text, const char *end)
+{
     size_t length = strlen(text), tail = strlen(end);
     return length > tail && strcmp(text + length - tail, end) == 0;
 }
 
 /* The scene's name: that of the file or folder, kept to letters that YAML takes as they are. */
-static void name_scene(const char *operand, char *name, size_t size) {
+static void name_scene(const char *operand, char *name, size_t size)
+{
     const char *slash = strrchr(operand, '/');
     snprintf(name, size, "%s", slash != NULL && slash[1] != '\0' ? slash + 1 : operand);
     char *dot = strrchr(name, '.');
@@ -172,7 +184,8 @@ static void name_scene(const char *operand, char *name, size_t size) {
         snprintf(name, size, "scene");
 }
 
-static int write_scene(const char *path, const scene_template *template, const char *name, bool force) {
+static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
+{
     /* "x" creates it or fails, so that nothing that came between is lost */
     FILE *out = fopen(path, force ? "w" : "wx");
     if (out == NULL) {
@@ -197,7 +210,8 @@ static int write_scene(const char *path, const scene_template *template, const c
     return CLI_EXIT_SUCCESS;
 }
 
-static const scene_template *find_template(const char *name) {
+static const scene_template *find_template(const char *name)
+{
     if (name == NULL)
         return &scene_templates[0];
     const char *names[8];
@@ -214,7 +228,8 @@ static const scene_template *find_template(const char *name) {
     return NULL;
 }
 
-int command_init(const cli_options *options) {
+int command_init(const cli_options *options)
+{
     if (options->operand_count != 1 || options->operands[0][0] == '\0') {
         message_usage("init", "one name must be given: a folder for scene.yaml, or a file NAME.yaml");
         return CLI_EXIT_USAGE;

@@ -9,7 +9,8 @@
 
 #include "text.h"
 
-static void write_string(FILE *out, const char *value) {
+static void write_string(FILE *out, const char *value)
+{
     putc('"', out);
     for (const unsigned char *s = (const unsigned char *)value; *s != '\0'; ++s) {
         if (*s == '"' || *s == '\\') {
@@ -33,7 +34,8 @@ static void write_string(FILE *out, const char *value) {
     putc('"', out);
 }
 
-static void start_item(cli_json *line, const char *key) {
+static void start_item(cli_json *line, const char *key)
+{
     if (line->comma)
         fputs(", ", line->out);
     line->comma = true;
@@ -43,7 +45,8 @@ static void start_item(cli_json *line, const char *key) {
     }
 }
 
-static void write_number(FILE *out, double value) {
+static void write_number(FILE *out, double value)
+{
     if (!isfinite(value)) {
         fputs("null", out);
         return;
@@ -57,16 +60,19 @@ static void write_number(FILE *out, double value) {
     fputs(digits, out);
 }
 
-cli_json json_begin(FILE *out) {
+cli_json json_begin(FILE *out)
+{
     putc('{', out);
     return (cli_json){out, false};
 }
 
-void json_end(cli_json *line) {
+void json_end(cli_json *line)
+{
     fputs("}\n", line->out);
 }
 
-void json_text(cli_json *line, const char *key, const char *value) {
+void json_text(cli_json *line, const char *key, const char *value)
+{
     start_item(line, key);
     if (value == NULL)
         fputs("null", line->out);
@@ -74,51 +80,61 @@ void json_text(cli_json *line, const char *key, const char *value) {
         write_string(line->out, value);
 }
 
-void json_number(cli_json *line, const char *key, double value) {
+void json_number(cli_json *line, const char *key, double value)
+{
     start_item(line, key);
     write_number(line->out, value);
 }
 
-void json_count(cli_json *line, const char *key, uint64_t value) {
+void json_count(cli_json *line, const char *key, uint64_t value)
+{
     start_item(line, key);
     fprintf(line->out, "%" PRIu64, value);
 }
 
-void json_flag(cli_json *line, const char *key, bool value) {
+void json_flag(cli_json *line, const char *key, bool value)
+{
     start_item(line, key);
     fputs(value ? "true" : "false", line->out);
 }
 
-void json_pair(cli_json *line, const char *key, double first, double second) {
+void json_pair(cli_json *line, const char *key, double first, double second)
+{
     json_open_array(line, key);
     json_number(line, NULL, first);
     json_number(line, NULL, second);
     json_close_array(line);
 }
 
-static void open_bracket(cli_json *line, const char *key, char bracket) {
+static void open_bracket(cli_json *line, const char *key, char bracket)
+{
     start_item(line, key);
     putc(bracket, line->out);
     line->comma = false;
 }
 
-static void close_bracket(cli_json *line, char bracket) {
+static void close_bracket(cli_json *line, char bracket)
+{
     putc(bracket, line->out);
     line->comma = true;
 }
 
-void json_open_object(cli_json *line, const char *key) {
+void json_open_object(cli_json *line, const char *key)
+{
     open_bracket(line, key, '{');
 }
 
-void json_close_object(cli_json *line) {
+void json_close_object(cli_json *line)
+{
     close_bracket(line, '}');
 }
 
-void json_open_array(cli_json *line, const char *key) {
+void json_open_array(cli_json *line, const char *key)
+{
     open_bracket(line, key, '[');
 }
 
-void json_close_array(cli_json *line) {
+void json_close_array(cli_json *line)
+{
     close_bracket(line, ']');
 }

@@ -10,7 +10,8 @@
 
 static void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-static void append(char *out, size_t size, const char *format, ...) {
+static void append(char *out, size_t size, const char *format, ...)
+{
     size_t used = strlen(out);
     va_list values;
     va_start(values, format);
@@ -18,12 +19,14 @@ static void append(char *out, size_t size, const char *format, ...) {
     va_end(values);
 }
 
-static bool is_number(sph2d_key_kind kind) {
+static bool is_number(sph2d_key_kind kind)
+{
     return kind == SPH2D_KEY_NUMBER || kind == SPH2D_KEY_COUNT || kind == SPH2D_KEY_COUNTS2 ||
            kind == SPH2D_KEY_NUMBERS;
 }
 
-static void append_range(char *out, size_t size, const sph2d_key *key) {
+static void append_range(char *out, size_t size, const sph2d_key *key)
+{
     const char *from = key->min_excluded ? "above" : "at least";
     bool below = isfinite(key->min), above = isfinite(key->max);
     if (below && above && !key->min_excluded)
@@ -36,7 +39,8 @@ static void append_range(char *out, size_t size, const sph2d_key *key) {
         append(out, size, "; at most %g", key->max);
 }
 
-char *keys_describe(const sph2d_key *key, char *out, size_t size) {
+char *keys_describe(const sph2d_key *key, char *out, size_t size)
+{
     snprintf(out, size, "%s", key->text);
     if (key->unit[0] != '\0')
         append(out, size, " [%s]", key->unit);
@@ -51,7 +55,8 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size) {
     return out;
 }
 
-static void print_keys(const sph2d_keys *keys, int depth, bool list) {
+static void print_keys(const sph2d_keys *keys, int depth, bool list)
+{
     for (size_t i = 0; i < keys->count; ++i) {
         const sph2d_key *key = &keys->items[i];
         char left[48], description[400];
@@ -65,6 +70,7 @@ static void print_keys(const sph2d_keys *keys, int depth, bool list) {
     }
 }
 
-void keys_print_all(void) {
+void keys_print_all(void)
+{
     print_keys(sph2d_scene_keys(), 0, false);
 }

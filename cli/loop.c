@@ -9,14 +9,16 @@
 #include "signals.h"
 
 /* Outputs have their own clock: the speed of a run is that of its steps. */
-static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report *report) {
+static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report *report)
+{
     double begun = clock_wall();
     sph2d_status status = outputs_write_due(o, report);
     result->output_wall += clock_wall() - begun;
     return status;
 }
 
-static sph2d_status step(sph2d_sim *sim, loop_result *result, sph2d_report *report) {
+static sph2d_status step(sph2d_sim *sim, loop_result *result, sph2d_report *report)
+{
     double wall = clock_wall(), cpu = clock_cpu();
     sph2d_status status = sph2d_sim_step(sim, report);
     result->step_wall += clock_wall() - wall;
@@ -24,12 +26,14 @@ static sph2d_status step(sph2d_sim *sim, loop_result *result, sph2d_report *repo
     return status;
 }
 
-static void fail(loop_result *result, sph2d_status status) {
+static void fail(loop_result *result, sph2d_status status)
+{
     result->end = status == SPH2D_GUARD ? LOOP_GUARD : LOOP_FAILED;
     result->status = status;
 }
 
-bool loop_done(const sph2d_sim *sim) {
+bool loop_done(const sph2d_sim *sim)
+{
     /* A sum of many steps may miss the end by a rounding error, and should not take one more for it. Whether an output
      * is due is decided with the same margin. */
     return sph2d_sim_time(sim) * (1 + 1e-12) >= sph2d_sim_scene(sim)->run.until;
@@ -38,7 +42,8 @@ bool loop_done(const sph2d_sim *sim) {
 /* Steps until there is a reason to stop. At least one step is taken before the deadline is looked at, so that a session
  * always gets somewhere, however little time it has. */
 static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, loop_result *result,
-                    sph2d_report *report) {
+                    sph2d_report *report)
+{
     const double until = sph2d_sim_scene(sim)->run.until;
     /* What a resumed run was restored from is written in full; an output that comes more often than a step would seem
      * due again. */
@@ -63,7 +68,8 @@ static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dead
         fail(result, status);
 }
 
-loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, sph2d_report *report) {
+loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, sph2d_report *report)
+{
     loop_result result = {.end = LOOP_FINISHED, .status = SPH2D_OK};
     sph2d_summary before = sph2d_sim_summary(sim);
     advance(sim, o, p, deadline, &result, report);

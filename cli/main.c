@@ -20,7 +20,8 @@ const cli_command commands[CLI_COMMAND_COUNT] = {
 #undef COMMAND_ROW
 };
 
-const cli_command *command_find(const char *name) {
+const cli_command *command_find(const char *name)
+{
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
         if (strcmp(commands[i].name, name) == 0)
             return &commands[i];
@@ -29,7 +30,8 @@ const cli_command *command_find(const char *name) {
 
 /* A standard stream that was closed leaves its number to the first file that is opened, and our messages would go into
  * that. So the number is taken, in a way that every write to it fails and is noticed. */
-static void hold_standard_streams(void) {
+static void hold_standard_streams(void)
+{
     static const int ways[] = {O_WRONLY, O_RDONLY, O_RDONLY};
     for (int number = 0; number < 3; ++number)
         if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", ways[number]) != number)
@@ -37,7 +39,8 @@ static void hold_standard_streams(void) {
 }
 
 /* Output that is still in the buffer may find the disk full: only the close tells. */
-static int close_output(int code) {
+static int close_output(int code)
+{
     bool failed = ferror(stdout) != 0;
     errno = 0;
     if (fclose(stdout) != 0)
@@ -49,7 +52,8 @@ static int close_output(int code) {
     return code == CLI_EXIT_SUCCESS ? CLI_EXIT_IO : code;
 }
 
-static void unknown_command(const char *word) {
+static void unknown_command(const char *word)
+{
     const char *names[CLI_COMMAND_COUNT];
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
         names[i] = commands[i].name;
@@ -60,7 +64,8 @@ static void unknown_command(const char *word) {
         message_usage(NULL, "unknown command '%s'", word);
 }
 
-static int act(const cli_command *what, int argc, char **argv) {
+static int act(const cli_command *what, int argc, char **argv)
+{
     cli_options options;
     int code = CLI_EXIT_USAGE;
     if (options_parse(&options, what->name, what->bit, argc, argv)) {
@@ -77,7 +82,8 @@ static int act(const cli_command *what, int argc, char **argv) {
 }
 
 /* Without a command: --help and --version alone make sense. */
-static int act_alone(int argc, char **argv) {
+static int act_alone(int argc, char **argv)
+{
     cli_options options;
     int code = CLI_EXIT_USAGE;
     if (options_parse(&options, NULL, CLI_HELP, argc, argv)) {
@@ -96,7 +102,8 @@ static int act_alone(int argc, char **argv) {
     return code;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     hold_standard_streams();
     if (argc < 2 || argv[1][0] == '-')
         return close_output(act_alone(argc, argv));

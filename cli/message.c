@@ -21,16 +21,19 @@ static struct {
 /* Room for a diagnostic with all its parts. */
 enum { MESSAGE_SIZE = 2048 };
 
-bool message_json(void) {
+bool message_json(void)
+{
     return style.json;
 }
 
-bool message_terminal(void) {
+bool message_terminal(void)
+{
     const char *term = getenv("TERM");
     return isatty(STDERR_FILENO) && term != NULL && strcmp(term, "dumb") != 0;
 }
 
-void message_setup(const cli_options *options) {
+void message_setup(const cli_options *options)
+{
     const char *no_color = getenv("NO_COLOR");
     style.json = options->json;
     style.quiet = options->quiet;
@@ -38,7 +41,8 @@ void message_setup(const cli_options *options) {
     style.color = !options->no_color && (no_color == NULL || no_color[0] == '\0') && message_terminal();
 }
 
-void message_status(const char *text) {
+void message_status(const char *text)
+{
     if (text == NULL && !style.status_shown)
         return;
     style.status_shown = text != NULL;
@@ -50,7 +54,8 @@ void message_status(const char *text) {
 
 /* Text may come from a file of garbage: whatever could steer a terminal, the control characters of Latin-1 included, is
  * replaced. */
-static void make_printable(char *text) {
+static void make_printable(char *text)
+{
     for (char *c = text; *c != '\0'; ++c) {
         unsigned char byte = (unsigned char)*c;
         size_t length = byte < 0x80 ? 1 : text_utf8_length(c);
@@ -64,7 +69,8 @@ static void make_printable(char *text) {
 
 /* One line, or several, in a single write, so that those of several processes do not mix. The word at `mark`, up to its
  *  colon, is coloured; NULL for none. */
-static void write_text(char *text, const char *mark, const char *color) {
+static void write_text(char *text, const char *mark, const char *color)
+{
     message_status(NULL);
     make_printable(text);
     char out[MESSAGE_SIZE + 32];
@@ -76,7 +82,8 @@ static void write_text(char *text, const char *mark, const char *color) {
         fwrite(out, 1, (size_t)length < sizeof out ? (size_t)length : sizeof out - 1, stderr);
 }
 
-static void write_diagnostic_text(const sph2d_diagnostic *diagnostic) {
+static void write_diagnostic_text(const sph2d_diagnostic *diagnostic)
+{
     char text[MESSAGE_SIZE] = "";
     /* What has a file starts with its name; the rest gets ours, and no code where it is none of the table. */
     bool warning = diagnostic->severity == SPH2D_WARNING;
@@ -97,7 +104,8 @@ static void write_diagnostic_text(const sph2d_diagnostic *diagnostic) {
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
 /* A stream into memory, so that the object reaches stderr in one write. NULL without memory: then it goes straight. */
-static void write_object(const char *severity, const sph2d_diagnostic *d) {
+static void write_object(const char *severity, const sph2d_diagnostic *d)
+{
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
@@ -121,7 +129,8 @@ static void write_object(const char *severity, const sph2d_diagnostic *d) {
     free(text);
 }
 
-static void write_diagnostic(const sph2d_diagnostic *diagnostic) {
+static void write_diagnostic(const sph2d_diagnostic *diagnostic)
+{
     if (style.json)
         write_object(diagnostic->severity == SPH2D_WARNING ? "warning" : "error", diagnostic);
     else
@@ -138,7 +147,8 @@ static void write_diagnostic(const sph2d_diagnostic *diagnostic) {
         va_end(values);                                                                                                \
     } while (0)
 
-void message_usage(const char *command, const char *format, ...) {
+void message_usage(const char *command, const char *format, ...)
+{
     sph2d_diagnostic d = {0};
     FORMAT_INTO(d.message, format);
     if (style.json) {
@@ -152,20 +162,23 @@ void message_usage(const char *command, const char *format, ...) {
     write_text(text, NULL, NULL);
 }
 
-void message_error(sph2d_code code, const char *hint, const char *format, ...) {
+void message_error(sph2d_code code, const char *hint, const char *format, ...)
+{
     sph2d_diagnostic d = {.code = code};
     FORMAT_INTO(d.message, format);
     snprintf(d.hint, sizeof d.hint, "%s", hint != NULL ? hint : "");
     write_diagnostic(&d);
 }
 
-void message_warning(sph2d_code code, const char *format, ...) {
+void message_warning(sph2d_code code, const char *format, ...)
+{
     sph2d_diagnostic d = {.severity = SPH2D_WARNING, .code = code};
     FORMAT_INTO(d.message, format);
     write_diagnostic(&d);
 }
 
-static void write_note(sph2d_diagnostic *d) {
+static void write_note(sph2d_diagnostic *d)
+{
     if (style.json) {
         write_object("note", d);
         return;
@@ -175,7 +188,8 @@ static void write_note(sph2d_diagnostic *d) {
     write_text(text, NULL, NULL);
 }
 
-void message_note(const char *format, ...) {
+void message_note(const char *format, ...)
+{
     if (style.quiet)
         return;
     sph2d_diagnostic d = {0};
@@ -183,7 +197,8 @@ void message_note(const char *format, ...) {
     write_note(&d);
 }
 
-void message_detail(const char *format, ...) {
+void message_detail(const char *format, ...)
+{
     if (style.verbose == 0)
         return;
     sph2d_diagnostic d = {0};
@@ -191,7 +206,8 @@ void message_detail(const char *format, ...) {
     write_note(&d);
 }
 
-void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene_file *file) {
+void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene_file *file)
+{
     for (size_t i = 0; i < report->count; ++i) {
         if (file != NULL && report->items[i].file[0] == '\0' && report->items[i].path[0] != '\0')
             sph2d_scene_file_locate(file, &report->items[i]);

@@ -75,7 +75,8 @@ static const option_row rows[] = {
 };
 enum { ROW_COUNT = sizeof rows / sizeof *rows };
 
-void options_print(unsigned command) {
+void options_print(unsigned command)
+{
     for (size_t i = 0; i < ROW_COUNT; ++i) {
         if ((rows[i].commands & command) == 0)
             continue;
@@ -91,12 +92,14 @@ void options_print(unsigned command) {
 
 /* ---- faults ------------------------------------------------------------------------------------------------------ */
 
-static bool bad_value(const char *name, const char *option, const char *value, const char *wanted) {
+static bool bad_value(const char *name, const char *option, const char *value, const char *wanted)
+{
     message_usage(name, "--%s: '%s' is not %s", option, value, wanted);
     return false;
 }
 
-static void unknown_option(const char *name, unsigned command, const char *given) {
+static void unknown_option(const char *name, unsigned command, const char *given)
+{
     char word[64];
     snprintf(word, sizeof word, "%s", given[0] == '-' && given[1] == '-' ? given + 2 : given);
     word[strcspn(word, "=")] = '\0';
@@ -121,14 +124,16 @@ static void unknown_option(const char *name, unsigned command, const char *given
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 
 /* The place of `value` in a NULL-terminated list, or -1. */
-static int find_word(const char *value, const char *const *words) {
+static int find_word(const char *value, const char *const *words)
+{
     for (int i = 0; words[i] != NULL; ++i)
         if (strcmp(value, words[i]) == 0)
             return i;
     return -1;
 }
 
-static bool take_override(cli_options *options, const char *name, char *pair) {
+static bool take_override(cli_options *options, const char *name, char *pair)
+{
     char *equals = strchr(pair, '=');
     if (equals == NULL || equals == pair)
         return bad_value(name, "set", pair, "KEY=VALUE");
@@ -143,7 +148,8 @@ static bool take_override(cli_options *options, const char *name, char *pair) {
     return true;
 }
 
-static bool take_isa(cli_options *options, const char *name, const char *value) {
+static bool take_isa(cli_options *options, const char *name, const char *value)
+{
     static const char *const words[] = {"auto", "baseline", "avx2", "avx512", NULL};
     int isa = find_word(value, words);
     if (isa < 0)
@@ -156,7 +162,8 @@ static bool take_isa(cli_options *options, const char *name, const char *value) 
     return true;
 }
 
-static bool take_progress(cli_options *options, const char *name, const char *value) {
+static bool take_progress(cli_options *options, const char *name, const char *value)
+{
     static const char *const words[] = {"auto", "always", "never", NULL};
     int mode = find_word(value, words);
     if (mode < 0)
@@ -165,7 +172,8 @@ static bool take_progress(cli_options *options, const char *name, const char *va
     return true;
 }
 
-static bool take_style(cli_options *options, const char *name, const char *value) {
+static bool take_style(cli_options *options, const char *name, const char *value)
+{
     static const char *const words[] = {"metaballs", "points", NULL};
     int style = find_word(value, words);
     if (style < 0)
@@ -175,7 +183,8 @@ static bool take_style(cli_options *options, const char *name, const char *value
     return true;
 }
 
-static bool take_gl(cli_options *options, const char *name, const char *value) {
+static bool take_gl(cli_options *options, const char *name, const char *value)
+{
     static const char *const words[] = {"osmesa", "egl", NULL};
     if (find_word(value, words) < 0)
         return bad_value(name, "gl", value, "osmesa or egl");
@@ -183,7 +192,8 @@ static bool take_gl(cli_options *options, const char *name, const char *value) {
     return true;
 }
 
-static bool take_threads(cli_options *options, const char *name, const char *value) {
+static bool take_threads(cli_options *options, const char *name, const char *value)
+{
     long threads;
     if (!parse_count(value, 1, 1024, &threads))
         return bad_value(name, "threads", value, "a number from 1 to 1024");
@@ -191,7 +201,8 @@ static bool take_threads(cli_options *options, const char *name, const char *val
     return true;
 }
 
-static bool take_color(cli_options *options, const char *name, const char *value) {
+static bool take_color(cli_options *options, const char *name, const char *value)
+{
     if (!picture_color_known(value)) {
         char colors[200];
         return bad_value(name, "color", value, picture_colors(colors, sizeof colors));
@@ -200,13 +211,15 @@ static bool take_color(cli_options *options, const char *name, const char *value
     return true;
 }
 
-static bool take_radius(cli_options *options, const char *name, const char *value) {
+static bool take_radius(cli_options *options, const char *name, const char *value)
+{
     if (!parse_number(value, &options->radius) || options->radius <= 0)
         return bad_value(name, "radius", value, "a number above 0, in metres");
     return true;
 }
 
-static bool take_option(cli_options *options, const char *name, int id, char *value) {
+static bool take_option(cli_options *options, const char *name, int id, char *value)
+{
     switch (id) {
     case 'o':
         options->output = value;
@@ -285,7 +298,8 @@ typedef struct getopt_tables {
     struct option longs[ROW_COUNT + 1];
 } getopt_tables;
 
-static void make_tables(getopt_tables *tables, unsigned command) {
+static void make_tables(getopt_tables *tables, unsigned command)
+{
     memset(tables, 0, sizeof *tables);
     char *letter = tables->letters;
     struct option *next = tables->longs;
@@ -303,13 +317,15 @@ static void make_tables(getopt_tables *tables, unsigned command) {
     }
 }
 
-static bool is_long(const char *given) {
+static bool is_long(const char *given)
+{
     return given[0] == '-' && given[1] == '-' && given[2] != '\0';
 }
 
 /* Says what getopt_long stumbled over. It tells least about long options: there optopt is 0 for an unknown one, and the
  * option's own id for one that takes no argument but got one. */
-static void explain_fault(const char *name, unsigned command, int result, const char *given) {
+static void explain_fault(const char *name, unsigned command, int result, const char *given)
+{
     char letter[3] = {'-', (char)optopt, '\0'};
     if (result == ':')
         message_usage(name, "'%s' needs an argument", is_long(given) ? given : letter);
@@ -320,7 +336,8 @@ static void explain_fault(const char *name, unsigned command, int result, const 
 }
 
 /* --json changes how faults of the options themselves are told, so it must be known before. */
-static void look_ahead(cli_options *options, int argc, char **argv) {
+static void look_ahead(cli_options *options, int argc, char **argv)
+{
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; ++i) {
         options->json = options->json || strcmp(argv[i], "--json") == 0;
         options->no_color = options->no_color || strcmp(argv[i], "--no-color") == 0;
@@ -328,7 +345,8 @@ static void look_ahead(cli_options *options, int argc, char **argv) {
     message_setup(options);
 }
 
-bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv) {
+bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv)
+{
     *options = (cli_options){0};
     look_ahead(options, argc, argv);
     getopt_tables tables;
@@ -352,7 +370,8 @@ bool options_parse(cli_options *options, const char *name, unsigned command, int
     return true;
 }
 
-void options_free(cli_options *options) {
+void options_free(cli_options *options)
+{
     free(options->overrides);
     options->overrides = NULL;
 }

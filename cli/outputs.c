@@ -9,16 +9,19 @@
 #include <string.h>
 #include <unistd.h>
 
-static const sph2d_scene *scene_of(const cli_outputs *o) {
+static const sph2d_scene *scene_of(const cli_outputs *o)
+{
     return sph2d_sim_scene(o->sim);
 }
 
-bool outputs_want_frames(const sph2d_scene *scene) {
+bool outputs_want_frames(const sph2d_scene *scene)
+{
     return sph2d_rate_interval(scene->run.frames.rate) > 0;
 }
 
 sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, const sph2d_scene_file *file,
-                          cli_painter *painter, saved_in saved, sph2d_report *report) {
+                          cli_painter *painter, saved_in saved, sph2d_report *report)
+{
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     *o = (cli_outputs){.folder = folder,
                        .sim = sim,
@@ -48,14 +51,16 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
 
 /* ---- one file ---------------------------------------------------------------------------------------------------- */
 
-static sph2d_status write_probe(cli_outputs *o, size_t index, sph2d_report *report) {
+static sph2d_status write_probe(cli_outputs *o, size_t index, sph2d_report *report)
+{
     double values[SPH2D_PROBE_MAX_COLUMNS];
     size_t count = sph2d_sim_probe(o->sim, index, values);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_PROBE + index);
     return sph2d_series_append(o->series[index], sph2d_sim_time(o->sim), values, count, report);
 }
 
-static sph2d_status write_frame(cli_outputs *o, sph2d_report *report) {
+static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
+{
     uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_FRAME);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_FRAME);
     if (o->painter == NULL)
@@ -67,7 +72,8 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report) {
     return painter_paint(o->painter, &source, &o->look, path, report);
 }
 
-static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report) {
+static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report)
+{
     if (path == NULL)
         return SPH2D_NOMEM;
     unsigned compress = (unsigned)scene_of(o)->run.snapshots.compress;
@@ -79,7 +85,8 @@ static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved
     return status;
 }
 
-static sph2d_status remove_checkpoint(cli_outputs *o, sph2d_report *report) {
+static sph2d_status remove_checkpoint(cli_outputs *o, sph2d_report *report)
+{
     const char *path = folder_file(o->folder, "checkpoint.h5");
     if (path == NULL)
         return SPH2D_NOMEM;
@@ -89,7 +96,8 @@ static sph2d_status remove_checkpoint(cli_outputs *o, sph2d_report *report) {
     return SPH2D_IO;
 }
 
-static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report) {
+static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report)
+{
     uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_SNAPSHOT);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_SNAPSHOT);
     const char *path = folder_file(o->folder, "snapshot_%06" PRIu64 ".h5", number);
@@ -101,7 +109,8 @@ static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report) {
 /* ---- all that is due --------------------------------------------------------------------------------------------- */
 
 /* The snapshot comes last: its state says that everything else at this step is written, so it must be. */
-sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report) {
+sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report)
+{
     sph2d_status status = SPH2D_OK;
     for (size_t i = 0; i < o->series_count && status == SPH2D_OK; ++i)
         if (sph2d_sim_output_due(o->sim, SPH2D_OUTPUT_PROBE + i))
@@ -113,11 +122,13 @@ sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report) {
     return status;
 }
 
-sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report) {
+sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report)
+{
     return write_state(o, folder_file(o->folder, "guard.h5"), SAVED_NOWHERE, report);
 }
 
-sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report) {
+sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)
+{
     bool here = o->saved_step == sph2d_sim_steps(o->sim);
     bool wanted = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
     if (here && o->saved == SAVED_IN_CHECKPOINT && wanted)
@@ -127,7 +138,8 @@ sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report) 
     return remove_checkpoint(o, report);
 }
 
-sph2d_status outputs_close(cli_outputs *o, sph2d_report *report) {
+sph2d_status outputs_close(cli_outputs *o, sph2d_report *report)
+{
     sph2d_status status = SPH2D_OK;
     for (size_t i = 0; i < o->series_count; ++i) {
         sph2d_status closed = sph2d_series_close(o->series[i], report);

@@ -8,7 +8,8 @@
 
 #ifdef SPH2D_NO_RENDER
 
-sph2d_status painter_create(const cli_look *look, const cli_options *options, cli_painter **out, sph2d_report *report) {
+sph2d_status painter_create(const cli_look *look, const cli_options *options, cli_painter **out, sph2d_report *report)
+{
     (void)look;
     (void)options;
     *out = NULL;
@@ -18,18 +19,21 @@ sph2d_status painter_create(const cli_look *look, const cli_options *options, cl
     return SPH2D_RENDER;
 }
 
-void painter_destroy(cli_painter *p) {
+void painter_destroy(cli_painter *p)
+{
     (void)p;
 }
 
-bool painter_fits(const cli_painter *p, const cli_look *look) {
+bool painter_fits(const cli_painter *p, const cli_look *look)
+{
     (void)p;
     (void)look;
     return false;
 }
 
 sph2d_status painter_paint(cli_painter *p, const particle_source *source, const cli_look *look, const char *path,
-                           sph2d_report *report) {
+                           sph2d_report *report)
+{
     (void)p;
     (void)source;
     (void)look;
@@ -38,13 +42,15 @@ sph2d_status painter_paint(cli_painter *p, const particle_source *source, const 
     return SPH2D_RENDER;
 }
 
-char *painter_describe(const cli_painter *p, char *out, size_t size) {
+char *painter_describe(const cli_painter *p, char *out, size_t size)
+{
     (void)p;
     snprintf(out, size, "none");
     return out;
 }
 
-const char *painter_backends(void) {
+const char *painter_backends(void)
+{
     return "none";
 }
 
@@ -56,7 +62,8 @@ struct cli_painter {
     picture_buffers buffers;
 };
 
-sph2d_status painter_create(const cli_look *look, const cli_options *options, cli_painter **out, sph2d_report *report) {
+sph2d_status painter_create(const cli_look *look, const cli_options *options, cli_painter **out, sph2d_report *report)
+{
     *out = NULL;
     cli_painter *p = calloc(1, sizeof *p);
     if (p == NULL)
@@ -77,7 +84,8 @@ sph2d_status painter_create(const cli_look *look, const cli_options *options, cl
     return SPH2D_OK;
 }
 
-void painter_destroy(cli_painter *p) {
+void painter_destroy(cli_painter *p)
+{
     if (p == NULL)
         return;
     sph2d_renderer_destroy(p->renderer);
@@ -85,13 +93,15 @@ void painter_destroy(cli_painter *p) {
     free(p);
 }
 
-bool painter_fits(const cli_painter *p, const cli_look *look) {
+bool painter_fits(const cli_painter *p, const cli_look *look)
+{
     return p->made_for.size[0] == look->frames.size[0] && p->made_for.size[1] == look->frames.size[1] &&
            p->made_for.style == look->frames.style;
 }
 
 sph2d_status painter_paint(cli_painter *p, const particle_source *source, const cli_look *look, const char *path,
-                           sph2d_report *report) {
+                           sph2d_report *report)
+{
     sph2d_picture picture;
     sph2d_status status = picture_make(source, look, &p->buffers, &picture, report);
     if (status == SPH2D_OK)
@@ -101,12 +111,14 @@ sph2d_status painter_paint(cli_painter *p, const particle_source *source, const 
     return status;
 }
 
-char *painter_describe(const cli_painter *p, char *out, size_t size) {
+char *painter_describe(const cli_painter *p, char *out, size_t size)
+{
     snprintf(out, size, "%s: %s", sph2d_renderer_gl(p->renderer), sph2d_renderer_gl_version(p->renderer));
     return out;
 }
 
-const char *painter_backends(void) {
+const char *painter_backends(void)
+{
     return sph2d_render_backends();
 }
 

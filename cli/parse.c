@@ -10,7 +10,8 @@
 #include <string.h>
 
 /* A number at the start of `text`; *end is what follows. strtod alone would skip spaces and take "nan" and "0x10". */
-static bool leading_number(const char *text, double *value, const char **end) {
+static bool leading_number(const char *text, double *value, const char **end)
+{
     const char *digits = text + (*text == '-' || *text == '+');
     if (!isdigit((unsigned char)digits[0]) && digits[0] != '.')
         return false;
@@ -22,12 +23,14 @@ static bool leading_number(const char *text, double *value, const char **end) {
     return after != text && isfinite(*value);
 }
 
-bool parse_number(const char *text, double *value) {
+bool parse_number(const char *text, double *value)
+{
     const char *end;
     return leading_number(text, value, &end) && *end == '\0';
 }
 
-bool parse_count(const char *text, long min, long max, long *value) {
+bool parse_count(const char *text, long min, long max, long *value)
+{
     if (!isdigit((unsigned char)text[0]))
         return false;
     char *end;
@@ -37,7 +40,8 @@ bool parse_count(const char *text, long min, long max, long *value) {
 }
 
 /* Seconds in a unit, 0 for no unit of ours. */
-static double unit_seconds(char unit) {
+static double unit_seconds(char unit)
+{
     switch (unit) {
     case 'd':
         return 86400;
@@ -52,7 +56,8 @@ static double unit_seconds(char unit) {
     }
 }
 
-bool parse_duration(const char *text, double *seconds) {
+bool parse_duration(const char *text, double *seconds)
+{
     *seconds = 0;
     do {
         double value;
@@ -71,7 +76,8 @@ bool parse_duration(const char *text, double *seconds) {
     return *seconds > 0 && isfinite(*seconds);
 }
 
-bool parse_size(const char *text, unsigned *width, unsigned *height) {
+bool parse_size(const char *text, unsigned *width, unsigned *height)
+{
     char first[8];
     size_t length = strcspn(text, "x");
     if (length == 0 || length >= sizeof first || text[length] != 'x')
@@ -87,7 +93,8 @@ bool parse_size(const char *text, unsigned *width, unsigned *height) {
     return true;
 }
 
-bool parse_range(const char *text, double *min, double *max) {
+bool parse_range(const char *text, double *min, double *max)
+{
     const char *comma;
     if (!leading_number(text, min, &comma) || *comma != ',')
         return false;

@@ -11,11 +11,13 @@
 
 #include "text.h"
 
-cli_look look_of_scene(const sph2d_scene *scene) {
+cli_look look_of_scene(const sph2d_scene *scene)
+{
     return (cli_look){scene->run.frames, scene->domain, scene->spacing};
 }
 
-cli_look look_of_snapshot(const sph2d_snapshot *snapshot) {
+cli_look look_of_snapshot(const sph2d_snapshot *snapshot)
+{
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
     return (cli_look){info.frames, info.domain, info.spacing};
 }
@@ -23,7 +25,8 @@ cli_look look_of_snapshot(const sph2d_snapshot *snapshot) {
 /* ---- fields ------------------------------------------------------------------------------------------------------ */
 
 /* A field by name; its name is NULL when there is none. */
-static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name) {
+static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name)
+{
     if (source->snapshot != NULL) {
         const sph2d_array *array = sph2d_snapshot_array(source->snapshot, group, name);
         return array != NULL ? *array : (sph2d_array){0};
@@ -37,20 +40,23 @@ static sph2d_array find_field(const particle_source *source, sph2d_group group, 
 }
 
 /* A field of two numbers a particle, as doubles one after the other; its name is NULL when it is of another form. */
-static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name) {
+static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name)
+{
     sph2d_array array = find_field(source, group, name);
     bool usable = array.name != NULL && array.type == SPH2D_F64 && array.components == 2;
     return usable && (array.stride == 1 || array.count <= 1) ? array : (sph2d_array){0};
 }
 
-static sph2d_status missing_field(sph2d_report *report, const char *name) {
+static sph2d_status missing_field(sph2d_report *report, const char *name)
+{
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "no usable field '%s' to draw", name);
     return SPH2D_FORMAT;
 }
 
 /* ---- colours ----------------------------------------------------------------------------------------------------- */
 
-bool picture_color_known(const char *name) {
+bool picture_color_known(const char *name)
+{
     if (strcmp(name, "speed") == 0)
         return true;
     for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
@@ -61,7 +67,8 @@ bool picture_color_known(const char *name) {
     return false;
 }
 
-char *picture_colors(char *out, size_t size) {
+char *picture_colors(char *out, size_t size)
+{
     snprintf(out, size, "speed");
     for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
         sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
@@ -72,7 +79,8 @@ char *picture_colors(char *out, size_t size) {
     return out;
 }
 
-sph2d_status look_check(const cli_look *look, sph2d_report *report) {
+sph2d_status look_check(const cli_look *look, sph2d_report *report)
+{
     const char *color = look->frames.color;
     if (look->frames.style != SPH2D_STYLE_POINTS || color == NULL || picture_color_known(color))
         return SPH2D_OK;
@@ -83,7 +91,8 @@ sph2d_status look_check(const cli_look *look, sph2d_report *report) {
     return SPH2D_SCENE;
 }
 
-static bool make_room(picture_buffers *buffers, size_t count) {
+static bool make_room(picture_buffers *buffers, size_t count)
+{
     if (count <= buffers->capacity)
         return true;
     double *grown = realloc(buffers->values, count * sizeof *grown);
@@ -94,13 +103,15 @@ static bool make_room(picture_buffers *buffers, size_t count) {
     return true;
 }
 
-static void fill_speeds(double *values, const sph2d_array *velocities) {
+static void fill_speeds(double *values, const sph2d_array *velocities)
+{
     const double *vx = velocities->data[0], *vy = velocities->data[1];
     for (size_t i = 0; i < velocities->count; ++i)
         values[i] = sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
 }
 
-static void fill_values(double *values, const sph2d_array *field) {
+static void fill_values(double *values, const sph2d_array *field)
+{
     for (size_t i = 0; i < field->count; ++i)
         values[i] = field->type == SPH2D_F64 ? ((const double *)field->data[0])[i * field->stride]
                                              : (double)((const uint64_t *)field->data[0])[i * field->stride];
@@ -108,7 +119,8 @@ static void fill_values(double *values, const sph2d_array *field) {
 
 /* The numbers that colour the points, and the text at the colour bar. */
 static sph2d_status make_values(const particle_source *source, const cli_look *look, picture_buffers *buffers,
-                                sph2d_picture *picture, sph2d_report *report) {
+                                sph2d_picture *picture, sph2d_report *report)
+{
     const char *name = look->frames.color;
     bool speed = strcmp(name, "speed") == 0;
     sph2d_array field =
@@ -134,7 +146,8 @@ static sph2d_status make_values(const particle_source *source, const cli_look *l
 /* ---- the picture ------------------------------------------------------------------------------------------------- */
 
 sph2d_status picture_make(const particle_source *source, const cli_look *look, picture_buffers *buffers,
-                          sph2d_picture *picture, sph2d_report *report) {
+                          sph2d_picture *picture, sph2d_report *report)
+{
     sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
     sph2d_array walls = find_vectors(source, SPH2D_GROUP_WALL, "Coordinates");
     if (fluid.name == NULL || walls.name == NULL)
@@ -157,7 +170,8 @@ sph2d_status picture_make(const particle_source *source, const cli_look *look, p
     return make_values(source, look, buffers, picture, report);
 }
 
-void picture_free(picture_buffers *buffers) {
+void picture_free(picture_buffers *buffers)
+{
     free(buffers->values);
     *buffers = (picture_buffers){0};
 }

@@ -19,7 +19,8 @@ static const double bar_interval = 0.1;
 static const double line_interval = 30;
 enum { BAR_WIDTH = 24, LINE_SIZE = 240 };
 
-cli_progress progress_begin(const cli_options *options, double from, double to) {
+cli_progress progress_begin(const cli_options *options, double from, double to)
+{
     cli_progress p = {.form = PROGRESS_OFF, .from = from, .to = to, .begun = clock_wall()};
     p.told = p.begun;
     if (options->progress == PROGRESS_NEVER || (options->quiet && options->progress == PROGRESS_AUTO))
@@ -30,7 +31,8 @@ cli_progress progress_begin(const cli_options *options, double from, double to) 
     return p;
 }
 
-static unsigned terminal_width(void) {
+static unsigned terminal_width(void)
+{
     struct winsize size;
     if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
         return size.ws_col;
@@ -38,7 +40,8 @@ static unsigned terminal_width(void) {
 }
 
 /* Cut to the terminal's width, since a line that wraps cannot be drawn over. */
-static void draw_bar(double done, const char *detail, const char *left) {
+static void draw_bar(double done, const char *detail, const char *left)
+{
     char bar[BAR_WIDTH + 1];
     int filled = (int)(done * BAR_WIDTH);
     for (int i = 0; i < BAR_WIDTH; ++i)
@@ -52,7 +55,8 @@ static void draw_bar(double done, const char *detail, const char *left) {
     message_status(line);
 }
 
-void progress_update(cli_progress *p, double now, const char *format, ...) {
+void progress_update(cli_progress *p, double now, const char *format, ...)
+{
     if (p->form == PROGRESS_OFF)
         return;
     double clock = clock_wall();
@@ -77,7 +81,8 @@ void progress_update(cli_progress *p, double now, const char *format, ...) {
         message_note("%3d %%  %s left  %s", (int)(done * 100), left, detail);
 }
 
-void progress_end(cli_progress *p) {
+void progress_end(cli_progress *p)
+{
     if (p->form == PROGRESS_BAR)
         message_status(NULL);
 }

@@ -10,7 +10,8 @@
 #include "threads.h"
 
 /* What the command line says about the look stands above what the snapshot says. */
-static cli_look wanted_look(const sph2d_snapshot *snapshot, const cli_options *options) {
+static cli_look wanted_look(const sph2d_snapshot *snapshot, const cli_options *options)
+{
     cli_look look = look_of_snapshot(snapshot);
     sph2d_frames *frames = &look.frames;
     if (options->width > 0) {
@@ -35,7 +36,8 @@ static cli_look wanted_look(const sph2d_snapshot *snapshot, const cli_options *o
     return look;
 }
 
-static int usage_fault(const cli_options *options) {
+static int usage_fault(const cli_options *options)
+{
     if (options->operand_count == 0)
         message_usage("render", "a snapshot must be given");
     else if (options->output == NULL)
@@ -58,7 +60,8 @@ typedef struct sequence {
 } sequence;
 
 /* A shell's order of files is that of time, but for a checkpoint, whose name comes before the snapshots'. */
-static void tell_disorder(sequence *s, double time, size_t index) {
+static void tell_disorder(sequence *s, double time, size_t index)
+{
     if (index > 0 && time < s->time && !s->disorder) {
         message_warning(SPH2D_CODE_GENERAL, "'%s' is earlier than the file before it; frames keep the order given",
                         s->options->operands[index]);
@@ -67,20 +70,23 @@ static void tell_disorder(sequence *s, double time, size_t index) {
     s->time = time;
 }
 
-static int told(sequence *s, sph2d_status status) {
+static int told(sequence *s, sph2d_status status)
+{
     message_report(status, &s->report, NULL);
     return exit_of_status(status);
 }
 
 /* The painter is made for the first picture, and again when one has another size or style. */
-static int make_painter(sequence *s, const cli_look *look) {
+static int make_painter(sequence *s, const cli_look *look)
+{
     if (s->painter != NULL && painter_fits(s->painter, look))
         return CLI_EXIT_SUCCESS;
     painter_destroy(s->painter);
     return told(s, painter_create(look, s->options, &s->painter, &s->report));
 }
 
-static int draw(sequence *s, const sph2d_snapshot *snapshot, size_t index) {
+static int draw(sequence *s, const sph2d_snapshot *snapshot, size_t index)
+{
     cli_look look = wanted_look(snapshot, s->options);
     int code = make_painter(s, &look);
     /* The folder is not touched before it is known that something can be drawn. */
@@ -94,7 +100,8 @@ static int draw(sequence *s, const sph2d_snapshot *snapshot, size_t index) {
     return told(s, status);
 }
 
-static int draw_all(sequence *s) {
+static int draw_all(sequence *s)
+{
     const cli_options *options = s->options;
     int code = folder_refuse(options->output, options->force);
     cli_progress progress = progress_begin(options, 0, (double)options->operand_count);
@@ -112,7 +119,8 @@ static int draw_all(sequence *s) {
     return code;
 }
 
-int command_render(const cli_options *options) {
+int command_render(const cli_options *options)
+{
     int code = usage_fault(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;

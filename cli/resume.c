@@ -16,13 +16,15 @@
 
 /* ---- which snapshot ---------------------------------------------------------------------------------------------- */
 
-static int compare_descending(const void *a, const void *b) {
+static int compare_descending(const void *a, const void *b)
+{
     uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x < y) - (x > y);
 }
 
 /* The numbers of all snapshots in the folder, the highest first; the caller frees them. */
-static uint64_t *list_snapshots(const char *path, size_t *count) {
+static uint64_t *list_snapshots(const char *path, size_t *count)
+{
     *count = 0;
     DIR *listing = opendir(path);
     if (listing == NULL)
@@ -48,7 +50,8 @@ static uint64_t *list_snapshots(const char *path, size_t *count) {
 }
 
 /* Reads one snapshot; one that cannot be used is told as a warning, since an older one may do. */
-static sph2d_snapshot *try_snapshot(cli_session *s, const char *path) {
+static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
+{
     sph2d_snapshot *snapshot = NULL;
     if (path == NULL || sph2d_snapshot_read(path, &snapshot, &s->report) == SPH2D_OK)
         return snapshot;
@@ -62,7 +65,8 @@ static sph2d_snapshot *try_snapshot(cli_session *s, const char *path) {
 
 /* The numbered snapshots of a run are in the order of its steps, so the first good one from the end is the newest; a
  *  checkpoint is newer when it has more steps. */
-static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved) {
+static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved)
+{
     size_t count;
     uint64_t *numbers = list_snapshots(s->folder.path, &count);
     sph2d_snapshot *newest = NULL;
@@ -88,7 +92,8 @@ static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved) {
 /* ---- going on ---------------------------------------------------------------------------------------------------- */
 
 /* Only the end of a run may change: with anything else it would not be the same run any more. */
-static int usage_fault(const cli_options *options) {
+static int usage_fault(const cli_options *options)
+{
     if (options->operand_count != 1) {
         message_usage("resume",
                       options->operand_count == 0 ? "the folder of a run must be given" : "one folder at a time");
@@ -104,7 +109,8 @@ static int usage_fault(const cli_options *options) {
     return CLI_EXIT_SUCCESS;
 }
 
-static int restore(cli_session *s, const sph2d_snapshot *snapshot) {
+static int restore(cli_session *s, const sph2d_snapshot *snapshot)
+{
     sph2d_state state = sph2d_snapshot_state(snapshot);
     sph2d_sim_options options = session_sim_options(s);
     sph2d_status status = sph2d_sim_restore(sph2d_scene_file_scene(s->file), &options, &state, &s->sim, &s->report);
@@ -112,7 +118,8 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot) {
 }
 
 /* There may be nothing left to do; then nothing in the folder changes. */
-static int go_on(cli_session *s, saved_in saved) {
+static int go_on(cli_session *s, saved_in saved)
+{
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     if (loop_done(s->sim)) {
         message_note("the run in '%s' is complete: t = %g s, run.until = %g s", s->folder.path, sph2d_sim_time(s->sim),
@@ -134,7 +141,8 @@ static int go_on(cli_session *s, saved_in saved) {
     return session_run(s, saved);
 }
 
-int command_resume(const cli_options *options) {
+int command_resume(const cli_options *options)
+{
     int code = usage_fault(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;

@@ -6,7 +6,8 @@
 #include "message.h"
 #include "session.h"
 
-static int usage_fault(const cli_options *options) {
+static int usage_fault(const cli_options *options)
+{
     if (options->operand_count != 1) {
         message_usage("run", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
         return CLI_EXIT_USAGE;
@@ -19,7 +20,8 @@ static int usage_fault(const cli_options *options) {
 }
 
 /* Everything that may be refused comes before the folder is touched. */
-static int prepare(cli_session *s, const char *scene) {
+static int prepare(cli_session *s, const char *scene)
+{
     const cli_options *options = s->options;
     sph2d_status status =
         sph2d_scene_file_read(scene, options->overrides, options->override_count, &s->file, &s->report);
@@ -38,14 +40,16 @@ static int prepare(cli_session *s, const char *scene) {
     return code;
 }
 
-static int take_folder(cli_session *s) {
+static int take_folder(cli_session *s)
+{
     int code = folder_open_new(&s->folder, s->options->output, s->options->force ? FOLDER_CLEAR_RUN : FOLDER_KEEP);
     if (code == CLI_EXIT_SUCCESS && s->painter != NULL)
         code = folder_make_inside(&s->folder, "frames");
     return code;
 }
 
-int command_run(const cli_options *options) {
+int command_run(const cli_options *options)
+{
     int code = usage_fault(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;

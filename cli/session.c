@@ -12,31 +12,36 @@
 #include "summary.h"
 #include "text.h"
 
-void session_begin(cli_session *s, const cli_options *options) {
+void session_begin(cli_session *s, const cli_options *options)
+{
     *s = (cli_session){.options = options, .begun = clock_wall(), .folder = FOLDER_CLOSED};
     s->threads = threads_choose(options);
     signals_install();
 }
 
-sph2d_sim_options session_sim_options(const cli_session *s) {
+sph2d_sim_options session_sim_options(const cli_session *s)
+{
     sph2d_sim_options sim = sph2d_sim_options_default();
     sim.threads = s->threads.count;
     sim.isa = s->options->isa;
     return sim;
 }
 
-int session_told_scene(cli_session *s, sph2d_status status) {
+int session_told_scene(cli_session *s, sph2d_status status)
+{
     if (status == SPH2D_OK)
         sph2d_report_clear(&s->report);
     return session_told(s, status);
 }
 
-int session_told(cli_session *s, sph2d_status status) {
+int session_told(cli_session *s, sph2d_status status)
+{
     message_report(status, &s->report, s->file);
     return exit_of_status(status);
 }
 
-int session_make_painter(cli_session *s) {
+int session_make_painter(cli_session *s)
+{
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     if (!outputs_want_frames(scene) || s->options->no_frames)
         return CLI_EXIT_SUCCESS;
@@ -51,7 +56,8 @@ int session_make_painter(cli_session *s) {
     return code;
 }
 
-static void tell_start(const cli_session *s) {
+static void tell_start(const cli_session *s)
+{
     const sph2d_plan *plan = sph2d_sim_plan(s->sim);
     message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
                  sph2d_sim_fluid(s->sim).count, sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
@@ -64,7 +70,8 @@ static void tell_start(const cli_session *s) {
                    sph2d_isa_name(sph2d_sim_isa(s->sim)));
 }
 
-static const char *end_name(const loop_result *result) {
+static const char *end_name(const loop_result *result)
+{
     switch (result->end) {
     case LOOP_FINISHED:
         return "finished";
@@ -80,7 +87,8 @@ static const char *end_name(const loop_result *result) {
     return "failed";
 }
 
-static int end_code(const loop_result *result) {
+static int end_code(const loop_result *result)
+{
     switch (result->end) {
     case LOOP_FINISHED:
         return CLI_EXIT_SUCCESS;
@@ -95,7 +103,8 @@ static int end_code(const loop_result *result) {
     return exit_of_status(result->status);
 }
 
-int session_run(cli_session *s, saved_in saved) {
+int session_run(cli_session *s, saved_in saved)
+{
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     cli_outputs outputs;
     sph2d_status status = outputs_open(&outputs, &s->folder, s->sim, s->file, s->painter, saved, &s->report);
@@ -119,7 +128,8 @@ int session_run(cli_session *s, saved_in saved) {
     return code == CLI_EXIT_SUCCESS ? close_code : code;
 }
 
-void session_end(cli_session *s) {
+void session_end(cli_session *s)
+{
     painter_destroy(s->painter);
     sph2d_sim_destroy(s->sim);
     sph2d_scene_file_destroy(s->file);

@@ -11,7 +11,8 @@ static volatile sig_atomic_t caught;
 static const int stopping[] = {SIGINT, SIGTERM};
 enum { STOPPING_COUNT = sizeof stopping / sizeof *stopping };
 
-static void take_note(int number) {
+static void take_note(int number)
+{
     caught = number;
     /* Whoever asks twice is in a hurry: both signals get their default action back. */
     struct sigaction standard = {.sa_handler = SIG_DFL};
@@ -19,7 +20,8 @@ static void take_note(int number) {
         sigaction(stopping[i], &standard, NULL);
 }
 
-void signals_install(void) {
+void signals_install(void)
+{
     struct sigaction action = {.sa_handler = take_note, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < STOPPING_COUNT; ++i) {
@@ -34,6 +36,7 @@ void signals_install(void) {
     sigaction(SIGXFSZ, &ignore, NULL);
 }
 
-int signals_caught(void) {
+int signals_caught(void)
+{
     return caught;
 }

@@ -12,18 +12,21 @@
 static const char *const side_names[] = {"left", "right", "bottom", "top"};
 static const char *const limit_names[] = {"acoustic", "force", "viscous", "fixed"};
 
-static double ratio(double above, double below) {
+static double ratio(double above, double below)
+{
     return below > 0 ? above / below : NAN;
 }
 
 /* What became of the energy that nobody fed in or took out. */
-static double energy_change(const sph2d_summary *s) {
+static double energy_change(const sph2d_summary *s)
+{
     return s->kinetic + s->potential - s->energy_start - s->energy_fed;
 }
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
-static void print_speed(const sph2d_sim *sim, const loop_result *result, const thread_choice *threads) {
+static void print_speed(const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
+{
     char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE], output[TEXT_SIZE];
     if (result->steps > 0) {
         double done = (double)result->particle_steps;
@@ -38,7 +41,8 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
 
-static void print_errors(const sph2d_summary *s) {
+static void print_errors(const sph2d_summary *s)
+{
     double change = energy_change(s);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
@@ -52,7 +56,8 @@ static void print_errors(const sph2d_summary *s) {
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }
 
-static void print_particles(const sph2d_summary *s) {
+static void print_particles(const sph2d_summary *s)
+{
     text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
     if (s->fed > 0 || s->blocked > 0)
         text_row("", "fed %" PRIu64 ", places taken %" PRIu64, s->fed, s->blocked);
@@ -68,7 +73,8 @@ static void print_particles(const sph2d_summary *s) {
     text_row("walls", "%" PRIu64 " backstop hits, %" PRIu64 " reflections", s->backstop_hits, s->reflections);
 }
 
-static void print_steps(const sph2d_summary *s) {
+static void print_steps(const sph2d_summary *s)
+{
     text_row("steps", "%" PRIu64, s->steps);
     if (s->steps > 0)
         text_row("", "of %.3g to %.3g s", s->time_step_min, s->time_step_max);
@@ -78,7 +84,8 @@ static void print_steps(const sph2d_summary *s) {
 }
 
 static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                        const thread_choice *threads) {
+                        const thread_choice *threads)
+{
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
     print_speed(sim, result, threads);
@@ -89,7 +96,8 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
-static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads) {
+static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
+{
     double done = (double)result->particle_steps;
     json_open_object(line, "speed");
     json_number(line, "particle_steps_per_second", ratio(done, result->step_wall));
@@ -106,7 +114,8 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_close_object(line);
 }
 
-static void add_errors(cli_json *line, const sph2d_summary *s) {
+static void add_errors(cli_json *line, const sph2d_summary *s)
+{
     json_open_object(line, "error");
     json_number(line, "compression_p99", s->compression_p99);
     json_number(line, "compression_mean", s->compression_mean);
@@ -121,7 +130,8 @@ static void add_errors(cli_json *line, const sph2d_summary *s) {
     json_close_object(line);
 }
 
-static void add_particles(cli_json *line, const sph2d_summary *s) {
+static void add_particles(cli_json *line, const sph2d_summary *s)
+{
     json_open_object(line, "particles");
     json_count(line, "now", s->particles);
     json_number(line, "neighbours", s->neighbours);
@@ -137,7 +147,8 @@ static void add_particles(cli_json *line, const sph2d_summary *s) {
     json_close_object(line);
 }
 
-static void add_steps(cli_json *line, const sph2d_summary *s) {
+static void add_steps(cli_json *line, const sph2d_summary *s)
+{
     json_count(line, "steps", s->steps);
     json_count(line, "particle_steps", s->particle_steps);
     json_pair(line, "time_step", s->time_step_min, s->time_step_max);
@@ -148,7 +159,8 @@ static void add_steps(cli_json *line, const sph2d_summary *s) {
 }
 
 static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                         const thread_choice *threads) {
+                         const thread_choice *threads)
+{
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     cli_json line = json_begin(stdout);
     json_text(&line, "scene", scene->name);
@@ -163,7 +175,8 @@ static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loo
 }
 
 void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
-                   const cli_options *options) {
+                   const cli_options *options)
+{
     sph2d_summary s = sph2d_sim_summary(sim);
     if (options->json)
         print_object(sim, &s, result, reason, threads);

@@ -5,7 +5,8 @@
 
 /* What they all share. */
 #define OUTPUTS                                                                                                        \
-    {"run.snapshots.per_second", "60"}, {"run.frames.per_second", "60"}, {"run.frames.size", "[1280, 720]"}, {         \
+    {"run.snapshots.per_second", "60"}, {"run.frames.per_second", "60"}, {"run.frames.size", "[1280, 720]"},           \
+    {                                                                                                                  \
         "run.frames.style", "metaballs"                                                                                \
     }
 
@@ -82,7 +83,9 @@ static const template_value stir[] = {
 };
 
 #define TEMPLATE(name, text)                                                                                           \
-    { #name, text, name, sizeof name / sizeof *name }
+    {                                                                                                                  \
+#name, text, name, sizeof name / sizeof *name                                                                  \
+    }
 
 const scene_template scene_templates[] = {
     TEMPLATE(dam_break, "a column of liquid falls, hits the far wall and comes back"),

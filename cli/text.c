@@ -12,14 +12,16 @@
 /* Longest word that suggestions look at; longer ones get none. */
 #define WORD_MAX 48
 
-static size_t smallest(size_t a, size_t b, size_t c) {
+static size_t smallest(size_t a, size_t b, size_t c)
+{
     size_t least = a < b ? a : b;
     return least < c ? least : c;
 }
 
 /* How many letters must be put in, left out, changed or swapped with their neighbour to come from a to b. Three rows of
  * the table of all beginnings of a against all of b are enough: this one, the one before, and the one before that. */
-static size_t edit_distance(const char *a, const char *b) {
+static size_t edit_distance(const char *a, const char *b)
+{
     size_t length_b = strlen(b);
     size_t rows[3][WORD_MAX + 1];
     for (size_t j = 0; j <= length_b; ++j)
@@ -38,7 +40,8 @@ static size_t edit_distance(const char *a, const char *b) {
     return rows[strlen(a) % 3][length_b];
 }
 
-const char *text_nearest(const char *word, const char *const *words, size_t count) {
+const char *text_nearest(const char *word, const char *const *words, size_t count)
+{
     size_t length = strlen(word);
     if (length == 0 || length > WORD_MAX)
         return NULL;
@@ -58,7 +61,8 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
 }
 
 /* Overlong forms, surrogates and stray bytes are refused. */
-size_t text_utf8_length(const char *text) {
+size_t text_utf8_length(const char *text)
+{
     static const struct {
         unsigned char first_min, first_max, second_min, second_max;
         size_t length;
@@ -79,7 +83,8 @@ size_t text_utf8_length(const char *text) {
     return 0;
 }
 
-char *text_bytes(char out[TEXT_SIZE], double bytes) {
+char *text_bytes(char out[TEXT_SIZE], double bytes)
+{
     static const char *const units[] = {"B", "KiB", "MiB", "GiB", "TiB", "PiB"};
     size_t unit = 0;
     while (bytes >= 1024 && unit + 1 < sizeof units / sizeof *units) {
@@ -90,7 +95,8 @@ char *text_bytes(char out[TEXT_SIZE], double bytes) {
     return out;
 }
 
-char *text_seconds(char out[TEXT_SIZE], double seconds) {
+char *text_seconds(char out[TEXT_SIZE], double seconds)
+{
     if (!(seconds >= 0) || seconds > 1e15) {
         snprintf(out, TEXT_SIZE, "unknown");
     } else if (seconds < 60) {
@@ -105,7 +111,8 @@ char *text_seconds(char out[TEXT_SIZE], double seconds) {
     return out;
 }
 
-char *text_count(char out[TEXT_SIZE], double count) {
+char *text_count(char out[TEXT_SIZE], double count)
+{
     static const char *const units[] = {"", " k", " M", " G", " T"};
     size_t unit = 0;
     while (count >= 999.5 && unit + 1 < sizeof units / sizeof *units) {
@@ -117,7 +124,8 @@ char *text_count(char out[TEXT_SIZE], double count) {
 }
 
 /* Appends the base units whose exponent has the wanted sign; returns how many there were. */
-static int append_units(char out[TEXT_SIZE], const signed char unit[3], int sign) {
+static int append_units(char out[TEXT_SIZE], const signed char unit[3], int sign)
+{
     static const char *const names[] = {"m", "kg", "s"};
     /* kg before m before s, as everyone writes them */
     static const int order[] = {1, 0, 2};
@@ -137,7 +145,8 @@ static int append_units(char out[TEXT_SIZE], const signed char unit[3], int sign
     return written;
 }
 
-char *text_unit(char out[TEXT_SIZE], const signed char unit[3]) {
+char *text_unit(char out[TEXT_SIZE], const signed char unit[3])
+{
     out[0] = '\0';
     if (unit[0] == -1 && unit[1] == 1 && unit[2] == -2) {
         snprintf(out, TEXT_SIZE, "Pa");
@@ -154,7 +163,8 @@ char *text_unit(char out[TEXT_SIZE], const signed char unit[3]) {
     return out;
 }
 
-void text_row(const char *name, const char *format, ...) {
+void text_row(const char *name, const char *format, ...)
+{
     printf("%-22s ", name);
     va_list values;
     va_start(values, format);

@@ -14,7 +14,8 @@
 enum { THREADS_MAX = 1024 };
 
 /* OMP_NUM_THREADS may be a list, one number a nesting level; the first counts. 0 when there is none. */
-static int environment_threads(void) {
+static int environment_threads(void)
+{
     const char *text = getenv("OMP_NUM_THREADS");
     if (text == NULL)
         return 0;
@@ -24,14 +25,16 @@ static int environment_threads(void) {
 }
 
 /* 0 when the system does not say. */
-static int affinity_threads(void) {
+static int affinity_threads(void)
+{
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) != 0)
         return 0;
     return CPU_COUNT(&set);
 }
 
-static thread_choice choose(const cli_options *options) {
+static thread_choice choose(const cli_options *options)
+{
     int count = options->threads;
     if (count > 0)
         return (thread_choice){count, "--threads"};
@@ -45,14 +48,16 @@ static thread_choice choose(const cli_options *options) {
 
 #else
 
-static thread_choice choose(const cli_options *options) {
+static thread_choice choose(const cli_options *options)
+{
     (void)options;
     return (thread_choice){1, "this build has no OpenMP"};
 }
 
 #endif
 
-thread_choice threads_choose(const cli_options *options) {
+thread_choice threads_choose(const cli_options *options)
+{
     thread_choice choice = choose(options);
     char count[16];
     snprintf(count, sizeof count, "%d", choice.count);
@@ -60,12 +65,14 @@ thread_choice threads_choose(const cli_options *options) {
     return choice;
 }
 
-char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice) {
+char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice)
+{
     snprintf(out, TEXT_SIZE, "%d thread%s (%s)", count, count == 1 ? "" : "s", choice->source);
     return out;
 }
 
-void threads_wait_passively(char **argv) {
+void threads_wait_passively(char **argv)
+{
     /* Once set it is found here again, so that this happens only once. */
     if (getenv("OMP_WAIT_POLICY") != NULL || getenv("GOMP_SPINCOUNT") != NULL)
         return;

@@ -3,8 +3,8 @@
  *  The solver inside another program: a scene from structs, steps, positions. Links libsph2d alone.
  *
  *      cc embed.c $(pkg-config --cflags --libs sph2d) -o embed && ./embed */
-#include <stdio.h>
 #include <sph2d/sph2d.h>
+#include <stdio.h>
 
 int main(void)
 {

@@ -25,7 +25,8 @@ static const char *const ways[] = {"osmesa", "egl"};
 enum { WAYS = sizeof ways / sizeof ways[0] };
 
 /** A renderer that must work; NULL only where `gl` names a way that this build or machine lacks. */
-static sph2d_renderer *make(const char *gl, unsigned width, unsigned height, sph2d_style style) {
+static sph2d_renderer *make(const char *gl, unsigned width, unsigned height, sph2d_style style)
+{
     sph2d_render_options options = sph2d_render_options_default();
     options.gl = gl;
     options.width = width;
@@ -42,7 +43,8 @@ static sph2d_renderer *make(const char *gl, unsigned width, unsigned height, sph
 }
 
 /** Draws and returns the pixels. */
-static const unsigned char *draw(sph2d_renderer *renderer, const sph2d_picture *picture) {
+static const unsigned char *draw(sph2d_renderer *renderer, const sph2d_picture *picture)
+{
     sph2d_report report = {0};
     ck_assert_msg(sph2d_renderer_draw(renderer, picture, &report) == SPH2D_OK, "%s", test_report_text(&report));
     const unsigned char *pixels = sph2d_renderer_pixels(renderer);
@@ -52,7 +54,8 @@ static const unsigned char *draw(sph2d_renderer *renderer, const sph2d_picture *
 
 /** A copy of the pixels of a picture, drawn by a renderer of its own. */
 static unsigned char *draw_alone(const char *gl, unsigned width, unsigned height, sph2d_style style,
-                                 const sph2d_picture *picture) {
+                                 const sph2d_picture *picture)
+{
     sph2d_renderer *renderer = make(gl, width, height, style);
     if (renderer == NULL)
         return NULL;
@@ -65,7 +68,8 @@ static unsigned char *draw_alone(const char *gl, unsigned width, unsigned height
 }
 
 /** Whether all tests share this process. */
-static bool not_forked(void) {
+static bool not_forked(void)
+{
     const char *mode = getenv("CK_FORK");
     return mode != NULL && strcmp(mode, "no") == 0;
 }
@@ -78,7 +82,8 @@ typedef struct splash {
     sph2d_picture picture;
 } splash;
 
-static splash *make_splash(double offset) {
+static splash *make_splash(double offset)
+{
     splash *s = calloc(1, sizeof *s);
     ck_assert_ptr_nonnull(s);
     uint64_t seed = 7;
@@ -110,11 +115,13 @@ static splash *make_splash(double offset) {
 }
 
 /** Water is dark in the red channel, the background and what lies beside the view are light. */
-static bool is_water(const unsigned char *pixels, unsigned width, unsigned x, unsigned y) {
+static bool is_water(const unsigned char *pixels, unsigned width, unsigned x, unsigned y)
+{
     return pixels[4 * ((size_t)y * width + x)] < 160;
 }
 
-static size_t count_water(const unsigned char *pixels, unsigned width, unsigned height) {
+static size_t count_water(const unsigned char *pixels, unsigned width, unsigned height)
+{
     size_t count = 0;
     for (unsigned y = 0; y < height; ++y)
         for (unsigned x = 0; x < width; ++x)
@@ -126,19 +133,22 @@ static size_t count_water(const unsigned char *pixels, unsigned width, unsigned 
 
 static char folder[64];
 
-static void make_folder(void) {
+static void make_folder(void)
+{
     snprintf(folder, sizeof folder, "/tmp/sph2d-render-XXXXXX");
     ck_assert_ptr_nonnull(mkdtemp(folder));
 }
 
-static const char *path_in_folder(const char *name) {
+static const char *path_in_folder(const char *name)
+{
     static char path[sizeof folder + 256 + 1]; /* as long as a name can be */
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return path;
 }
 
 /** Removes the folder's files and returns how many there were. */
-static int empty_folder(void) {
+static int empty_folder(void)
+{
     int count = 0;
     DIR *dir = opendir(folder);
     ck_assert_ptr_nonnull(dir);
@@ -151,12 +161,14 @@ static int empty_folder(void) {
     return count;
 }
 
-static void remove_folder(void) {
+static void remove_folder(void)
+{
     empty_folder();
     rmdir(folder);
 }
 
-static void write_file(const char *name, const char *text) {
+static void write_file(const char *name, const char *text)
+{
     FILE *file = fopen(path_in_folder(name), "w");
     ck_assert_ptr_nonnull(file);
     fputs(text, file);
@@ -164,7 +176,8 @@ static void write_file(const char *name, const char *text) {
 }
 
 /** All bytes of a file. */
-static unsigned char *read_file(const char *path, size_t *size) {
+static unsigned char *read_file(const char *path, size_t *size)
+{
     FILE *file = fopen(path, "rb");
     ck_assert_ptr_nonnull(file);
     unsigned char *bytes = malloc(1 << 22);
@@ -176,7 +189,8 @@ static unsigned char *read_file(const char *path, size_t *size) {
 
 /* ---- creation ---------------------------------------------------------------------------------------------------- */
 
-START_TEST(every_way_draws) {
+START_TEST(every_way_draws)
+{
     int working = 0;
     for (int w = 0; w < WAYS; ++w)
         for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
@@ -195,7 +209,8 @@ START_TEST(every_way_draws) {
 }
 END_TEST
 
-START_TEST(options_are_checked) {
+START_TEST(options_are_checked)
+{
     const sph2d_render_options fine = sph2d_render_options_default();
     sph2d_render_options bad[7];
     for (int i = 0; i < 7; ++i)
@@ -220,7 +235,8 @@ START_TEST(options_are_checked) {
 }
 END_TEST
 
-START_TEST(missing_gl_is_a_sentence) {
+START_TEST(missing_gl_is_a_sentence)
+{
     if (not_forked())
         return; /* what follows works before Mesa is used, and not afterwards */
     /* Mesa lowers its version on request. */
@@ -236,7 +252,8 @@ START_TEST(missing_gl_is_a_sentence) {
 }
 END_TEST
 
-START_TEST(bad_shaders_are_located) {
+START_TEST(bad_shaders_are_located)
+{
     sph2d_render_options options = sph2d_render_options_default();
     options.shader_dir = folder;
     sph2d_report report = {0};
@@ -263,7 +280,8 @@ END_TEST
 
 /* ---- what is drawn ----------------------------------------------------------------------------------------------- */
 
-START_TEST(pictures_are_checked) {
+START_TEST(pictures_are_checked)
+{
     splash *s = make_splash(0.0);
     sph2d_picture bad[10];
     for (int i = 0; i < 10; ++i)
@@ -293,7 +311,8 @@ START_TEST(pictures_are_checked) {
 }
 END_TEST
 
-START_TEST(nothing_is_background) {
+START_TEST(nothing_is_background)
+{
     const sph2d_picture picture = {.view = {{0.0, 0.0}, {1.0, 1.0}}};
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         sph2d_renderer *renderer = make(NULL, 90, 40, style);
@@ -318,7 +337,8 @@ END_TEST
 
 /* A lone ball is seen where r^4 - r^2 + 1/4 > T in units of R, with sqrt T = 1/2 - 1/(4 pi): up to R/(2 sqrt pi). At R
  * of two spacings that circle is as large as the square of a particle. */
-START_TEST(lone_ball_has_its_radius) {
+START_TEST(lone_ball_has_its_radius)
+{
     const double radii[] = {8.0, 25.0, 60.0, 300.0}; /* R [px] */
     const double x = 0.5, y = 0.5;
     sph2d_renderer *renderer = make(NULL, 400, 400, SPH2D_STYLE_METABALLS);
@@ -337,7 +357,8 @@ START_TEST(lone_ball_has_its_radius) {
 }
 END_TEST
 
-START_TEST(water_covers_its_area) {
+START_TEST(water_covers_its_area)
+{
     splash *s = make_splash(0.0);
     s->picture.wall_count = 0;
     sph2d_renderer *renderer = make(NULL, 1280, 720, SPH2D_STYLE_METABALLS);
@@ -355,7 +376,8 @@ START_TEST(water_covers_its_area) {
 }
 END_TEST
 
-START_TEST(points_show_values) {
+START_TEST(points_show_values)
+{
     static const unsigned char lowest[3] = {68, 1, 84}, highest[3] = {253, 231, 37}, grey[3] = {150, 150, 150};
     const double x[] = {0.25, 0.5, 0.75}, y[] = {0.5, 0.5, 0.5}, values[] = {1.0, NAN, 2.0};
     sph2d_picture picture = {
@@ -374,7 +396,8 @@ START_TEST(points_show_values) {
 }
 END_TEST
 
-START_TEST(color_bar_takes_any_numbers) {
+START_TEST(color_bar_takes_any_numbers)
+{
     const double x[] = {0.25, 0.75}, y[] = {0.5, 0.5};
     const double pairs[][2] = {{0.0, 0.0},       {3.0, 3.0},     {-1.0, 1.0},     {1.0e-9, 3.0e-9},
                                {1.0e20, 3.0e20}, {NAN, NAN},     {INFINITY, 1.0}, {1.0e6, 1.0e6 + 1.0e-6},
@@ -401,7 +424,8 @@ START_TEST(color_bar_takes_any_numbers) {
 }
 END_TEST
 
-START_TEST(not_finite_is_left_out) {
+START_TEST(not_finite_is_left_out)
+{
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         splash *s = make_splash(0.0);
         s->picture.value_max = 100.0;
@@ -424,7 +448,8 @@ START_TEST(not_finite_is_left_out) {
 }
 END_TEST
 
-START_TEST(far_from_the_origin_looks_the_same) {
+START_TEST(far_from_the_origin_looks_the_same)
+{
     splash *near = make_splash(0.0), *far = make_splash(1.0e6);
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         unsigned char *a = draw_alone(NULL, 640, 360, style, &near->picture);
@@ -442,7 +467,8 @@ START_TEST(far_from_the_origin_looks_the_same) {
 }
 END_TEST
 
-START_TEST(any_size_works) {
+START_TEST(any_size_works)
+{
     static const unsigned sizes[][2] = {{16, 16}, {3000, 17}, {17, 3000}, {33, 31}};
     splash *s = make_splash(0.0);
     for (int i = 0; i < 4; ++i)
@@ -457,7 +483,8 @@ END_TEST
 
 /* ---- determinism ------------------------------------------------------------------------------------------------- */
 
-START_TEST(same_pixels_every_time) {
+START_TEST(same_pixels_every_time)
+{
     splash *s = make_splash(0.0), *other = make_splash(0.3);
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
         unsigned char *first = NULL;
@@ -483,7 +510,8 @@ START_TEST(same_pixels_every_time) {
 END_TEST
 
 /** Draws in a process of its own, since the driver counts its threads once. */
-static void draw_with_threads(const char *threads, const sph2d_picture *picture, unsigned char *pixels, size_t size) {
+static void draw_with_threads(const char *threads, const sph2d_picture *picture, unsigned char *pixels, size_t size)
+{
     int ends[2];
     ck_assert_int_eq(pipe(ends), 0);
     const pid_t child = fork();
@@ -510,7 +538,8 @@ static void draw_with_threads(const char *threads, const sph2d_picture *picture,
     ck_assert_uint_eq(done, size);
 }
 
-START_TEST(any_number_of_threads_draws_the_same) {
+START_TEST(any_number_of_threads_draws_the_same)
+{
     if (not_forked())
         return; /* a forked child cannot draw once its parent has */
     static unsigned char one[320 * 180 * 4], other[320 * 180 * 4];
@@ -526,7 +555,8 @@ END_TEST
 
 /* ---- PNG --------------------------------------------------------------------------------------------------------- */
 
-START_TEST(png_holds_the_pixels) {
+START_TEST(png_holds_the_pixels)
+{
     splash *s = make_splash(0.0);
     sph2d_renderer *renderer = make(NULL, 320, 180, SPH2D_STYLE_METABALLS);
     const unsigned char *pixels = draw(renderer, &s->picture);
@@ -556,7 +586,8 @@ START_TEST(png_holds_the_pixels) {
 }
 END_TEST
 
-START_TEST(unwritable_png_leaves_nothing) {
+START_TEST(unwritable_png_leaves_nothing)
+{
     splash *s = make_splash(0.0);
     sph2d_renderer *renderer = make(NULL, 320, 180, SPH2D_STYLE_METABALLS);
     draw(renderer, &s->picture);
@@ -590,7 +621,8 @@ START_TEST(unwritable_png_leaves_nothing) {
 }
 END_TEST
 
-Suite *suite_render(void) {
+Suite *suite_render(void)
+{
     Suite *suite = suite_create("render");
     TCase *drawing = tcase_create("drawing");
     tcase_add_test(drawing, missing_gl_is_a_sentence);

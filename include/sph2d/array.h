@@ -24,10 +24,10 @@ typedef struct sph2d_array {
     const char *description; /**< one sentence */
     signed char unit[3];     /**< exponents of metre, kilogram and second */
     sph2d_type type;
-    unsigned components;     /**< 1 or 2 */
-    size_t count;            /**< values; 1 for a scalar of the run */
-    size_t stride;           /**< 1, or 0 when all values are the one that data points at */
-    const void *data[2];     /**< double or uint64_t by `type`; data[1] is NULL for one component */
+    unsigned components; /**< 1 or 2 */
+    size_t count;        /**< values; 1 for a scalar of the run */
+    size_t stride;       /**< 1, or 0 when all values are the one that data points at */
+    const void *data[2]; /**< double or uint64_t by `type`; data[1] is NULL for one component */
 } sph2d_array;
 
 #endif

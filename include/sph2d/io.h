@@ -48,8 +48,8 @@ SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagn
 /* ---- snapshots --------------------------------------------------------------------------------------------------- */
 
 /** Writes a simulation's fields and state. `file` is the scene it came from, kept verbatim in the snapshot so that it
- *  can be resumed alone; NULL for a scene built from structs. Same simulation, same bytes. `compress` is a deflate level,
- *  0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
+ *  can be resumed alone; NULL for a scene built from structs. Same simulation, same bytes. `compress` is a deflate
+ * level, 0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
                                             const char *path, sph2d_report *report);
 
@@ -59,17 +59,17 @@ typedef struct sph2d_snapshot sph2d_snapshot;
 /** What a snapshot says about itself. */
 typedef struct sph2d_snapshot_info {
     const char *scene_name;
-    const char *code_version;  /**< of the program that wrote it */
+    const char *code_version; /**< of the program that wrote it */
     const char *method;
     const char *isa;
-    const char *scene_text;    /**< NULL when it was built from structs */
-    double time;               /**< [s] */
-    double time_step;          /**< [s] */
+    const char *scene_text; /**< NULL when it was built from structs */
+    double time;            /**< [s] */
+    double time_step;       /**< [s] */
     uint64_t steps;
-    sph2d_box domain;          /**< [m] */
-    double spacing;            /**< [m] */
-    double support_radius;     /**< [m] */
-    sph2d_frames frames;       /**< how the run draws itself; `color` is valid as long as the snapshot */
+    sph2d_box domain;      /**< [m] */
+    double spacing;        /**< [m] */
+    double support_radius; /**< [m] */
+    sph2d_frames frames;   /**< how the run draws itself; `color` is valid as long as the snapshot */
 } sph2d_snapshot_info;
 
 /** Reads a snapshot. Errors: SPH2D_NOINPUT, SPH2D_FORMAT (not HDF5, incomplete, a field missing or misshapen, another

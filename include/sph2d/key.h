@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file key.h
  *  The table of the scene's keys: name, kind, place in the struct, unit, range, default and meaning of each. The scene
- *  reader, the checker's ranges, `sph2d init` and the documentation are all driven by it, so a new key is one new row. */
+ *  reader, the checker's ranges, `sph2d init` and the documentation are all driven by it, so a new key is one new row.
+ */
 #ifndef SPH2D_KEY_H
 #define SPH2D_KEY_H
 
@@ -32,18 +33,18 @@ struct sph2d_keys;
 typedef struct sph2d_key {
     const char *name;
     sph2d_key_kind kind;
-    bool required;       /**< a file must give it */
-    size_t offset;       /**< in the struct that owns the key */
-    size_t count_offset; /**< of the number of items, for the list kinds */
-    double min, max;     /**< range of numbers and of point coordinates, both ends included ... */
-    bool min_excluded;   /**< ... but the lower end where this is set */
-    size_t choice_offset;           /**< of an int that tells which key of a choice is given ... */
-    int choice;                     /**< ... and its value for this key; 0: the key is no part of a choice */
-    const char *const *words;       /**< names of a WORD's values 0, 1, ..., ended by NULL */
-    const struct sph2d_keys *keys;  /**< of a GROUP or LIST */
-    const char *unit;               /**< "m", "Pa s"; "" for none */
-    const char *standard;           /**< the default, in words; NULL for none */
-    const char *text;               /**< one sentence */
+    bool required;                 /**< a file must give it */
+    size_t offset;                 /**< in the struct that owns the key */
+    size_t count_offset;           /**< of the number of items, for the list kinds */
+    double min, max;               /**< range of numbers and of point coordinates, both ends included ... */
+    bool min_excluded;             /**< ... but the lower end where this is set */
+    size_t choice_offset;          /**< of an int that tells which key of a choice is given ... */
+    int choice;                    /**< ... and its value for this key; 0: the key is no part of a choice */
+    const char *const *words;      /**< names of a WORD's values 0, 1, ..., ended by NULL */
+    const struct sph2d_keys *keys; /**< of a GROUP or LIST */
+    const char *unit;              /**< "m", "Pa s"; "" for none */
+    const char *standard;          /**< the default, in words; NULL for none */
+    const char *text;              /**< one sentence */
 } sph2d_key;
 
 /** The keys of one struct. */

@@ -125,12 +125,13 @@ typedef struct sph2d_method_options {
     double time_step;       /**< fixed step [s]; default 0: adaptive */
 } sph2d_method_options;
 
-/** A piece of liquid at the start: particles on a square lattice. Places inside or too close to an obstacle stay free. */
+/** A piece of liquid at the start: particles on a square lattice. Places inside or too close to an obstacle stay free.
+ */
 typedef struct sph2d_block {
     sph2d_shape shape;   /**< box, disc or polygon */
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
-    double spacing;      /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
-                              the scene's spacing, so a smaller one starts compressed */
+    double spacing; /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
+                         the scene's spacing, so a smaller one starts compressed */
 } sph2d_block;
 
 /** A nozzle: feeds in rows of particles. A place that is taken stays empty, and is counted. */
@@ -187,8 +188,8 @@ typedef enum sph2d_probe_kind {
 typedef struct sph2d_probe {
     const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
     sph2d_probe_kind kind;
-    sph2d_vec2 at;    /**< [m]; for the kinds at a point */
-    sph2d_rate rate;  /**< must be given */
+    sph2d_vec2 at;   /**< [m]; for the kinds at a point */
+    sph2d_rate rate; /**< must be given */
 } sph2d_probe;
 
 /** How a frame looks. */
@@ -268,7 +269,7 @@ SPH2D_API double sph2d_rate_due(sph2d_rate rate, uint64_t n);
 
 /** What a scene will be, before it runs. */
 typedef struct sph2d_plan {
-    size_t fluid_particles;        /**< at the start */
+    size_t fluid_particles; /**< at the start */
     size_t wall_particles;
     size_t places_left_free;       /**< lattice places inside or too close to an obstacle */
     double particle_mass;          /**< [kg/m] */

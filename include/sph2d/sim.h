@@ -43,7 +43,7 @@ typedef struct sph2d_allocator {
 /** What does not change the result. Make one with sph2d_sim_options_default(). */
 typedef struct sph2d_sim_options {
     size_t struct_size;
-    int threads; /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
+    int threads;               /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
     sph2d_isa isa;             /**< default auto */
     sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
 } sph2d_sim_options;
@@ -55,8 +55,8 @@ SPH2D_API const char *sph2d_isa_name(sph2d_isa isa);
 /** Whether this processor and this build have it. */
 SPH2D_API bool sph2d_isa_available(sph2d_isa isa);
 
-/** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be NULL.
- *  The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
+/** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be
+ * NULL. The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
                                         sph2d_report *report);
 
@@ -67,12 +67,12 @@ SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
  *  snapshot, and every later call fails too), SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
 
-SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);       /**< simulated time [s] */
-SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);    /**< steps taken */
-SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim);  /**< the step that comes next [s] */
-SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);     /**< in use, never auto */
-SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);       /**< in use */
-SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);     /**< bytes allocated */
+SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);      /**< simulated time [s] */
+SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);   /**< steps taken */
+SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim); /**< the step that comes next [s] */
+SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);    /**< in use, never auto */
+SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);      /**< in use */
+SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);    /**< bytes allocated */
 /** The simulation's own copy of its scene, valid as long as the simulation. */
 SPH2D_API const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);
 /** The plan of the scene as it stood when the simulation was made. */
@@ -82,10 +82,10 @@ SPH2D_API const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
  *  order; `id` names a particle for ever. */
 typedef struct sph2d_view {
     size_t count;
-    const double *x, *y;   /**< position [m] */
-    const double *vx, *vy; /**< velocity [m/s] */
-    const double *ax, *ay; /**< acceleration [m/s^2]; NULL for walls */
-    const double *density; /**< [kg/m^3] */
+    const double *x, *y;    /**< position [m] */
+    const double *vx, *vy;  /**< velocity [m/s] */
+    const double *ax, *ay;  /**< acceleration [m/s^2]; NULL for walls */
+    const double *density;  /**< [kg/m^3] */
     const double *pressure; /**< [Pa] */
     const uint64_t *id;
 } sph2d_view;
@@ -145,7 +145,7 @@ typedef struct sph2d_summary {
     uint64_t reflections;      /**< immediate reflections at boundary particles */
     uint64_t limited_by[4];    /**< steps whose length was set by: acoustic, force, viscous limit, the scene */
     double time_step_min, time_step_max; /**< [s] */
-    double neighbours;         /**< mean number inside the support at the last sample, without the particle itself */
+    double neighbours; /**< mean number inside the support at the last sample, without the particle itself */
 } sph2d_summary;
 
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);

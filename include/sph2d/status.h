@@ -74,7 +74,7 @@ typedef enum sph2d_code {
 #define SPH2D__CODE_ENUM(name, code, text) SPH2D_CODE_##name,
     SPH2D_CODE_MAP(SPH2D__CODE_ENUM)
 #undef SPH2D__CODE_ENUM
-    SPH2D_CODE_COUNT
+        SPH2D_CODE_COUNT
 } sph2d_code;
 
 typedef enum sph2d_severity { SPH2D_ERROR = 0, SPH2D_WARNING = 1 } sph2d_severity;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file report.c
- *  Statuses, codes and the report that collects diagnostics. Nothing here allocates, so it works when memory is gone. */
+ *  Statuses, codes and the report that collects diagnostics. Nothing here allocates, so it works when memory is gone.
+ */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,8 +3,8 @@
  *  Vectors of doubles as wide as the instruction set that the including file is compiled for.
  *
  *  Plain arithmetic works on them (a compiler extension that GCC and Clang share); the few functions below are what the
- *  language lacks. A loop over lanes in plain C would say the same, but compilers unroll so short a loop before they try
- *  to make vectors of it: the force pass took 4 times the instructions. */
+ *  language lacks. A loop over lanes in plain C would say the same, but compilers unroll so short a loop before they
+ * try to make vectors of it: the force pass took 4 times the instructions. */
 #ifndef SPH2D_METHODS_LANES_H
 #define SPH2D_METHODS_LANES_H
 

@@ -50,8 +50,8 @@ static void weigh_walls(sph2d__system *s)
     }
 }
 
-/* The push of boundary particles has no potential, so that a bounce could gain energy (0.8 % was measured): they drag with
- * this fraction of rho0 c0 H at least, which is the least that keeps the liquid itself calm. */
+/* The push of boundary particles has no potential, so that a bounce could gain energy (0.8 % was measured): they drag
+ * with this fraction of rho0 c0 H at least, which is the least that keeps the liquid itself calm. */
 static const double WALL_DRAG = 0.005;
 
 static void prepare(sph2d__system *s)

@@ -7,9 +7,10 @@
  *  pressure      a_i = -(1/rho_i) sum_j m_j/rho_j (p_i + p_j)/2 grad W_spiky                         (7, 8)
  *  viscosity     a_i = (mu/rho_i) sum_j m_j/rho_j (v_j - v_i) lap W_viscosity                        (9, 10)
  *
- *  The sums run over fluid and boundary particles alike, but boundary particles drag with mu = 0.005 rho0 c0 H at least:
- *  their push has no potential, and without drag a bounce could gain energy. Negative pressure is cut off: at a free surface the density
- *  sum lacks neighbours, and the tension that follows would draw the surface together into clumps. */
+ *  The sums run over fluid and boundary particles alike, but boundary particles drag with mu = 0.005 rho0 c0 H at
+ * least: their push has no potential, and without drag a bounce could gain energy. Negative pressure is cut off: at a
+ * free surface the density sum lacks neighbours, and the tension that follows would draw the surface together into
+ * clumps. */
 #ifndef SPH2D_METHODS_MULLER_H
 #define SPH2D_METHODS_MULLER_H
 

@@ -11,10 +11,12 @@
 enum { RIM = 2 };
 #define NONE UINT32_MAX
 
-/* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index. */
+/* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index.
+ */
 static const double MARGIN = 1 + 1e-6;
 
-/* Cells grow by no more than this at a time, so that an extent near the end of the numbers does not make them infinite. */
+/* Cells grow by no more than this at a time, so that an extent near the end of the numbers does not make them infinite.
+ */
 static const double MAX_GROWTH = 1e100;
 
 typedef struct bounds {
@@ -26,8 +28,10 @@ static bounds find_bounds(const sph2d__store *store, int threads)
 {
     double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
     const double *x = store->x, *y = store->y;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : min_x, min_y)          \
-    reduction(max : max_x, max_y)
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min                          \
+                                                                                          : min_x, min_y)              \
+    reduction(max                                                                                                      \
+              : max_x, max_y)
     for (size_t i = 0; i < store->count; ++i) {
         min_x = x[i] < min_x ? x[i] : min_x;
         min_y = y[i] < min_y ? y[i] : min_y;

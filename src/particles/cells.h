@@ -3,9 +3,9 @@
  *  Linked-list cells that put particles in order, and the contiguous ranges of neighbours that follow from it.
  *
  *  A grid of square cells, at least one support radius wide, covers the particles. Each cell heads a linked list of its
- *  particles; walking the lists cell by cell, row by row, gives the order in which the store is then kept. In that order
- *  the particles of three neighbouring cells of one row are one contiguous range, so that all neighbours of a particle
- *  lie in three ranges. A rim of two empty cells around the grid makes every particle's 3 x 3 cells exist. */
+ *  particles; walking the lists cell by cell, row by row, gives the order in which the store is then kept. In that
+ * order the particles of three neighbouring cells of one row are one contiguous range, so that all neighbours of a
+ * particle lie in three ranges. A rim of two empty cells around the grid makes every particle's 3 x 3 cells exist. */
 #ifndef SPH2D_PARTICLES_CELLS_H
 #define SPH2D_PARTICLES_CELLS_H
 
@@ -33,8 +33,8 @@ typedef struct sph2d__ranges {
     uint32_t begin[3], end[3];
 } sph2d__ranges;
 
-/** Index of the cell that holds a place, if its 3 x 3 cells lie in the grid; UINT32_MAX otherwise: no particle is within
- *  one cell of it. */
+/** Index of the cell that holds a place, if its 3 x 3 cells lie in the grid; UINT32_MAX otherwise: no particle is
+ * within one cell of it. */
 static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, double y)
 {
     double fx = (x - cells->origin_x) * cells->inverse_size;

@@ -32,7 +32,7 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
 #define SLOT(name, carried) {&store->name, sizeof(double)},
         SPH2D__STORE_REALS(SLOT)
 #undef SLOT
-        {&store->scratch, sizeof(double)},
+            {&store->scratch, sizeof(double)},
         {&store->id, sizeof(uint64_t)},
         {&store->scratch_id, sizeof(uint64_t)},
     };

@@ -15,13 +15,13 @@ enum { SPH2D__PADDING = 16 };
 /** The arrays of doubles: name, and whether a new order of the particles must carry its values along (the others are
  *  computed anew before they are read). */
 #define SPH2D__STORE_REALS(X)                                                                                          \
-    X(x, true)         /* position [m] */                                                                              \
+    X(x, true) /* position [m] */                                                                                      \
     X(y, true)                                                                                                         \
-    X(vx, true)        /* velocity [m/s] */                                                                            \
+    X(vx, true) /* velocity [m/s] */                                                                                   \
     X(vy, true)                                                                                                        \
-    X(ax, true)        /* acceleration [m/s^2] */                                                                      \
+    X(ax, true) /* acceleration [m/s^2] */                                                                             \
     X(ay, true)                                                                                                        \
-    X(old_ax, false)   /* acceleration one step before, while a step needs both */                                   \
+    X(old_ax, false) /* acceleration one step before, while a step needs both */                                       \
     X(old_ay, false)                                                                                                   \
     X(density, false)  /* [kg/m^3] */                                                                                  \
     X(pressure, false) /* [Pa] */                                                                                      \
@@ -33,7 +33,7 @@ typedef struct sph2d__store {
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
 #undef SPH2D__STORE_MEMBER
     uint64_t *id;
-    double *scratch;        /**< where reordering writes, then swapped with the array it read */
+    double *scratch; /**< where reordering writes, then swapped with the array it read */
     uint64_t *scratch_id;
 } sph2d__store;
 

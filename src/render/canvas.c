@@ -113,13 +113,15 @@ static const char unknown_glyph[] = "0208484202";
 enum { BASELINE = 2, GAP = 2, SPACE = 3 }; /* grid units */
 static const double half_line = 0.42;      /* half the width of a line, grid units */
 
-static const char *glyph_of(char character) {
+static const char *glyph_of(char character)
+{
     const size_t index = (size_t)((unsigned char)character - '!');
     return index < sizeof glyphs / sizeof glyphs[0] ? glyphs[index] : unknown_glyph;
 }
 
 /* How far to the right a glyph reaches, grid units. */
-static int glyph_width(const char *glyph) {
+static int glyph_width(const char *glyph)
+{
     int widest = 0;
     while (*glyph != '\0') {
         if (*glyph == ' ') {
@@ -133,21 +135,24 @@ static int glyph_width(const char *glyph) {
     return widest;
 }
 
-static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, double cover) {
+static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, double cover)
+{
     unsigned char *pixel = canvas->pixels + 4 * ((size_t)y * (size_t)canvas->width + (size_t)x);
     const unsigned char color[3] = {ink.red, ink.green, ink.blue};
     for (int c = 0; c < 3; ++c)
         pixel[c] = (unsigned char)lrint(pixel[c] + (color[c] - pixel[c]) * ink.opacity * cover);
 }
 
-void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink) {
+void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink)
+{
     for (int row = y > 0 ? y : 0; row < y + height && row < canvas->height; ++row)
         for (int column = x > 0 ? x : 0; column < x + width && column < canvas->width; ++column)
             blend(canvas, column, row, ink, 1.0);
 }
 
 /* Distance of a point from the line between two points. */
-static double segment_distance(double x, double y, const double from[2], const double to[2]) {
+static double segment_distance(double x, double y, const double from[2], const double to[2])
+{
     const double dx = to[0] - from[0], dy = to[1] - from[1], square = dx * dx + dy * dy;
     const double along = square > 0.0 ? ((x - from[0]) * dx + (y - from[1]) * dy) / square : 0.0;
     const double t = fmin(fmax(along, 0.0), 1.0);
@@ -155,7 +160,8 @@ static double segment_distance(double x, double y, const double from[2], const d
 }
 
 /* Distance of a point from the strokes of a glyph, grid units. */
-static double glyph_distance(const char *glyph, double x, double y) {
+static double glyph_distance(const char *glyph, double x, double y)
+{
     double nearest = HUGE_VAL, last[2] = {0};
     bool pen_down = false;
     while (*glyph != '\0') {
@@ -174,8 +180,8 @@ static double glyph_distance(const char *glyph, double x, double y) {
 }
 
 /* Draws a glyph whose grid's origin is at (x, y) [px]. */
-static void draw_glyph(const sph2d__canvas *canvas, double x, double y, double unit, const char *glyph,
-                       sph2d__ink ink) {
+static void draw_glyph(const sph2d__canvas *canvas, double x, double y, double unit, const char *glyph, sph2d__ink ink)
+{
     const int left = (int)floor(x - unit) - 1, right = (int)ceil(x + 5.0 * unit) + 1;
     const int top = (int)floor(y - 10.0 * unit) - 1, bottom = (int)ceil(y + unit) + 1;
     for (int row = top > 0 ? top : 0; row < bottom && row < canvas->height; ++row)
@@ -187,12 +193,13 @@ static void draw_glyph(const sph2d__canvas *canvas, double x, double y, double u
         }
 }
 
-static double advance(const char *glyph) {
+static double advance(const char *glyph)
+{
     return glyph_width(glyph) + GAP;
 }
 
-void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text,
-                        sph2d__ink ink) {
+void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text, sph2d__ink ink)
+{
     for (; *text != '\0'; ++text) {
         if (*text == ' ') {
             x += SPACE * unit;
@@ -204,7 +211,8 @@ void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double 
     }
 }
 
-double sph2d__canvas_text_width(double unit, const char *text) {
+double sph2d__canvas_text_width(double unit, const char *text)
+{
     double width = 0.0;
     for (; *text != '\0'; ++text)
         width += *text == ' ' ? SPACE : advance(glyph_of(*text));

@@ -16,7 +16,8 @@ enum { TICKS_WANTED = 5, TICKS_MAX = 16, DIGITS_SIZE = 24, NUMBER_SIZE = 40, LAB
 /* Numbers closer to each other than this fraction of their size are equal as far as a legend goes. */
 static const double resolution = 1.0e-9;
 
-void sph2d__color_range(const double *values, size_t count, double *min, double *max) {
+void sph2d__color_range(const double *values, size_t count, double *min, double *max)
+{
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (size_t i = 0; i < count; ++i) {
         if (!isfinite(values[i]))
@@ -38,7 +39,8 @@ void sph2d__color_range(const double *values, size_t count, double *min, double 
 }
 
 /* Digits and a power of ten to "-0.25", "1500" or "1.5e7". By hand, since printf's point depends on the locale. */
-static void write_number(char *text, size_t size, long long digits, int exponent) {
+static void write_number(char *text, size_t size, long long digits, int exponent)
+{
     char all[DIGITS_SIZE];
     const char *sign = digits < 0 ? "-" : "";
     if (digits == 0)
@@ -68,7 +70,8 @@ typedef struct tick {
 } tick;
 
 /* Ticks at multiples of 1, 2 or 5 times a power of ten. */
-static int place_ticks(double min, double max, tick ticks[TICKS_MAX]) {
+static int place_ticks(double min, double max, tick ticks[TICKS_MAX])
+{
     const double raw = (max - min) / TICKS_WANTED;
     int exponent = (int)floor(log10(raw));
     const double lead = raw / pow(10.0, exponent);
@@ -99,7 +102,8 @@ typedef struct layout {
     int bar_x, bar_y, bar_width, bar_height;
 } layout;
 
-static layout arrange(int width, int height, const char *label) {
+static layout arrange(int width, int height, const char *label)
+{
     layout at = {.unit = fmax(1.1, (width < height ? width : height) / 400.0)};
     const double pads = 2 * PAD * at.unit, most = width / 3.0 - pads, numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
     snprintf(at.title, sizeof at.title, "%s", label != NULL ? label : "");
@@ -118,11 +122,13 @@ static layout arrange(int width, int height, const char *label) {
     return at;
 }
 
-int sph2d__colorbar_width(int width, int height, const char *label) {
+int sph2d__colorbar_width(int width, int height, const char *label)
+{
     return arrange(width, height, label).width;
 }
 
-static void draw_bar(const sph2d__canvas *canvas, const layout *at) {
+static void draw_bar(const sph2d__canvas *canvas, const layout *at)
+{
     static const sph2d__ink frame = {70, 78, 88, 1.0};
     sph2d__canvas_fill(canvas, at->bar_x - 1, at->bar_y - 1, at->bar_width + 2, at->bar_height + 2, frame);
     for (int row = 0; row < at->bar_height; ++row) {
@@ -133,7 +139,8 @@ static void draw_bar(const sph2d__canvas *canvas, const layout *at) {
     }
 }
 
-void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, const char *label) {
+void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, const char *label)
+{
     static const sph2d__ink ink = {40, 46, 54, 1.0};
     const layout at = arrange(canvas->width, canvas->height, label);
     if (at.width == 0)

@@ -11,7 +11,8 @@ static const unsigned char anchors[9][3] = {{68, 1, 84},    {71, 44, 122},  {59,
                                             {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
                                             {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
 
-void sph2d__colormap(double t, unsigned char color[4]) {
+void sph2d__colormap(double t, unsigned char color[4])
+{
     static const unsigned char unknown[4] = {150, 150, 150, 255};
     if (isnan(t)) {
         memcpy(color, unknown, sizeof unknown);

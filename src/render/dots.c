@@ -12,7 +12,8 @@
 /* Particles per draw call: enough that calls cost nothing, little enough to stay in cache. */
 enum { PART = 16384 };
 
-sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report) {
+sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report)
+{
     *dots = (sph2d__dots){.part = malloc(PART * sizeof *dots->part)};
     if (dots->part == NULL) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing particles");
@@ -32,13 +33,15 @@ sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_re
     return sph2d__gl_check(gl, "preparing to draw particles", report);
 }
 
-void sph2d__dots_begin(const sph2d__gl *gl, sph2d__dots *dots) {
+void sph2d__dots_begin(const sph2d__gl *gl, sph2d__dots *dots)
+{
     gl->BindVertexArray(dots->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, dots->buffer);
     dots->filled = 0;
 }
 
-void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots) {
+void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots)
+{
     if (dots->filled == 0)
         return;
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(dots->filled * sizeof *dots->part), dots->part, GL_STREAM_DRAW);
@@ -46,7 +49,8 @@ void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots) {
     dots->filled = 0;
 }
 
-void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const float pixel[2], const unsigned char color[4]) {
+void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const float pixel[2], const unsigned char color[4])
+{
     if (dots->filled == PART)
         sph2d__dots_end(gl, dots);
     sph2d__dot *dot = &dots->part[dots->filled++];
@@ -54,7 +58,8 @@ void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const float pixel[2
     memcpy(dot->color, color, sizeof dot->color);
 }
 
-void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list) {
+void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list)
+{
     const double span = list->value_max - list->value_min;
     sph2d__dots_begin(gl, dots);
     for (size_t i = 0; i < list->count; ++i) {
@@ -69,7 +74,8 @@ void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view 
     sph2d__dots_end(gl, dots);
 }
 
-void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots) {
+void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots)
+{
     gl->DeleteVertexArrays(1, &dots->vertex_array); /* 0 is ignored */
     gl->DeleteBuffers(1, &dots->buffer);
     free(dots->part);

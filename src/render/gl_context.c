@@ -46,12 +46,14 @@ static const backend backends[] = {
      "install EGL with Mesa's drivers (Debian: apt install libegl1 libgl1-mesa-dri), or use osmesa"}};
 enum { BACKENDS = sizeof backends / sizeof backends[0], WHY_SIZE = 140 };
 
-const char *sph2d_render_backends(void) {
+const char *sph2d_render_backends(void)
+{
     return NAME_OSMESA BETWEEN NAME_EGL;
 }
 
 /* Opens one context and loads its functions; the context is current afterwards. */
-static bool open_one(const backend *from, sph2d__gl_context *context, sph2d__gl *gl, char *why, size_t size) {
+static bool open_one(const backend *from, sph2d__gl_context *context, sph2d__gl *gl, char *why, size_t size)
+{
     if (from->open == NULL) {
         snprintf(why, size, "this build of sph2d has no OpenGL from %s", from->name);
         return false;
@@ -71,7 +73,8 @@ static bool open_one(const backend *from, sph2d__gl_context *context, sph2d__gl 
     return false;
 }
 
-sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report) {
+sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report)
+{
     char why[BACKENDS][WHY_SIZE] = {""};
     const char *hint = NULL;
     for (size_t i = 0; i < BACKENDS; ++i) {

@@ -19,7 +19,8 @@ typedef struct egl {
 } egl;
 
 /* A plain strstr would take one extension's name for the start of a longer one. */
-static bool has_extension(EGLDisplay display, const char *name) {
+static bool has_extension(EGLDisplay display, const char *name)
+{
     const char *list = eglQueryString(display, EGL_EXTENSIONS);
     const size_t length = strlen(name);
     while (list != NULL && *list != '\0') {
@@ -32,23 +33,27 @@ static bool has_extension(EGLDisplay display, const char *name) {
     return false;
 }
 
-static bool make_current(void *impl) {
+static bool make_current(void *impl)
+{
     egl *self = impl;
     /* The API is a choice of the thread, and the program around us may have made another. */
     return eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
            eglMakeCurrent(self->display, EGL_NO_SURFACE, EGL_NO_SURFACE, self->context) == EGL_TRUE;
 }
 
-static void release(void *impl) {
+static void release(void *impl)
+{
     egl *self = impl;
     eglMakeCurrent(self->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
-static sph2d__gl_proc get_proc(const char *name) {
+static sph2d__gl_proc get_proc(const char *name)
+{
     return eglGetProcAddress(name);
 }
 
-static void destroy(void *impl) {
+static void destroy(void *impl)
+{
     egl *self = impl;
     if (self->context != EGL_NO_CONTEXT)
         eglDestroyContext(self->display, self->context);
@@ -60,7 +65,8 @@ static void destroy(void *impl) {
 }
 
 /* Steps of opening; each returns NULL or what is missing. */
-static const char *open_display(egl *self) {
+static const char *open_display(egl *self)
+{
     if (!has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
         return "this EGL has no surfaceless platform (EGL_MESA_platform_surfaceless)";
     const bool can_count = has_extension(EGL_NO_DISPLAY, "EGL_KHR_display_reference");
@@ -75,7 +81,8 @@ static const char *open_display(egl *self) {
     return NULL;
 }
 
-static const char *open_context(egl *self) {
+static const char *open_context(egl *self)
+{
     static const EGLint attributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
@@ -90,7 +97,8 @@ static const char *open_context(egl *self) {
     return NULL;
 }
 
-bool sph2d__gl_open_egl(sph2d__gl_context *context, char *why, size_t size) {
+bool sph2d__gl_open_egl(sph2d__gl_context *context, char *why, size_t size)
+{
     egl *self = calloc(1, sizeof *self);
     if (self == NULL) {
         snprintf(why, size, "out of memory for an EGL context");
@@ -104,12 +112,7 @@ bool sph2d__gl_open_egl(sph2d__gl_context *context, char *why, size_t size) {
         destroy(self);
         return false;
     }
-    context->name = "egl";
-    context->impl = self;
-    context->make_current = make_current;
-    context->release = release;
-    context->get_proc = get_proc;
-    context->destroy = destroy;
+    *context = (sph2d__gl_context){"egl", self, make_current, release, get_proc, destroy};
     return true;
 }
 

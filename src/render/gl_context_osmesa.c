@@ -18,27 +18,32 @@ typedef struct osmesa {
     unsigned char stamp[STAMP * STAMP * 4];
 } osmesa;
 
-static bool make_current(void *impl) {
+static bool make_current(void *impl)
+{
     osmesa *self = impl;
     return OSMesaMakeCurrent(self->context, self->stamp, GL_UNSIGNED_BYTE, STAMP, STAMP) == GL_TRUE;
 }
 
-static void release(void *impl) {
+static void release(void *impl)
+{
     (void)impl;
     OSMesaMakeCurrent(NULL, NULL, GL_UNSIGNED_BYTE, 0, 0);
 }
 
-static sph2d__gl_proc get_proc(const char *name) {
+static sph2d__gl_proc get_proc(const char *name)
+{
     return OSMesaGetProcAddress(name);
 }
 
-static void destroy(void *impl) {
+static void destroy(void *impl)
+{
     osmesa *self = impl;
     OSMesaDestroyContext(self->context);
     free(self);
 }
 
-bool sph2d__gl_open_osmesa(sph2d__gl_context *context, char *why, size_t size) {
+bool sph2d__gl_open_osmesa(sph2d__gl_context *context, char *why, size_t size)
+{
     static const int attributes[] = {OSMESA_FORMAT,
                                      OSMESA_RGBA,
                                      OSMESA_PROFILE,
@@ -59,12 +64,7 @@ bool sph2d__gl_open_osmesa(sph2d__gl_context *context, char *why, size_t size) {
         free(self);
         return false;
     }
-    context->name = "osmesa";
-    context->impl = self;
-    context->make_current = make_current;
-    context->release = release;
-    context->get_proc = get_proc;
-    context->destroy = destroy;
+    *context = (sph2d__gl_context){"osmesa", self, make_current, release, get_proc, destroy};
     return true;
 }
 

@@ -7,7 +7,8 @@
 
 /* OSMesa returns a pointer for any name at all, so a pointer proves nothing. The two functions that every OpenGL has
  * come first; only when they tell of a version that has the rest is the rest fetched. */
-static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size) {
+static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size)
+{
     gl->GetIntegerv = (PFNGLGETINTEGERVPROC)context->get_proc("glGetIntegerv");
     gl->GetString = (PFNGLGETSTRINGPROC)context->get_proc("glGetString");
     if (gl->GetIntegerv == NULL || gl->GetString == NULL) {
@@ -25,7 +26,8 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
     return true;
 }
 
-bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size) {
+bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size)
+{
     if (!check_version(gl, context, why, size))
         return false;
 #define SPH2D__GL_FETCH(function, type)                                                                                \
@@ -39,7 +41,8 @@ bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, 
     return true;
 }
 
-static const char *error_text(GLenum error) {
+static const char *error_text(GLenum error)
+{
     switch (error) {
     case GL_INVALID_ENUM:
         return "invalid enumerator";
@@ -59,12 +62,14 @@ static const char *error_text(GLenum error) {
 /* A lost context may report errors for ever: no loop here is endless. */
 enum { ERRORS_MAX = 32 };
 
-void sph2d__gl_forget_errors(const sph2d__gl *gl) {
+void sph2d__gl_forget_errors(const sph2d__gl *gl)
+{
     for (int i = 0; i < ERRORS_MAX && gl->GetError() != GL_NO_ERROR; ++i)
         continue;
 }
 
-sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report *report) {
+sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report *report)
+{
     const GLenum error = gl->GetError();
     if (error == GL_NO_ERROR)
         return SPH2D_OK;

@@ -30,17 +30,20 @@ static const double finest_texel = 4.0; /* [px] */
 enum { MARGIN = 2 };                    /* texels around the image, to interpolate with at its edge */
 
 /* How many squares of `texel` pixels cover so many pixels. */
-static GLsizei texels(double pixels, double texel) {
+static GLsizei texels(double pixels, double texel)
+{
     return (GLsizei)ceil(pixels / texel);
 }
 
 /* The same for the depth at its finest; its margins may need one more where sizes are rounded. */
-static GLsizei depth_texels(GLsizei pixels) {
+static GLsizei depth_texels(GLsizei pixels)
+{
     return texels(pixels, finest_texel) + 2 * MARGIN + 1;
 }
 
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
-                                     GLsizei width, GLsizei height, sph2d_report *report) {
+                                     GLsizei width, GLsizei height, sph2d_report *report)
+{
     *balls = (sph2d__metaballs){0};
     sph2d_status status = sph2d__program_build(gl, shader_dir, "gradientball", &balls->ball_program, report);
     if (status == SPH2D_OK)
@@ -59,7 +62,8 @@ sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *ball
 
 /* First pass: the fields of all balls of a radius [px], added up on a grid of squares of `texel` pixels. */
 static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
-                   const sph2d__view *view, const sph2d__dot_list *list, double radius, double texel) {
+                   const sph2d__view *view, const sph2d__dot_list *list, double radius, double texel)
+{
     const GLsizei columns = texels(view->width, texel), rows = texels(view->height, texel);
     sph2d__target_bind(gl, target);
     gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
@@ -76,7 +80,8 @@ static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const
 
 /* Second pass: the field as water over the background, in the tiles found. */
 static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, double radius, double texel) {
+                         const sph2d__target *target, double radius, double texel)
+{
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
@@ -102,7 +107,8 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
 }
 
 void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__target *target,
-                           const sph2d__view *view, sph2d__dot_list list, double radius) {
+                           const sph2d__view *view, sph2d__dot_list list, double radius)
+{
     const double pixels = fmax(radius * view->scale, smallest_radius);
     list.half_side = pixels * sqrt(0.5);
     sph2d__tiles_find(&balls->tiles, view, &list);
@@ -117,7 +123,8 @@ void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__
     draw_surface(gl, balls, dots, target, pixels, texel);
 }
 
-void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls) {
+void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls)
+{
     gl->DeleteProgram(balls->ball_program); /* 0 is ignored */
     gl->DeleteProgram(balls->surface_program);
     sph2d__target_destroy(gl, &balls->field);

@@ -17,19 +17,22 @@
 enum { FILTER = PNG_FILTER_PAETH, STRATEGY = Z_RLE, COMPRESSION_LEVEL = 1, CHUNK_BYTES = 1 << 16 };
 
 /* libpng's default prints to stderr. */
-static void on_error(png_structp png, png_const_charp message) {
+static void on_error(png_structp png, png_const_charp message)
+{
     (void)message; /* writing fails for want of disk or memory: errno tells which */
     png_longjmp(png, 1);
 }
 
-static void on_warning(png_structp png, png_const_charp message) {
+static void on_warning(png_structp png, png_const_charp message)
+{
     (void)png;
     (void)message;
 }
 
 /* False where libpng jumped out. Nothing here is changed after setjmp and used after the jump. */
 static bool encode(png_structp png, png_infop info, FILE *file, const unsigned char *pixels, unsigned width,
-                   unsigned height) {
+                   unsigned height)
+{
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
     png_init_io(png, file);
@@ -48,7 +51,8 @@ static bool encode(png_structp png, png_infop info, FILE *file, const unsigned c
 }
 
 /* Writes an open file and leaves the reason of a failure in errno. */
-static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, unsigned height) {
+static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, unsigned height)
+{
     errno = 0;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, on_error, on_warning);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
@@ -60,7 +64,8 @@ static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, u
 }
 
 sph2d_status sph2d__png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                              sph2d_report *report) {
+                              sph2d_report *report)
+{
     sph2d__atomic_file atomic = {0};
     const sph2d_status begun = sph2d__atomic_begin(&atomic, path, report);
     if (begun != SPH2D_OK)

@@ -29,17 +29,20 @@ struct sph2d_renderer {
     char gl_version[192];
 };
 
-sph2d_render_options sph2d_render_options_default(void) {
+sph2d_render_options sph2d_render_options_default(void)
+{
     return (sph2d_render_options){
         .struct_size = sizeof(sph2d_render_options), .width = 1280, .height = 720, .style = SPH2D_STYLE_METABALLS};
 }
 
-static sph2d_status invalid(sph2d_report *report, const char *what) {
+static sph2d_status invalid(sph2d_report *report, const char *what)
+{
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "%s", what);
     return SPH2D_INVALID;
 }
 
-static sph2d_status check_options(const sph2d_render_options *options, sph2d_report *report) {
+static sph2d_status check_options(const sph2d_render_options *options, sph2d_report *report)
+{
     if (options == NULL || options->struct_size != sizeof *options)
         return invalid(report, "render options do not come from sph2d_render_options_default()");
     if (options->style != SPH2D_STYLE_METABALLS && options->style != SPH2D_STYLE_POINTS)
@@ -54,7 +57,8 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
     return SPH2D_OK;
 }
 
-static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, sph2d_report *report) {
+static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, sph2d_report *report)
+{
     const GLsizei width = (GLsizei)self->width, height = (GLsizei)self->height;
     snprintf(self->gl_version, sizeof self->gl_version, "%s, %s", (const char *)self->gl.GetString(GL_VERSION),
              (const char *)self->gl.GetString(GL_RENDERER));
@@ -70,8 +74,8 @@ static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, 
     return status;
 }
 
-sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer,
-                                   sph2d_report *report) {
+sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer, sph2d_report *report)
+{
     if (renderer == NULL)
         return invalid(report, "no place for the renderer was given");
     *renderer = NULL;
@@ -104,7 +108,8 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
     return SPH2D_OK;
 }
 
-void sph2d_renderer_destroy(sph2d_renderer *renderer) {
+void sph2d_renderer_destroy(sph2d_renderer *renderer)
+{
     if (renderer == NULL)
         return;
     if (renderer->context.impl != NULL) {
@@ -121,7 +126,8 @@ void sph2d_renderer_destroy(sph2d_renderer *renderer) {
     free(renderer);
 }
 
-static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *report) {
+static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *report)
+{
     if (picture == NULL)
         return invalid(report, "there is no picture to draw");
     if (picture->count > 0 && (picture->x == NULL || picture->y == NULL))
@@ -146,8 +152,8 @@ typedef struct layout {
     double min, max; /* ends of the colours */
 } layout;
 
-static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *picture, layout *out,
-                            sph2d_report *report) {
+static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *picture, layout *out, sph2d_report *report)
+{
     /* Before the first particle comes there may be no array yet, and the view must not jump when it does. */
     const bool colored = picture->values != NULL || (picture->count == 0 && picture->value_label != NULL);
     *out = (layout){
@@ -161,14 +167,16 @@ static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *pic
     return SPH2D_OK;
 }
 
-static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const float color[3]) {
+static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const float color[3])
+{
     gl->Scissor(box.x, box.y, box.width, box.height);
     gl->ClearColor(color[0], color[1], color[2], 1.0F);
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
 /* Paper, and a shade darker what lies beside the view. */
-static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box) {
+static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box)
+{
     static const float inside[3] = {0.965F, 0.976F, 0.984F}, outside[3] = {0.906F, 0.922F, 0.937F};
     sph2d__target_bind(gl, target);
     gl->Enable(GL_SCISSOR_TEST);
@@ -177,7 +185,8 @@ static void draw_background(const sph2d__gl *gl, const sph2d__target *target, co
     gl->Disable(GL_SCISSOR_TEST);
 }
 
-static void draw_particles(sph2d_renderer *self, const sph2d_picture *picture, const layout *at) {
+static void draw_particles(sph2d_renderer *self, const sph2d_picture *picture, const layout *at)
+{
     const sph2d__dot_list fluid = {.count = picture->count,
                                    .x = picture->x,
                                    .y = picture->y,
@@ -199,7 +208,8 @@ static void draw_particles(sph2d_renderer *self, const sph2d_picture *picture, c
 
 /* Draws with the context current, and reads the picture back. */
 static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *picture, const layout *at,
-                                 sph2d_report *report) {
+                                 sph2d_report *report)
+{
     const sph2d__gl *gl = &self->gl;
     sph2d__gl_forget_errors(gl);
     draw_background(gl, &self->target, &at->view, picture->view);
@@ -210,7 +220,8 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
     return sph2d__gl_check(gl, "drawing a picture", report);
 }
 
-sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report) {
+sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report)
+{
     if (renderer == NULL)
         return invalid(report, "there is no renderer");
     layout at;
@@ -237,11 +248,13 @@ sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *
     return SPH2D_OK;
 }
 
-const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer) {
+const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer)
+{
     return renderer != NULL && renderer->drawn ? renderer->pixels : NULL;
 }
 
-sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report) {
+sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report)
+{
     if (path == NULL)
         return invalid(report, "no path for the picture was given");
     if (sph2d_renderer_pixels(renderer) == NULL)
@@ -249,10 +262,12 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
     return sph2d__png_write(path, renderer->pixels, renderer->width, renderer->height, report);
 }
 
-const char *sph2d_renderer_gl(const sph2d_renderer *renderer) {
+const char *sph2d_renderer_gl(const sph2d_renderer *renderer)
+{
     return renderer->context.name;
 }
 
-const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer) {
+const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer)
+{
     return renderer->gl_version;
 }

@@ -19,13 +19,15 @@ typedef struct source {
     char *text;
 } source;
 
-static void free_source(source *from) {
+static void free_source(source *from)
+{
     free(from->file);
     free(from->text);
     *from = (source){0};
 }
 
-static char *copy_string(const char *text) {
+static char *copy_string(const char *text)
+{
     const size_t size = strlen(text) + 1;
     char *copy = malloc(size);
     if (copy != NULL)
@@ -33,12 +35,14 @@ static char *copy_string(const char *text) {
     return copy;
 }
 
-static sph2d_status no_memory(sph2d_report *report) {
+static sph2d_status no_memory(sph2d_report *report)
+{
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for the shaders");
     return SPH2D_NOMEM;
 }
 
-static sph2d_status read_built_in(const char *name, source *into, sph2d_report *report) {
+static sph2d_status read_built_in(const char *name, source *into, sph2d_report *report)
+{
     for (size_t i = 0; i < sph2d__shader_source_count; ++i) {
         if (strcmp(sph2d__shader_sources[i].name, name) != 0)
             continue;
@@ -51,7 +55,8 @@ static sph2d_status read_built_in(const char *name, source *into, sph2d_report *
 }
 
 /* Reads all of an open file into into->text; errno says why it cannot. */
-static bool slurp(FILE *file, source *into) {
+static bool slurp(FILE *file, source *into)
+{
     into->text = malloc(SOURCE_MAX + 1);
     if (into->text == NULL)
         return false;
@@ -67,7 +72,8 @@ static bool slurp(FILE *file, source *into) {
     return true;
 }
 
-static sph2d_status read_file(const char *dir, const char *name, source *into, sph2d_report *report) {
+static sph2d_status read_file(const char *dir, const char *name, source *into, sph2d_report *report)
+{
     const size_t size = strlen(dir) + strlen(name) + 2;
     into->file = malloc(size);
     if (into->file == NULL)
@@ -88,7 +94,8 @@ static sph2d_status read_file(const char *dir, const char *name, source *into, s
 
 /* Mesa writes "0:12(5): error: text", others "0(12) : error ..." or "ERROR: 0:12: ...": in each the line is the second
  * number, and only Mesa has a third right behind it, the column. */
-static void locate(const char *message, int *line, int *column) {
+static void locate(const char *message, int *line, int *column)
+{
     char *at = NULL;
     strtol(message + strcspn(message, "0123456789"), &at, 10); /* which of the sources: we have one */
     if (*at != ':' && *at != '(')
@@ -99,7 +106,8 @@ static void locate(const char *message, int *line, int *column) {
         *column = (int)strtol(at + 1, &at, 10);
 }
 
-static void excerpt_line(const char *text, int line, char *excerpt, size_t size) {
+static void excerpt_line(const char *text, int line, char *excerpt, size_t size)
+{
     for (int i = 1; i < line && text != NULL; ++i) {
         text = strchr(text, '\n');
         if (text != NULL)
@@ -110,7 +118,8 @@ static void excerpt_line(const char *text, int line, char *excerpt, size_t size)
 }
 
 /* One diagnostic for each line of the log that is no warning; at least one. */
-static void report_log(sph2d_report *report, const source *from, const char *log) {
+static void report_log(sph2d_report *report, const source *from, const char *log)
+{
     bool any = false;
     while (*log != '\0') {
         const size_t length = strcspn(log, "\n");
@@ -134,7 +143,8 @@ static void report_log(sph2d_report *report, const source *from, const char *log
 }
 
 static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *name, GLenum type, GLuint *shader,
-                            sph2d_report *report) {
+                            sph2d_report *report)
+{
     source from = {0};
     sph2d_status status = dir != NULL ? read_file(dir, name, &from, report) : read_built_in(name, &from, report);
     if (status == SPH2D_OK) {
@@ -155,7 +165,8 @@ static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *na
 }
 
 static sph2d_status link_program(const sph2d__gl *gl, const char *name, GLuint vertex, GLuint fragment, GLuint *program,
-                                 sph2d_report *report) {
+                                 sph2d_report *report)
+{
     *program = gl->CreateProgram();
     gl->AttachShader(*program, vertex);
     gl->AttachShader(*program, fragment);
@@ -175,7 +186,8 @@ static sph2d_status link_program(const sph2d__gl *gl, const char *name, GLuint v
 }
 
 sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *name, GLuint *program,
-                                  sph2d_report *report) {
+                                  sph2d_report *report)
+{
     char vertex_name[NAME_SIZE], fragment_name[NAME_SIZE];
     snprintf(vertex_name, sizeof vertex_name, "%s.vert", name);
     snprintf(fragment_name, sizeof fragment_name, "%s.frag", name);
@@ -191,14 +203,17 @@ sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const ch
     return status;
 }
 
-void sph2d__program_set_int(const sph2d__gl *gl, GLuint program, const char *name, int value) {
+void sph2d__program_set_int(const sph2d__gl *gl, GLuint program, const char *name, int value)
+{
     gl->Uniform1i(gl->GetUniformLocation(program, name), value);
 }
 
-void sph2d__program_set_float(const sph2d__gl *gl, GLuint program, const char *name, double value) {
+void sph2d__program_set_float(const sph2d__gl *gl, GLuint program, const char *name, double value)
+{
     gl->Uniform1f(gl->GetUniformLocation(program, name), (GLfloat)value);
 }
 
-void sph2d__program_set_vec2(const sph2d__gl *gl, GLuint program, const char *name, double x, double y) {
+void sph2d__program_set_vec2(const sph2d__gl *gl, GLuint program, const char *name, double x, double y)
+{
     gl->Uniform2f(gl->GetUniformLocation(program, name), (GLfloat)x, (GLfloat)y);
 }

@@ -3,7 +3,8 @@
  *  Framebuffers: the picture itself, and the float texture that the metaballs' field is summed in. */
 #include "render/target.h"
 
-static const char *framebuffer_text(GLenum framebuffer_status) {
+static const char *framebuffer_text(GLenum framebuffer_status)
+{
     switch (framebuffer_status) {
     case GL_FRAMEBUFFER_UNDEFINED:
         return "there is no default framebuffer";
@@ -29,7 +30,8 @@ static const char *framebuffer_text(GLenum framebuffer_status) {
 }
 
 /* Ends a creation: the errors so far, the limits, the framebuffer's own word. */
-static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const char *what, sph2d_report *report) {
+static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const char *what, sph2d_report *report)
+{
     sph2d_status status = sph2d__gl_check(gl, what, report);
     if (status == SPH2D_OK) {
         const GLenum complete = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -47,7 +49,8 @@ static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const cha
 
 /* A driver may have smaller limits than ours, and answers a size beyond them in various ways: ask before. */
 static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei width, GLsizei height,
-                                sph2d_report *report) {
+                                sph2d_report *report)
+{
     GLint limit = 0;
     gl->GetIntegerv(limit_name, &limit);
     if (width <= limit && height <= limit)
@@ -59,7 +62,8 @@ static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei 
 }
 
 sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
-                                        sph2d_report *report) {
+                                        sph2d_report *report)
+{
     *target = (sph2d__target){.width = width, .height = height};
     const sph2d_status status = check_limit(gl, GL_MAX_RENDERBUFFER_SIZE, width, height, report);
     if (status != SPH2D_OK)
@@ -76,7 +80,8 @@ sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *targ
 /* R32F and not R16F: half precision rounds a sum of ten balls to three digits, and a driver that blends 32-bit floats
  * does so as fast. */
 sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
-                                        GLsizei height, sph2d_report *report) {
+                                        GLsizei height, sph2d_report *report)
+{
     *target = (sph2d__target){.width = width, .height = height};
     const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, width, height, report);
     if (status != SPH2D_OK)
@@ -94,12 +99,14 @@ sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *targ
     return finish(gl, target, "making the field of the metaballs", report);
 }
 
-void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target) {
+void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target)
+{
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     gl->Viewport(0, 0, target->width, target->height);
 }
 
-void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target) {
+void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target)
+{
     gl->DeleteFramebuffers(1, &target->framebuffer); /* 0 is ignored */
     gl->DeleteRenderbuffers(1, &target->renderbuffer);
     gl->DeleteTextures(1, &target->texture);

@@ -8,7 +8,8 @@
 
 static const unsigned char no_color[4] = {0};
 
-sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report) {
+sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report)
+{
     *tiles = (sph2d__tiles){.columns = (width + SPH2D__TILE - 1) / SPH2D__TILE,
                             .rows = (height + SPH2D__TILE - 1) / SPH2D__TILE};
     tiles->touched = malloc((size_t)tiles->columns * (size_t)tiles->rows);
@@ -19,14 +20,16 @@ sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph
 }
 
 /* The tile of a pixel coordinate, within the image. */
-static int tile_of(double pixel, int count) {
+static int tile_of(double pixel, int count)
+{
     if (pixel <= 0.0)
         return 0;
     const int tile = (int)(pixel / SPH2D__TILE);
     return tile < count ? tile : count - 1;
 }
 
-void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list) {
+void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list)
+{
     memset(tiles->touched, 0, (size_t)tiles->columns * (size_t)tiles->rows);
     for (size_t i = 0; i < list->count; ++i) {
         float pixel[2];
@@ -41,7 +44,8 @@ void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d
     }
 }
 
-void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots) {
+void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots)
+{
     sph2d__dots_begin(gl, dots);
     for (int row = 0; row < tiles->rows; ++row)
         for (int column = 0; column < tiles->columns; ++column) {
@@ -53,7 +57,8 @@ void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__do
     sph2d__dots_end(gl, dots);
 }
 
-void sph2d__tiles_destroy(sph2d__tiles *tiles) {
+void sph2d__tiles_destroy(sph2d__tiles *tiles)
+{
     free(tiles->touched);
     *tiles = (sph2d__tiles){0};
 }

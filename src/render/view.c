@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved) {
+bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved)
+{
     const double box_width = box.max.x - box.min.x, box_height = box.max.y - box.min.y;
     const double scale = fmin((width - reserved) / box_width, height / box_height);
     if (!(box_width > 0.0 && box_height > 0.0 && isfinite(box_width) && isfinite(box_height) && isfinite(scale) &&
@@ -19,7 +20,8 @@ bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned 
     return true;
 }
 
-sph2d__view sph2d__view_widen(const sph2d__view *view, double border) {
+sph2d__view sph2d__view_widen(const sph2d__view *view, double border)
+{
     sph2d__view wide = *view;
     wide.width += (unsigned)ceil(2.0 * border);
     wide.height += (unsigned)ceil(2.0 * border);
@@ -28,15 +30,18 @@ sph2d__view sph2d__view_widen(const sph2d__view *view, double border) {
     return wide;
 }
 
-static double to_right(const sph2d__view *view, double x) {
+static double to_right(const sph2d__view *view, double x)
+{
     return view->middle.x + (x - view->center.x) * view->scale;
 }
 
-static double to_down(const sph2d__view *view, double y) {
+static double to_down(const sph2d__view *view, double y)
+{
     return view->middle.y - (y - view->center.y) * view->scale;
 }
 
-bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]) {
+bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2])
+{
     const double right = to_right(view, x), down = to_down(view, y);
     if (!(right > -margin && right < view->width + margin && down > -margin && down < view->height + margin))
         return false; /* NaN too */
@@ -46,11 +51,13 @@ bool sph2d__view_place(const sph2d__view *view, double x, double y, double margi
 }
 
 /* The nearest whole pixel between 0 and size. */
-static int nearest(double at, unsigned size) {
+static int nearest(double at, unsigned size)
+{
     return (int)lrint(fmin(fmax(at, 0.0), size));
 }
 
-sph2d__pixel_box sph2d__view_cover(const sph2d__view *view, sph2d_box box) {
+sph2d__pixel_box sph2d__view_cover(const sph2d__view *view, sph2d_box box)
+{
     const int left = nearest(to_right(view, box.min.x), view->width);
     const int right = nearest(to_right(view, box.max.x), view->width);
     const int top = nearest(to_down(view, box.max.y), view->height);

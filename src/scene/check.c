@@ -342,7 +342,8 @@ static void check_probe(checker *c, size_t i)
 }
 
 /** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some
- *  from noise unless viscosity takes it: a dam break at nu = 1e-4 c0 H doubled its energy in a second, at 1e-2 it lost. */
+ *  from noise unless viscosity takes it: a dam break at nu = 1e-4 c0 H doubled its energy in a second, at 1e-2 it lost.
+ */
 static void warn_viscosity(checker *c)
 {
     const sph2d_scene *scene = c->scene;

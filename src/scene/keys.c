@@ -51,10 +51,22 @@ KEYS(disc, sph2d_disc, NULL);
 
 /* The three shapes, directly among the keys of a block or drain. */
 #define SHAPE(type)                                                                                                    \
-    {"box", SPH2D_KEY_GROUP, false, AT(type, shape.box), CHOICE(type, shape.kind, SPH2D_SHAPE_BOX), .keys = &box_keys, \
-     .unit = "", .text = "a rectangle"},                                                                               \
-        {"disc", SPH2D_KEY_GROUP, false, AT(type, shape.disc), CHOICE(type, shape.kind, SPH2D_SHAPE_DISC),             \
-         .keys = &disc_keys, .unit = "", .text = "a disc"},                                                            \
+    {"box",                                                                                                            \
+     SPH2D_KEY_GROUP,                                                                                                  \
+     false,                                                                                                            \
+     AT(type, shape.box),                                                                                              \
+     CHOICE(type, shape.kind, SPH2D_SHAPE_BOX),                                                                        \
+     .keys = &box_keys,                                                                                                \
+     .unit = "",                                                                                                       \
+     .text = "a rectangle"},                                                                                           \
+        {"disc",                                                                                                       \
+         SPH2D_KEY_GROUP,                                                                                              \
+         false,                                                                                                        \
+         AT(type, shape.disc),                                                                                         \
+         CHOICE(type, shape.kind, SPH2D_SHAPE_DISC),                                                                   \
+         .keys = &disc_keys,                                                                                           \
+         .unit = "",                                                                                                   \
+         .text = "a disc"},                                                                                            \
     {                                                                                                                  \
         "polygon", SPH2D_KEY_POINTS, false, LIST_AT(type, shape.polygon.items, shape.polygon.count), ANY,              \
             CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself" \
@@ -125,11 +137,17 @@ static const sph2d_key interaction_items[] = {
 KEYS(interaction, sph2d_interaction, interaction_set);
 
 #define RATE(type, member)                                                                                             \
-    {"per_second", SPH2D_KEY_NUMBER, false, AT(type, member.per_second), FROM_0, .unit = "1/s", .standard = "none",    \
+    {"per_second",                                                                                                     \
+     SPH2D_KEY_NUMBER,                                                                                                 \
+     false,                                                                                                            \
+     AT(type, member.per_second),                                                                                      \
+     FROM_0,                                                                                                           \
+     .unit = "1/s",                                                                                                    \
+     .standard = "none",                                                                                               \
      .text = "outputs per simulated second"},                                                                          \
     {                                                                                                                  \
         "every", SPH2D_KEY_NUMBER, false, AT(type, member.every), FROM_0, .unit = "s", .standard = "none",             \
-            .text = "simulated seconds between outputs"                                                                \
+                                                                          .text = "simulated seconds between outputs"  \
     }
 
 static const sph2d_key probe_items[] = {
@@ -154,8 +172,8 @@ static const sph2d_key frames_items[] = {
     RATE(sph2d_frames, rate),
     {"size", SPH2D_KEY_COUNTS2, false, AT(sph2d_frames, size), BETWEEN(16, 16384), .unit = "pixels",
      .standard = "[1280, 720]", .text = "width and height"},
-    {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "",
-     .standard = "metaballs", .text = "a liquid surface, or a dot a particle"},
+    {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "", .standard = "metaballs",
+     .text = "a liquid surface, or a dot a particle"},
     {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
      .standard = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
     {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .standard = "one colour",
@@ -215,8 +233,8 @@ KEYS(method, sph2d_method_options, NULL);
 
 #define LIST(word, member, singular, meaning)                                                                          \
     {                                                                                                                  \
-        word, SPH2D_KEY_LIST, false, LIST_AT(sph2d_scene, member, singular##_count), .keys = &singular##_keys,         \
-            .unit = "", .standard = "none", .text = meaning                                                            \
+        word, SPH2D_KEY_LIST, false, LIST_AT(sph2d_scene, member, singular##_count),                                   \
+            .keys = &singular##_keys, .unit = "", .standard = "none", .text = meaning                                  \
     }
 
 static const sph2d_key scene_items[] = {

@@ -221,7 +221,8 @@ bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2
     return meet_first(&bare, from, to, &m);
 }
 
-/** Whether a motion stays so far from every wall that it need not be looked at: the usual case, and the only cheap one. */
+/** Whether a motion stays so far from every wall that it need not be looked at: the usual case, and the only cheap one.
+ */
 static bool is_clear(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
 {
     double way = fabs(to.x - from.x) + fabs(to.y - from.y);
@@ -244,7 +245,8 @@ int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_v
             v->x -= inward * n.x;
             v->y -= inward * n.y;
         }
-        sph2d_vec2 stop = {from.x + m.t * (to->x - from.x) + m.gap * n.x, from.y + m.t * (to->y - from.y) + m.gap * n.y};
+        sph2d_vec2 stop = {from.x + m.t * (to->x - from.x) + m.gap * n.x,
+                           from.y + m.t * (to->y - from.y) + m.gap * n.y};
         double rest_x = (1 - m.t) * (to->x - from.x), rest_y = (1 - m.t) * (to->y - from.y);
         double rest_n = rest_x * n.x + rest_y * n.y;
         if (hits == MAX_SLIDES || sph2d__barrier_crosses(barrier, from, stop)) {

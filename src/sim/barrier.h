@@ -11,13 +11,13 @@
 typedef struct sph2d__barrier {
     sph2d__segment *segments;
     size_t count, capacity;
-    double clearance;          /**< distance from a wall at which a particle is stopped [m] */
+    double clearance; /**< distance from a wall at which a particle is stopped [m] */
     /* A grid of buckets over the segments, each with the segments that come near it. */
     double origin_x, origin_y, inverse_size;
     int nx, ny;
-    uint32_t *start;           /**< nx * ny + 1 values */
-    uint32_t *items;           /**< segment indices */
-    unsigned char *near;       /**< whether a bucket or one of the 8 around it has a segment */
+    uint32_t *start;     /**< nx * ny + 1 values */
+    uint32_t *items;     /**< segment indices */
+    unsigned char *near; /**< whether a bucket or one of the 8 around it has a segment */
     size_t start_capacity, item_capacity;
 } sph2d__barrier;
 
@@ -28,7 +28,8 @@ bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__
 bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearance, sph2d__memory *memory);
 
 /** Holds a motion from `from` to *to with velocity *v on its side of every wall. On a hit the particle stops at the
- *  clearance, loses its velocity into the wall and slides along it; it never gains energy. Returns the number of hits. */
+ *  clearance, loses its velocity into the wall and slides along it; it never gains energy. Returns the number of hits.
+ */
 int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
 
 /** Whether the straight way between two places crosses a wall. */

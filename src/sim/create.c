@@ -74,11 +74,10 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 static sph2d_status allocate_lists(sph2d_sim *sim)
 {
     const sph2d_scene *scene = &sim->scene;
-    sim->points =
-        sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
+    sim->points = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
     sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
-    sim->output_counts = sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count,
-                                            sizeof(uint64_t));
+    sim->output_counts =
+        sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
     return sim->points && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
 }
 

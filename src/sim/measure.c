@@ -24,7 +24,9 @@ static extremes find_extremes(const sph2d__system *s)
     size_t bad = SIZE_MAX;
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)                                        \
-    reduction(max : speed2, acceleration2, density) reduction(min : bad)
+    reduction(max                                                                                                      \
+              : speed2, acceleration2, density) reduction(min                                                          \
+                                                          : bad)
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
@@ -43,10 +45,13 @@ static size_t find_escaped(const sph2d_sim *sim)
     const sph2d__store *f = &sim->system.fluid;
     sph2d_boundary b = sim->scene.boundary;
     sph2d_box d = sim->scene.domain;
-    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY, top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
+    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY,
+           right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY,
+           top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
     size_t escaped = SIZE_MAX;
-    /* Beside an open side the line of the next wall has no end: outside that side there is no wall to escape through. */
+    /* Beside an open side the line of the next wall has no end: outside that side there is no wall to escape through.
+     */
     int threads = sph2d__threads_for(sim->system.threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : escaped)
     for (size_t i = 0; i < f->count; ++i) {
@@ -62,11 +67,10 @@ static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_co
                             const char *hint)
 {
     const sph2d__store *f = &sim->system.fluid;
-    sph2d_diagnostic *d =
-        sph2d_report_add(report, SPH2D_ERROR, code, NULL,
-                         "%s: particle %llu at (%g, %g) with velocity (%g, %g), step %llu, time %g s", what,
-                         (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i],
-                         (unsigned long long)sim->record.steps, sim->record.time);
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, code, NULL,
+                                           "%s: particle %llu at (%g, %g) with velocity (%g, %g), step %llu, time %g s",
+                                           what, (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i],
+                                           (unsigned long long)sim->record.steps, sim->record.time);
     sph2d_diagnostic_hint(d, "%s", hint);
 }
 
@@ -102,11 +106,11 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
     }
     r->short_steps = r->next_step < COLLAPSE * s->support / s->sound_speed ? r->short_steps + 1 : 0;
     if (r->short_steps >= COLLAPSED_STEPS) {
-        sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_COLLAPSE, NULL,
-                                               "the time step collapsed to %g s at step %llu, time %g s "
-                                               "(fastest particle %g m/s, largest acceleration %g m/s^2)",
-                                               r->next_step, (unsigned long long)r->steps, r->time, speed,
-                                               sqrt(e->acceleration2));
+        sph2d_diagnostic *d =
+            sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_COLLAPSE, NULL,
+                             "the time step collapsed to %g s at step %llu, time %g s "
+                             "(fastest particle %g m/s, largest acceleration %g m/s^2)",
+                             r->next_step, (unsigned long long)r->steps, r->time, speed, sqrt(e->acceleration2));
         sph2d_diagnostic_hint(d, "look for overlapping particles or a source into a full place");
         return false;
     }

@@ -76,8 +76,8 @@ static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacl
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
     bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
     for (size_t k = 0; k < pieces; ++k) {
-        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), obstacle->form,
-                            obstacle->restitution, open && k + 1 == pieces};
+        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), obstacle->form, obstacle->restitution,
+                            open && k + 1 == pieces};
         if (!sph2d__barrier_add(&sim->barrier, piece.segment, &sim->memory))
             return SPH2D_NOMEM;
         sph2d_status status = place_piece(sim, &piece, report);

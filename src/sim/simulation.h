@@ -25,7 +25,7 @@ struct sph2d_sim {
     size_t doomed_capacity;
 
     sph2d__record record;
-    bool stopped;               /**< a guard has fired */
+    bool stopped; /**< a guard has fired */
     sph2d_array *state_arrays;
     size_t state_capacity;
 };
@@ -62,7 +62,8 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
 /** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
 
-/** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM. */
+/** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM.
+ */
 sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);
 
 #endif

@@ -31,10 +31,10 @@ static double noise(uint64_t seed, uint64_t source, uint64_t row, uint64_t colum
 
 /** A source in numbers that emission needs. */
 typedef struct nozzle {
-    double ux, uy;    /**< unit vector of the jet */
-    double columns;   /**< particles in a row */
-    double across;    /**< between them [m] */
-    double interval;  /**< between rows [s], which gives each particle its area dx^2 */
+    double ux, uy;   /**< unit vector of the jet */
+    double columns;  /**< particles in a row */
+    double across;   /**< between them [m] */
+    double interval; /**< between rows [s], which gives each particle its area dx^2 */
 } nozzle;
 
 static nozzle nozzle_of(const sph2d_scene *scene, const sph2d_source *source)
@@ -61,8 +61,8 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     return false;
 }
 
-/** Whether a new particle has room: on the nozzle's side of every wall, away from liquid and boundary particles. `sorted`
- *  particles are in the cells, those behind are new. */
+/** Whether a new particle has room: on the nozzle's side of every wall, away from liquid and boundary particles.
+ * `sorted` particles are in the cells, those behind are new. */
 static bool has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
 {
     const sph2d__system *s = &sim->system;

@@ -60,8 +60,8 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
 #define COUNT(member, label, text) out[n++] = run_array(label, text, SPH2D_U64, 1, &r->member);
     SPH2D__RECORD_COUNTS(COUNT)
 #undef COUNT
-    out[n++] = run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count,
-                         sim->source_rows);
+    out[n++] =
+        run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count, sim->source_rows);
     out[n++] = run_array("OutputCounts", "outputs taken: snapshots, frames, then each probe", SPH2D_U64,
                          SPH2D_OUTPUT_PROBE + sim->scene.probe_count, sim->output_counts);
     return n;
@@ -93,7 +93,8 @@ static void refuse(loader *l, const char *name, const char *what)
     sph2d_report_add(l->report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "the state's '%s' %s", name, what);
 }
 
-/** The array like `wanted` in group, name, type and components, with `count` values; NULL, reported, when there is none. */
+/** The array like `wanted` in group, name, type and components, with `count` values; NULL, reported, when there is
+ * none. */
 static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_t count)
 {
     for (size_t i = 0; i < l->state->array_count; ++i) {
