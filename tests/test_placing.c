@@ -111,6 +111,27 @@ START_TEST(obstacles_keep_their_places_free)
 }
 END_TEST
 
+START_TEST(sides_of_boundary_particles_are_a_spacing_away)
+{
+    /* They stand half a spacing outside the domain, and a block at the side starts half a spacing inside. */
+    scene.walls = _i ? SPH2D_WALL_REFLECT : SPH2D_WALL_HEAVY;
+    scene.boundary.right = SPH2D_SIDE_OPEN;
+    blocks[0] = test_block(0, -0.1, 0.1, 0.1);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim), w = sph2d_sim_walls(sim);
+    ck_assert_uint_eq(f.count, 200);
+    ck_assert_uint_eq(w.count, 201 + 201); /* left and bottom, each going on for as far beside the open sides */
+    double out = 0, in = 1;
+    for (size_t b = 0; b < w.count; ++b)
+        out = fmax(out, fabs(fmin(w.x[b], w.y[b] + 0.1) + 0.5 * DX));
+    for (size_t i = 0; i < f.count; ++i)
+        in = fmin(in, fmin(f.x[i], f.y[i] + 0.1));
+    ck_assert_double_le(out, 1e-12);
+    ck_assert_double_eq_tol(in, 0.5 * DX, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(no_particle_found_room)
 {
     sph2d_obstacle obstacle = sph2d_obstacle_default();
@@ -188,8 +209,8 @@ START_TEST(a_million_millions_are_refused_with_their_memory)
     ck_assert(memory_named);
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "1e+12 particles"));
     /* Numbers that no integer holds are refused the same way. */
-    scene.domain = (sph2d_box){{0, 0}, {1e30, 1e30}};
-    blocks[0] = test_block(0, 0, 1e30, 1e30);
+    scene.domain = (sph2d_box){{0, 0}, {1e10, 1e10}};
+    blocks[0] = test_block(0, 0, 1e10, 1e10);
     sph2d_report_clear(&report);
     ck_assert_msg(too_many("blocks[0]", &memory_named), "%s", test_report_text(&report));
 }
@@ -223,6 +244,7 @@ Suite *suite_placing(void)
     tcase_add_loop_test(tests, a_disc_and_a_polygon_hold_their_area, 0, 2);
     tcase_add_test(tests, a_finer_block_starts_compressed);
     tcase_add_test(tests, obstacles_keep_their_places_free);
+    tcase_add_loop_test(tests, sides_of_boundary_particles_are_a_spacing_away, 0, 2);
     tcase_add_test(tests, no_particle_found_room);
     tcase_add_test(tests, blocks_may_touch_but_not_overlap);
     tcase_add_test(tests, blocks_may_not_interlock);

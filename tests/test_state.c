@@ -318,6 +318,27 @@ START_TEST(densities_must_be_positive)
 }
 END_TEST
 
+START_TEST(places_must_be_near_and_in_order)
+{
+    test_state state = sound_state();
+    size_t last = test_state_array(&state, SPH2D_GROUP_FLUID, "Coordinates")->count - 1;
+    for (unsigned c = 0; c < 2; ++c) {
+        double *x = test_state_reals(&state, SPH2D_GROUP_FLUID, "Coordinates", c), good = x[last];
+        x[last] = c == 0 ? 1e9 : -1e9;
+        ck_assert(refused(&state));
+        x[last] = good;
+    }
+    ck_assert(!refused(&state));
+    for (unsigned c = 0; c < 2; ++c) { /* the first and the last, in other cells, change places */
+        double *x = test_state_reals(&state, SPH2D_GROUP_FLUID, "Coordinates", c), first = x[0];
+        x[0] = x[last];
+        x[last] = first;
+    }
+    ck_assert(refused(&state)); /* densities and pressures would be those of the other */
+    test_state_free(&state);
+}
+END_TEST
+
 START_TEST(a_state_of_another_scene_is_refused)
 {
     test_state state = sound_state();
@@ -362,6 +383,7 @@ Suite *suite_state(void)
     tcase_add_test(tests, every_number_must_be_finite);
     tcase_add_loop_test(tests, numbers_of_the_run_must_be_in_range, 0, RANGES);
     tcase_add_test(tests, densities_must_be_positive);
+    tcase_add_test(tests, places_must_be_near_and_in_order);
     tcase_add_test(tests, a_state_of_another_scene_is_refused);
     tcase_add_test(tests, a_wrong_scene_is_told_apart);
     suite_add_tcase(suite, tests);

@@ -53,7 +53,7 @@ typedef struct sph2d_rate {
 typedef enum sph2d_side {
     SPH2D_SIDE_WALL = 0, /**< closed, by the form of wall that the scene names */
     SPH2D_SIDE_OPEN = 1  /**< liquid may leave; it is followed for one more domain width or height, then removed and
-                              counted */
+                              counted. Walls beside an open side go on for as far */
 } sph2d_side;
 
 /** How walls push. */

@@ -64,7 +64,7 @@ SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_si
 SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
 
 /** Advances by one time step. Errors: SPH2D_GUARD when a guard stops the run (the state stays as it is, for a
- *  snapshot, and every later call fails too), SPH2D_NOMEM. */
+ *  snapshot), SPH2D_NOMEM. After an error every later call fails the same way. */
 SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
 
 SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);      /**< simulated time [s] */
@@ -95,11 +95,12 @@ SPH2D_API sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
 
 /* ---- steering while it runs -------------------------------------------------------------------------------------- */
 
-/** Sets gravity [m/s^2] from the next step on. Errors: SPH2D_INVALID when not finite. */
+/** Sets gravity [m/s^2] from the next step on; the change of potential counts as energy_fed. Errors: SPH2D_INVALID when
+ *  not finite. */
 SPH2D_API sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
 
-/** Pulls (acceleration > 0) or pushes (< 0) at a point, like an interaction of the scene; acceleration 0 ends it.
- *  Part of the state. Errors: SPH2D_INVALID when a value is not finite or radius is not above 0. */
+/** Pulls (acceleration > 0) or pushes (< 0) at a point, like an interaction of the scene; acceleration 0 ends it, and
+ *  the radius may then be 0. Part of the state. Errors: SPH2D_INVALID when a value is not finite or out of range. */
 SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
 
 /* ---- what is due ------------------------------------------------------------------------------------------------- */
@@ -107,7 +108,8 @@ SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, doub
 /** The outputs that a scene can ask for. Probe p is SPH2D_OUTPUT_PROBE + p. */
 enum { SPH2D_OUTPUT_SNAPSHOT = 0, SPH2D_OUTPUT_FRAME = 1, SPH2D_OUTPUT_PROBE = 2 };
 
-/** Whether an output is due now: the clock has reached its due time and it was not yet taken. */
+/** Whether an output is due now: the clock has reached its due time and it was not yet taken. An output that is due
+ *  more often than there are steps is taken once a step and lags behind. */
 SPH2D_API bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
 /** How many of an output were taken: the number of the next file. Part of the state. */
 SPH2D_API uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output);
@@ -135,7 +137,7 @@ typedef struct sph2d_summary {
     double compression_max;    /**< over all particles and steps */
     double kinetic, potential; /**< energy now [J/m]; potential is 0 at the domain's corner min */
     double energy_start;       /**< kinetic + potential at the start [J/m] */
-    double energy_fed;         /**< that sources brought less what drains and open sides took [J/m] */
+    double energy_fed; /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */
     uint64_t fed, blocked;     /**< particles that sources fed, and places that were taken */

@@ -64,6 +64,38 @@ void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t si
         sph2d__resize(memory, block, count, 0, size);
 }
 
+static void *load_pointer(const void *slot)
+{
+    void *pointer;
+    memcpy(&pointer, slot, sizeof pointer);
+    return pointer;
+}
+
+bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
+                     size_t new_count)
+{
+    enum { MOST = 32 };
+    void *fresh[MOST] = {0};
+    if (count > MOST)
+        return false;
+    for (size_t i = 0; i < count; ++i) {
+        fresh[i] = sph2d__alloc(memory, new_count, blocks[i].size);
+        if (fresh[i])
+            continue;
+        while (i-- > 0)
+            sph2d__release(memory, &fresh[i], new_count, blocks[i].size);
+        return false;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        void *old = load_pointer(blocks[i].slot);
+        if (old)
+            memcpy(fresh[i], old, old_count * blocks[i].size);
+        sph2d__release(memory, &old, old_count, blocks[i].size);
+        memcpy(blocks[i].slot, &fresh[i], sizeof fresh[i]);
+    }
+    return true;
+}
+
 struct sph2d__arena_chunk {
     struct sph2d__arena_chunk *next;
     size_t size; /**< of the whole chunk, this header included */

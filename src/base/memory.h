@@ -23,6 +23,16 @@ void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size);
 /** Resizes *block from `old_count` to `new_count` items, zeroing what is new. On failure *block stays as it was. */
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size);
 
+/** One of several blocks that grow together. */
+typedef struct sph2d__growth {
+    void *slot;  /**< the address of the pointer to the block */
+    size_t size; /**< of an item */
+} sph2d__growth;
+
+/** Grows all blocks from `old_count` to `new_count` items, zeroing what is new, or, when memory is short, none. */
+bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
+                     size_t new_count);
+
 /** Frees *block of `count` items and sets it to NULL. */
 void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t size);
 

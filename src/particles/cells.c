@@ -15,6 +15,8 @@ enum { RIM = 2 };
  */
 static const double MARGIN = 1 + 1e-6;
 
+/* A cell's number has 32 bits. */
+static const double MOST_CELLS = 4e9;
 /* Cells grow by no more than this at a time, so that an extent near the end of the numbers does not make them infinite.
  */
 static const double MAX_GROWTH = 1e100;
@@ -45,12 +47,12 @@ static bounds find_bounds(const sph2d__store *store, int threads)
  *  particles, so that memory stays in proportion to the particles. */
 static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count)
 {
-    double limit = 8.0 * (double)count + 4096.0;
+    double limit = fmin(8.0 * (double)count + 4096.0, MOST_CELLS);
     double size = support * MARGIN;
     double nx, ny;
     for (;;) {
-        nx = floor((b.max_x - b.min_x) / size) + 1 + 2 * RIM;
-        ny = floor((b.max_y - b.min_y) / size) + 1 + 2 * RIM;
+        nx = floor(b.max_x / size - b.min_x / size) + 1 + 2 * RIM; /* the difference alone might overflow */
+        ny = floor(b.max_y / size - b.min_y / size) + 1 + 2 * RIM;
         if (nx * ny <= limit)
             break;
         double excess = sqrt(nx) * sqrt(ny / limit);
@@ -63,26 +65,15 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
     cells->origin_y = b.min_y - RIM * size;
 }
 
-static bool reserve(sph2d__memory *memory, uint32_t **array, size_t old_count, size_t new_count)
-{
-    void *block = *array;
-    bool ok = sph2d__resize(memory, &block, old_count, new_count, sizeof(uint32_t));
-    *array = block;
-    return ok;
-}
-
 static bool reserve_cells(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
 {
     size_t was = cells->cell_capacity;
     if (needed <= was)
         return true;
     size_t now = needed > was + was / 2 ? needed : was + was / 2;
-    if (!reserve(memory, &cells->start, was, now))
+    const sph2d__growth arrays[] = {{&cells->start, sizeof(uint32_t)}, {&cells->head, sizeof(uint32_t)}};
+    if (!sph2d__grow_all(memory, arrays, 2, was, now))
         return false;
-    if (!reserve(memory, &cells->head, was, now)) {
-        reserve(memory, &cells->start, now, was);
-        return false;
-    }
     cells->cell_capacity = now;
     return true;
 }
@@ -92,14 +83,10 @@ static bool reserve_particles(sph2d__cells *cells, size_t needed, sph2d__memory 
     size_t was = cells->particle_capacity;
     if (needed <= was)
         return true;
-    uint32_t **arrays[3] = {&cells->next, &cells->cell, &cells->order};
-    for (int i = 0; i < 3; ++i) {
-        if (reserve(memory, arrays[i], was, needed))
-            continue;
-        while (i-- > 0)
-            reserve(memory, arrays[i], needed, was);
+    const sph2d__growth arrays[] = {
+        {&cells->next, sizeof(uint32_t)}, {&cells->cell, sizeof(uint32_t)}, {&cells->order, sizeof(uint32_t)}};
+    if (!sph2d__grow_all(memory, arrays, 3, was, needed))
         return false;
-    }
     cells->particle_capacity = needed;
     return true;
 }
@@ -164,10 +151,11 @@ bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support
 
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
 {
-    reserve(memory, &cells->start, cells->cell_capacity, 0);
-    reserve(memory, &cells->head, cells->cell_capacity, 0);
-    reserve(memory, &cells->next, cells->particle_capacity, 0);
-    reserve(memory, &cells->cell, cells->particle_capacity, 0);
-    reserve(memory, &cells->order, cells->particle_capacity, 0);
-    cells->cell_capacity = cells->particle_capacity = 0;
+    void *by_cell[2] = {cells->start, cells->head};
+    void *by_particle[3] = {cells->next, cells->cell, cells->order};
+    for (int i = 0; i < 2; ++i)
+        sph2d__release(memory, &by_cell[i], cells->cell_capacity, sizeof(uint32_t));
+    for (int i = 0; i < 3; ++i)
+        sph2d__release(memory, &by_particle[i], cells->particle_capacity, sizeof(uint32_t));
+    *cells = (sph2d__cells){0};
 }

@@ -7,14 +7,21 @@
 
 #include "base/threads.h"
 
-static bool reserve_array(sph2d__memory *memory, void *slot, size_t old_count, size_t new_count, size_t size)
+/** Length of the arrays for a capacity. */
+static size_t length_of(size_t capacity)
 {
-    void *block;
-    memcpy(&block, slot, sizeof block);
-    bool ok = sph2d__resize(memory, &block, old_count, new_count, size);
-    memcpy(slot, &block, sizeof block);
-    return ok;
+    return capacity > 0 ? capacity + SPH2D__PADDING : 0;
 }
+
+/* Every array of a store, as blocks that grow and go together. */
+#define SLOT(name, carried) {&store->name, sizeof(double)},
+#define ALL_ARRAYS(store)                                                                                              \
+    {                                                                                                                  \
+        SPH2D__STORE_REALS(SLOT){&(store)->scratch, sizeof(double)}, {&(store)->id, sizeof(uint64_t)},                 \
+        {                                                                                                              \
+            &(store)->scratch_id, sizeof(uint64_t)                                                                     \
+        }                                                                                                              \
+    }
 
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity)
 {
@@ -22,41 +29,23 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
         return true;
     size_t grown = store->capacity + store->capacity / 2;
     capacity = capacity > grown ? capacity : grown;
-    size_t was = store->capacity ? store->capacity + SPH2D__PADDING : 0;
-    size_t now = capacity + SPH2D__PADDING;
-    /* All or nothing: arrays that grew before a failure shrink back, so that one capacity holds for all. */
-    struct {
-        void *slot;
-        size_t size;
-    } arrays[] = {
-#define SLOT(name, carried) {&store->name, sizeof(double)},
-        SPH2D__STORE_REALS(SLOT)
-#undef SLOT
-            {&store->scratch, sizeof(double)},
-        {&store->id, sizeof(uint64_t)},
-        {&store->scratch_id, sizeof(uint64_t)},
-    };
-    size_t total = sizeof arrays / sizeof arrays[0];
-    for (size_t i = 0; i < total; ++i) {
-        if (reserve_array(memory, arrays[i].slot, was, now, arrays[i].size))
-            continue;
-        while (i-- > 0)
-            reserve_array(memory, arrays[i].slot, now, was, arrays[i].size);
+    const sph2d__growth arrays[] = ALL_ARRAYS(store);
+    if (!sph2d__grow_all(memory, arrays, sizeof arrays / sizeof arrays[0], length_of(store->capacity),
+                         length_of(capacity)))
         return false;
-    }
     store->capacity = capacity;
     return true;
 }
 
 void sph2d__store_free(sph2d__store *store, sph2d__memory *memory)
 {
-    size_t held = store->capacity ? store->capacity + SPH2D__PADDING : 0;
-#define FREE(name, carried) reserve_array(memory, &store->name, held, 0, sizeof(double));
-    SPH2D__STORE_REALS(FREE)
-#undef FREE
-    reserve_array(memory, &store->scratch, held, 0, sizeof(double));
-    reserve_array(memory, &store->id, held, 0, sizeof(uint64_t));
-    reserve_array(memory, &store->scratch_id, held, 0, sizeof(uint64_t));
+    const sph2d__growth arrays[] = ALL_ARRAYS(store);
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; ++i) {
+        void *block;
+        memcpy(&block, arrays[i].slot, sizeof block);
+        sph2d__release(memory, &block, length_of(store->capacity), arrays[i].size);
+        memcpy(arrays[i].slot, &block, sizeof block);
+    }
     store->count = store->capacity = 0;
 }
 

@@ -18,6 +18,8 @@ typedef struct checker {
     bool broken;   /**< a list that cannot be read */
 } checker;
 
+/* Smallest spacing over the largest coordinate: three digits are left for the distance between neighbours. */
+static const double FINENESS = 1e-13;
 /* Corners of a polygon: the search for crossings compares every side with every other. */
 enum { PATH_SIZE = 256, MAX_CORNERS = 10000 };
 
@@ -145,6 +147,18 @@ static bool check_box(checker *c, sph2d_box box, const char *path)
     return false;
 }
 
+/** Whether numbers are fine enough for the spacing at the domain's coordinates. */
+static bool check_frame(checker *c)
+{
+    sph2d_box d = c->scene->domain;
+    double reach = fmax(fmax(fabs(d.min.x), fabs(d.max.x)), fmax(fabs(d.min.y), fabs(d.max.y)));
+    if (reach < 1e150 && c->scene->spacing >= FINENESS * reach)
+        return true;
+    sph2d_diagnostic *d1 = fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is too small for coordinates so far from 0");
+    sph2d_diagnostic_hint(d1, "move the domain: spacing must be at least %g of its largest coordinate", FINENESS);
+    return false;
+}
+
 static bool in_domain(const sph2d_scene *scene, sph2d_vec2 p)
 {
     double slack = 1e-9 * scene->spacing;
@@ -180,7 +194,8 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
             return;
         }
         if (shape->polygon.count > MAX_CORNERS || sph2d__polygon_crosses_itself(shape->polygon)) {
-            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon must not cross itself, and has 10000 corners at most");
+            fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                  "a polygon must not cross or touch itself, and has 10000 corners at most");
             return;
         }
         break;
@@ -227,12 +242,25 @@ static void check_block(checker *c, size_t i)
               "must be between 0.01 and 2 times the scene's spacing");
 }
 
+static bool near_side(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    double margin = 0.3 * scene->spacing;
+    sph2d_box d = scene->domain;
+    return p.x < d.min.x + margin || p.x > d.max.x - margin || p.y < d.min.y + margin || p.y > d.max.y - margin;
+}
+
 static void check_source(checker *c, size_t i)
 {
     const sph2d_source *source = &c->scene->sources[i];
     char path[PATH_SIZE];
     if (!in_domain(c->scene, source->at))
         outside(c, item_path(path, "sources", i, ".at"), source->at);
+    else if (near_side(c->scene, source->at)) {
+        sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE,
+                                               item_path(path, "sources", i, ".at"),
+                                               "a nozzle on a side of the domain finds no room there");
+        sph2d_diagnostic_hint(w, "move it half a spacing inwards");
+    }
     if (source->direction.x == 0 && source->direction.y == 0)
         fault(c, SPH2D_CODE_OUT_OF_RANGE, item_path(path, "sources", i, ".direction"), "must not be (0, 0)");
     double width = fmax(source->width, c->scene->spacing);
@@ -259,6 +287,11 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
     }
 }
 
+static double domain_diagonal(const sph2d_scene *scene)
+{
+    return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
+}
+
 static void check_obstacle(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
@@ -279,6 +312,9 @@ static void check_obstacle(checker *c, size_t i)
     case SPH2D_OUTLINE_CIRCLE:
         if (!in_domain(c->scene, outline->circle.center))
             outside(c, item_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+        if (outline->circle.radius > domain_diagonal(c->scene))
+            fault(c, SPH2D_CODE_OUTSIDE, item_path(path, "obstacles", i, ".circle.radius"),
+                  "is larger than the whole domain");
         break;
     case SPH2D_OUTLINE_BOX:
         item_path(path, "obstacles", i, ".box");
@@ -365,7 +401,10 @@ static void check_whole(checker *c)
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
         return;
     }
-    if (c->errors == 0 && !(sph2d__scene_derive(scene).sound_speed > 0)) {
+    double c0 = c->errors == 0 ? sph2d__scene_derive(scene).sound_speed : 1;
+    if (!isfinite(c0))
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, "method", "the sound speed that follows from the scene is not finite");
+    if (!(c0 > 0)) {
         sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, "method.stiffness",
                                     "without gravity and speeds nothing gives the sound speed");
         sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2");
@@ -382,7 +421,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         return SPH2D_SCENE;
     }
     check_struct(&c, sph2d_scene_keys(), (const char *)scene, "");
-    if (!check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken)
+    if (!check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_frame(&c))
         return SPH2D_SCENE; /* what follows measures against these */
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(&c, i);

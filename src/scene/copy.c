@@ -35,6 +35,8 @@ static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
         char *slot = owner + key->offset;
         const size_t *count = (const size_t *)(const void *)(owner + key->count_offset);
         bool ok = true;
+        if (key->choice && *(const int *)(const void *)(owner + key->choice_offset) != key->choice)
+            continue; /* what was not chosen may point anywhere */
         switch (key->kind) {
         case SPH2D_KEY_TEXT: {
             const char *text;

@@ -178,7 +178,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__cells_free(&s->wall_cells, memory);
     void *blocks[4] = {s->wall_mass, s->wall_bounce, sim->doomed, sim->state_arrays};
     sph2d__release(memory, &blocks[0], s->wall_capacity, sizeof(double));
-    sph2d__release(memory, &blocks[1], s->wall_bounce ? s->wall_capacity : 0, sizeof(double));
+    sph2d__release(memory, &blocks[1], s->wall_capacity, sizeof(double));
     sph2d__release(memory, &blocks[2], sim->doomed_capacity, 1);
     sph2d__release(memory, &blocks[3], sim->state_capacity, sizeof(sph2d_array));
     sph2d__barrier_free(&sim->barrier, memory);

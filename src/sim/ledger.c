@@ -53,11 +53,11 @@ void sph2d__sim_sample(sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
-    if (r->steps % SAMPLE_STEPS != 0 || s->fluid.count == 0)
+    if (r->steps % SAMPLE_STEPS != 0)
         return;
     double span = r->time - r->sample_time;
     r->sample_time = r->time;
-    if (in_impact(sim))
+    if (in_impact(sim) || s->fluid.count == 0)
         return;
     double largest = 0, sum = 0;
     for (size_t i = 0; i < s->fluid.count; ++i) {

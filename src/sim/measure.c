@@ -8,7 +8,7 @@
 
 /* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
 static const double STEP_GROWTH = 1.2;
-/* A step that is this fraction of the acoustic one at rest is near collapse; so many in a row are one. */
+/* A step that is this fraction of the one at rest is near collapse; so many in a row are one. */
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
 
@@ -45,19 +45,14 @@ static size_t find_escaped(const sph2d_sim *sim)
     const sph2d__store *f = &sim->system.fluid;
     sph2d_boundary b = sim->scene.boundary;
     sph2d_box d = sim->scene.domain;
-    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY,
-           right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY,
-           top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
+    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY, top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
     size_t escaped = SIZE_MAX;
-    /* Beside an open side the line of the next wall has no end: outside that side there is no wall to escape through.
-     */
     int threads = sph2d__threads_for(sim->system.threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : escaped)
     for (size_t i = 0; i < f->count; ++i) {
-        bool across = f->x[i] < left || f->x[i] > right, along = f->y[i] < bottom || f->y[i] > top;
-        bool level = f->y[i] >= d.min.y && f->y[i] <= d.max.y, upright = f->x[i] >= d.min.x && f->x[i] <= d.max.x;
-        if (((across && level) || (along && upright)) && i < escaped)
+        bool outside = f->x[i] < left || f->x[i] > right || f->y[i] < bottom || f->y[i] > top;
+        if (outside && i < escaped)
             escaped = i;
     }
     return escaped;
@@ -104,7 +99,10 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
                               s->cfl * s->support / (s->sound_speed + speed));
         return false;
     }
-    r->short_steps = r->next_step < COLLAPSE * s->support / s->sound_speed ? r->short_steps + 1 : 0;
+    sph2d__limit limit;
+    double at_rest = sim->method->stable_step(s, 0, 0, &limit);
+    bool chosen = !(sim->scene.method.time_step > 0); /* a short step that the scene wants is none that collapsed */
+    r->short_steps = chosen && !(r->next_step > COLLAPSE * at_rest) ? r->short_steps + 1 : 0;
     if (r->short_steps >= COLLAPSED_STEPS) {
         sph2d_diagnostic *d =
             sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_COLLAPSE, NULL,
@@ -117,13 +115,26 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
     return true;
 }
 
+/** Fastest particle that a source may feed at the present moment. */
+static double source_speed(const sph2d_sim *sim)
+{
+    double speed = 0, time = sim->record.time;
+    for (size_t i = 0; i < sim->scene.source_count; ++i) {
+        const sph2d_source *source = &sim->scene.sources[i];
+        if (time >= source->start && (source->stop <= 0 || time < source->stop))
+            speed = fmax(speed, source->speed * (1 + source->spread * sqrt(2)));
+    }
+    return speed;
+}
+
 static void choose_step(sph2d_sim *sim, const extremes *e)
 {
     sph2d__record *r = &sim->record;
+    double speed = fmax(sqrt(e->speed2), source_speed(sim));
     sph2d__limit limit = SPH2D__LIMIT_FIXED;
     double dt = sim->scene.method.time_step;
     if (!(dt > 0)) {
-        dt = sim->method->stable_step(&sim->system, sqrt(e->speed2), sqrt(e->acceleration2), &limit);
+        dt = sim->method->stable_step(&sim->system, speed, sqrt(e->acceleration2), &limit);
         if (r->last_step > 0 && dt > STEP_GROWTH * r->last_step)
             dt = STEP_GROWTH * r->last_step;
     }

@@ -11,7 +11,12 @@
 static const double FREE_DISTANCE = 0.7;
 
 /** Bytes that a fluid particle takes in the store and the cells. */
-static const double PARTICLE_BYTES = 13 * sizeof(double) + 2 * sizeof(uint64_t) + 3 * sizeof(uint32_t);
+#define ONE_MORE(name, carried) +1
+static const double PARTICLE_BYTES =
+    (0 SPH2D__STORE_REALS(ONE_MORE) + 1) * sizeof(double) + 2 * sizeof(uint64_t) + 3 * sizeof(uint32_t);
+#undef ONE_MORE
+/* Cells name particles by 32 bits. */
+static const double MOST_PARTICLES = 4e9;
 
 /** The lattice of a block: first place, number of places. */
 typedef struct lattice {
@@ -25,41 +30,44 @@ static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
     lattice l = {.spacing = block->spacing > 0 ? block->spacing : sim->scene.spacing};
     sph2d_box b = sph2d__shape_bounds(&block->shape);
     double half = block->shape.kind == SPH2D_SHAPE_BOX ? 0.5 : 0.0; /* boxes fit whole columns, others are cut out */
-    l.nx = floor((b.max.x - b.min.x) / l.spacing + half);
-    l.ny = floor((b.max.y - b.min.y) / l.spacing + half);
-    l.nx = l.nx < 1 ? 1 : l.nx;
-    l.ny = l.ny < 1 ? 1 : l.ny;
-    l.first = (sph2d_vec2){b.min.x + l.spacing / 2, b.min.y + l.spacing / 2};
-    if (block->shape.kind == SPH2D_SHAPE_DISC) { /* symmetric about its centre */
-        l.first.x = block->shape.disc.center.x - (l.nx - 1) / 2 * l.spacing;
-        l.first.y = block->shape.disc.center.y - (l.ny - 1) / 2 * l.spacing;
-    }
+    l.nx = fmax(floor((b.max.x - b.min.x) / l.spacing + half), 1);
+    l.ny = fmax(floor((b.max.y - b.min.y) / l.spacing + half), 1);
+    l.first.x = (b.min.x + b.max.x) / 2 - (l.nx - 1) / 2 * l.spacing;
+    l.first.y = (b.min.y + b.max.y) / 2 - (l.ny - 1) / 2 * l.spacing;
     return l;
 }
 
-/** Whether a place is inside an obstacle or too close to one. */
+/** Whether a place is inside an obstacle or too close to it. */
+static bool taken_by(const sph2d_outline *outline, double spacing, sph2d_vec2 p)
+{
+    double distance = FREE_DISTANCE * spacing;
+    if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
+        return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) < outline->circle.radius + distance;
+    if (sph2d__outline_encloses(outline, p))
+        return true;
+    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        if (sph2d__segment_distance(&s, p) < distance)
+            return true;
+    }
+    return false;
+}
+
 static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
 {
-    double distance = FREE_DISTANCE * scene->spacing;
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        const sph2d_outline *outline = &scene->obstacles[i].outline;
-        if (sph2d__outline_encloses(outline, p))
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (taken_by(&scene->obstacles[i].outline, scene->spacing, p))
             return true;
-        size_t pieces = sph2d__outline_pieces(outline, scene->spacing);
-        for (size_t k = 0; k < pieces; ++k) {
-            sph2d__segment s = sph2d__outline_piece(outline, scene->spacing, k);
-            if (sph2d__segment_distance(&s, p) < distance)
-                return true;
-        }
-    }
     return false;
 }
 
 bool sph2d__sim_too_many(double count, const char *path, sph2d_report *report)
 {
-    double memory = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where the system does not tell */
+    double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
     double bytes = count * PARTICLE_BYTES;
-    if (count < 4e9 && !(memory > 0 && bytes > memory))
+    if (count < MOST_PARTICLES && bytes <= memory)
         return false;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
                                            "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);

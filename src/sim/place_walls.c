@@ -33,17 +33,9 @@ static bool reserve_walls(sph2d__system *s, size_t extra)
     size_t was = s->wall_capacity, now = s->walls.capacity + SPH2D__PADDING;
     if (now <= was)
         return true;
-    void *mass = s->wall_mass, *bounce = s->wall_bounce;
-    bool ok = sph2d__resize(s->memory, &mass, was, now, sizeof(double));
-    s->wall_mass = mass;
-    if (!ok)
+    const sph2d__growth arrays[] = {{&s->wall_mass, sizeof(double)}, {&s->wall_bounce, sizeof(double)}};
+    if (!sph2d__grow_all(s->memory, arrays, 2, was, now))
         return false;
-    if (!sph2d__resize(s->memory, &bounce, was, now, sizeof(double))) {
-        sph2d__resize(s->memory, &mass, now, was, sizeof(double));
-        s->wall_mass = mass;
-        return false;
-    }
-    s->wall_bounce = bounce;
     s->wall_capacity = now;
     return true;
 }
@@ -74,6 +66,8 @@ static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacl
 {
     double spacing = sim->scene.spacing;
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
+    if (sph2d__sim_too_many((double)sim->system.walls.count + (double)pieces, "obstacles", report))
+        return SPH2D_SCENE;
     bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
     for (size_t k = 0; k < pieces; ++k) {
         wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), obstacle->form, obstacle->restitution,
@@ -102,18 +96,31 @@ static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d
     return place_piece(sim, &piece, report);
 }
 
+/** The domain and, beyond its open sides, the room in which liquid is still followed: walls go on for as far. */
+static sph2d_box followed(const sph2d_scene *scene)
+{
+    sph2d_box d = scene->domain;
+    double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
+    d.min.x -= scene->boundary.left == SPH2D_SIDE_OPEN ? width : 0;
+    d.max.x += scene->boundary.right == SPH2D_SIDE_OPEN ? width : 0;
+    d.min.y -= scene->boundary.bottom == SPH2D_SIDE_OPEN ? height : 0;
+    d.max.y += scene->boundary.top == SPH2D_SIDE_OPEN ? height : 0;
+    return d;
+}
+
+/** Each side has the liquid to the left of its way from a to b, where the backstop keeps what starts on it. */
 static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
 {
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = followed(&sim->scene);
     sph2d_boundary sides = sim->scene.boundary;
     struct {
         sph2d_side side;
         sph2d_vec2 a, b, shift;
     } all[4] = {
-        {sides.left, d.min, {d.min.x, d.max.y}, {-1, 0}},
+        {sides.left, {d.min.x, d.max.y}, d.min, {-1, 0}},
         {sides.right, {d.max.x, d.min.y}, d.max, {1, 0}},
         {sides.bottom, d.min, {d.max.x, d.min.y}, {0, -1}},
-        {sides.top, {d.min.x, d.max.y}, d.max, {0, 1}},
+        {sides.top, d.max, {d.min.x, d.max.y}, {0, 1}},
     };
     for (int k = 0; k < 4; ++k) {
         if (all[k].side != SPH2D_SIDE_WALL)

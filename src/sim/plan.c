@@ -26,10 +26,10 @@ static double outputs_until(sph2d_rate rate, double until)
     return interval > 0 ? floor(until / interval * (1 + 1e-12)) + 1 : 0;
 }
 
-/** Bytes that a snapshot holds for each particle: four vectors of three, four scalars, an id. */
+/** Bytes of a snapshot: three vectors of three, four scalars, an id and two indices a particle, and what HDF5 adds. */
 static double snapshot_bytes(double particles)
 {
-    return particles * (3 * 3 + 4 + 1) * sizeof(double);
+    return particles * (3 * 3 + 4 + 1 + 2) * sizeof(double) + 8e4;
 }
 
 void sph2d__sim_make_plan(sph2d_sim *sim)

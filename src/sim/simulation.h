@@ -25,7 +25,7 @@ struct sph2d_sim {
     size_t doomed_capacity;
 
     sph2d__record record;
-    bool stopped; /**< a guard has fired */
+    sph2d_status stopped; /**< why no step can follow: SPH2D_GUARD, SPH2D_NOMEM; SPH2D_OK otherwise */
     sph2d_array *state_arrays;
     size_t state_capacity;
 };

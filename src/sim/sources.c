@@ -13,6 +13,9 @@ static const double ROOM = 0.7;
 /* The clock is a sum of steps: a due time that it misses by rounding alone is reached. */
 static const double REACHED = 1 + 1e-12;
 
+/* Cells name particles by 32 bits. */
+static const size_t MOST_PARTICLES = 4000000000u;
+
 /** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
 static uint64_t mix(uint64_t z)
 {
@@ -88,7 +91,8 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     const sph2d_source *source = &sim->scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
-    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
+    if (fluid->count + columns > MOST_PARTICLES ||
+        !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
         double across = ((double)k - (n->columns - 1) / 2) * n->across;
@@ -110,12 +114,30 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     return SPH2D_OK;
 }
 
+/** Passes over the rows that were due so long ago that they would be outside the domain by now. */
+static void skip_rows(sph2d_sim *sim, size_t index, const nozzle *n)
+{
+    const sph2d_source *source = &sim->scene.sources[index];
+    sph2d_box d = sim->scene.domain;
+    double under_way = hypot(d.max.x - d.min.x, d.max.y - d.min.y) / source->speed;
+    double oldest = sim->record.time - under_way;
+    if (source->stop > 0)
+        oldest = fmin(oldest, source->stop);
+    double due = source->start + (double)sim->source_rows[index] * n->interval;
+    double skipped = fmin(floor((oldest - due) / n->interval), 1e18);
+    if (skipped > 0) {
+        sim->source_rows[index] += (uint64_t)skipped;
+        sim->record.blocked += (uint64_t)(skipped * n->columns);
+    }
+}
+
 sph2d_status sph2d__sim_feed(sph2d_sim *sim)
 {
     size_t sorted = sim->system.fluid.count;
     for (size_t i = 0; i < sim->scene.source_count; ++i) {
         const sph2d_source *source = &sim->scene.sources[i];
         nozzle n = nozzle_of(&sim->scene, source);
+        skip_rows(sim, i, &n);
         for (;;) {
             uint64_t row = sim->source_rows[i];
             double due = source->start + (double)row * n.interval;

@@ -162,6 +162,30 @@ static size_t fluid_count(const sph2d_state *state)
     return 0;
 }
 
+/** Liquid is followed for one more width and height of the domain, and a step more. */
+static void check_places(loader *l, const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d_box d = sim->scene.domain;
+    double reach = 100 * fmax(d.max.x - d.min.x, d.max.y - d.min.y);
+    for (size_t i = 0; i < f->count; ++i)
+        if (fabs(f->x[i] - d.min.x) > reach || fabs(f->y[i] - d.min.y) > reach) {
+            refuse(l, "Coordinates", "has a place far outside the domain");
+            return;
+        }
+}
+
+/** Density and pressure are stored in cell order: particles in any other order would get those of others. */
+static bool in_cell_order(loader *l, const sph2d_sim *sim)
+{
+    for (size_t k = 0; k < sim->system.fluid.count; ++k)
+        if (sim->system.fluid_cells.order[k] != k) {
+            refuse(l, "Coordinates", "is not in the order of the cells");
+            return false;
+        }
+    return true;
+}
+
 /** Ranges that later code relies on. */
 static void check_record(loader *l, const sph2d_sim *sim)
 {
@@ -178,6 +202,7 @@ static void check_record(loader *l, const sph2d_sim *sim)
         refuse(l, "NextLimit", "is out of range");
     if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))
         refuse(l, "InstructionSet", "is one that this processor or build does not have");
+    check_places(l, sim);
     for (size_t i = 0; i < sim->system.fluid.count; ++i)
         if (!(sim->system.fluid.density[i] > 0)) {
             refuse(l, "Densities", "has a value that is not above 0");
@@ -213,7 +238,7 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     if (!l.ok)
         return SPH2D_FORMAT;
     sim->system.isa = (sph2d_isa)sim->record.isa;
-    return sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.support, &sim->memory, sim->system.threads)
-               ? SPH2D_OK
-               : SPH2D_NOMEM;
+    if (!sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.support, &sim->memory, sim->system.threads))
+        return SPH2D_NOMEM;
+    return in_cell_order(&l, sim) ? SPH2D_OK : SPH2D_FORMAT;
 }

@@ -47,14 +47,21 @@ sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
 {
     if (!isfinite(gravity.x) || !isfinite(gravity.y))
         return SPH2D_INVALID;
+    sph2d_summary before, after;
+    sph2d__sim_sum_energy(sim, &before);
     sim->record.gravity_x = gravity.x;
     sim->record.gravity_y = gravity.y;
+    sph2d__sim_aim(sim, sim->record.time);
+    sph2d__sim_sum_energy(sim, &after);
+    sim->record.energy_fed += after.potential - before.potential;
     return SPH2D_OK;
 }
 
 sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration)
 {
-    if (!isfinite(at.x) || !isfinite(at.y) || !isfinite(acceleration) || !isfinite(radius) || !(radius > 0))
+    if (!isfinite(at.x) || !isfinite(at.y) || !isfinite(acceleration) || !isfinite(radius))
+        return SPH2D_INVALID;
+    if (acceleration != 0 ? !(radius > 0) : !(radius >= 0))
         return SPH2D_INVALID;
     sim->record.pointer_x = at.x;
     sim->record.pointer_y = at.y;

@@ -96,10 +96,13 @@ static void kick(sph2d__system *s, double dt)
     }
 }
 
-static sph2d_status halt(sph2d_sim *sim)
+static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)
 {
-    sim->stopped = true;
-    return SPH2D_GUARD;
+    sim->stopped = status;
+    if (status == SPH2D_NOMEM)
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory in step %llu",
+                         (unsigned long long)sim->record.steps);
+    return status;
 }
 
 static void count_limit(sph2d__record *r, uint64_t limit)
@@ -123,32 +126,31 @@ static void advance_clock(sph2d_sim *sim, double dt)
 
 sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
 {
-    if (sim->stopped) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "the simulation was stopped by a guard before");
-        return SPH2D_GUARD;
+    if (sim->stopped != SPH2D_OK) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "no step can follow: %s",
+                         sph2d_status_text(sim->stopped));
+        return sim->stopped;
     }
     sph2d_status status = sph2d__sim_feed(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_drain(sim);
     if (status != SPH2D_OK)
-        return status;
+        return halt(sim, status, report);
     double dt = sim->record.next_step;
     if (!kick_drift(sim, dt)) {
         sph2d__sim_measure(sim, report); /* names the particle */
-        return halt(sim);
+        return halt(sim, SPH2D_GUARD, report);
     }
     sph2d__system *s = &sim->system;
-    if (!sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory, s->threads)) {
-        sim->stopped = true; /* half a step is done: there is no way on */
-        return SPH2D_NOMEM;
-    }
+    if (!sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory, s->threads))
+        return halt(sim, SPH2D_NOMEM, report);
     keep_accelerations(&s->fluid);
     sph2d__sim_aim(sim, sim->record.time + dt);
     sim->method->evaluate(s);
     kick(s, dt);
     advance_clock(sim, dt);
     if (!sph2d__sim_measure(sim, report))
-        return halt(sim);
+        return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
     return SPH2D_OK;
 }
