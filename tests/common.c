@@ -96,7 +96,7 @@ const char *test_report_text(const sph2d_report *report)
     size_t used = 0;
     text[0] = '\0';
     for (size_t i = 0; i < report->count && used + 1024 < sizeof text; ++i) {
-        used += sph2d_diagnostic_format(&report->items[i], text + used, 1000);
+        sph2d_diagnostic_format(&report->items[i], text + used, 1000);
         used = strlen(text);
         text[used++] = '\n';
         text[used] = '\0';

@@ -208,27 +208,31 @@ START_TEST(a_million_millions_are_refused_with_their_memory)
     ck_assert_msg(too_many("blocks[0]", &memory_named), "%s", test_report_text(&report));
     ck_assert(memory_named);
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "1e+12 particles"));
-    /* Numbers that no integer holds are refused the same way. */
-    scene.domain = (sph2d_box){{0, 0}, {1e10, 1e10}};
-    blocks[0] = test_block(0, 0, 1e10, 1e10);
+    /* Numbers that no index holds are refused the same way. */
+    scene.domain = (sph2d_box){{0, 0}, {1e7, 1e7}};
+    blocks[0] = test_block(0, 0, 1e7, 1e7);
     sph2d_report_clear(&report);
     ck_assert_msg(too_many("blocks[0]", &memory_named), "%s", test_report_text(&report));
+    ck_assert(memory_named);
 }
 END_TEST
 
 START_TEST(too_many_boundary_particles_are_refused)
 {
-    /* 10^12, and (where that is more than this machine has) 9e8 of 100 bytes or more. */
+    /* 9e8 for each time that a line goes there and back: 9e11, and (where that is too many for this machine) 9e8 of 100
+     * bytes or more. */
+    enum { TURNS = 1001 };
+    static sph2d_vec2 turns[TURNS];
     double most = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    double length = _i == 0 ? 1e10 : 9e6;
     if (_i == 1 && most > 9e8 * 100)
         return;
+    for (int k = 0; k < TURNS; ++k)
+        turns[k] = (sph2d_vec2){k % 2 ? 9e6 : 0, 0.0008 * k};
     bool memory_named;
-    sph2d_vec2 ends[2] = {{0, 0.5}, {length, 0.5}};
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){ends, 2};
-    scene.domain = (sph2d_box){{0, 0}, {length, 1}};
+    obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
+    obstacle.outline.polyline = (sph2d_points){turns, _i == 0 ? TURNS : 2};
+    scene.domain = (sph2d_box){{0, 0}, {9e6, 1}};
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;
     ck_assert_msg(too_many(NULL, &memory_named), "%s", test_report_text(&report));

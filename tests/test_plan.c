@@ -67,6 +67,7 @@ START_TEST(the_sound_speed_comes_from_height_speed_and_pull)
     scene.interactions = &push;
     scene.interaction_count = 1;
     check_speed(0.7, 7, 30 * 0.4 / 2);
+    scene = sph2d_scene_default(); /* the lists above end here */
 }
 END_TEST
 

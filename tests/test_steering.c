@@ -163,12 +163,16 @@ START_TEST(wrong_steering_is_refused_and_changes_nothing)
     ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, INFINITY, 1), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, 0, 1), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, -1, 1), SPH2D_INVALID);
+    ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, -1, 0), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, 1, NAN), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, 1, -INFINITY), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_gravity(sim, (sph2d_vec2){NAN, 0}), SPH2D_INVALID);
     ck_assert_int_eq(sph2d_sim_set_gravity(sim, (sph2d_vec2){0, INFINITY}), SPH2D_INVALID);
     test_steps(sim, 1);
     ck_assert_double_le(difference(sim, &at, &radius, &acceleration, 1), 1e-12);
+    ck_assert_int_eq(sph2d_sim_set_pointer(sim, at, 0, 0), SPH2D_OK); /* ended: no reach is needed */
+    test_steps(sim, 1);
+    ck_assert_double_le(difference(sim, &at, &radius, &acceleration, 0), 0);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -191,6 +195,34 @@ START_TEST(gravity_changes_from_the_next_step_on)
     test_steps(sim, 1);
     f = sph2d_sim_fluid(sim);
     ck_assert(f.ax[0] == 0 && f.ay[0] == 0);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(new_gravity_feeds_energy)
+{
+    /* Free flight: kinetic and potential energy are those of the start and what was fed, whenever gravity changes. */
+    static const sph2d_vec2 gravity[4] = {{2, -10}, {0, 0}, {-5, 3}, {1, 1}};
+    sph2d_sim *sim = with_interactions(NULL, 0);
+    double worst = 0, most = 0;
+    for (int k = 0; k < 4; ++k) {
+        ck_assert_int_eq(sph2d_sim_set_gravity(sim, gravity[k]), SPH2D_OK);
+        sph2d_summary s = sph2d_sim_summary(sim);
+        double mass = 1000 * DX * DX, potential = 0;
+        sph2d_view f = sph2d_sim_fluid(sim);
+        for (size_t i = 0; i < f.count; ++i)
+            potential -= mass * (gravity[k].x * (f.x[i] + 2) + gravity[k].y * (f.y[i] + 2));
+        worst = fmax(worst, fabs(s.potential - potential));
+        test_steps(sim, 1); /* which kicks half with the old gravity, half with the new */
+        s = sph2d_sim_summary(sim);
+        double before = s.kinetic + s.potential - s.energy_start - s.energy_fed;
+        test_steps(sim, 50);
+        s = sph2d_sim_summary(sim);
+        worst = fmax(worst, fabs(s.kinetic + s.potential - s.energy_start - s.energy_fed - before));
+        most = fmax(most, fabs(s.energy_fed));
+    }
+    ck_assert_double_gt(most, 1);
+    ck_assert_double_le(worst, 1e-11 * most);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -225,6 +257,7 @@ Suite *suite_steering(void)
     tcase_add_test(tests, a_particle_at_the_point_stays_finite);
     tcase_add_test(tests, wrong_steering_is_refused_and_changes_nothing);
     tcase_add_test(tests, gravity_changes_from_the_next_step_on);
+    tcase_add_test(tests, new_gravity_feeds_energy);
     tcase_add_test(tests, potential_energy_follows_gravity);
     suite_add_tcase(suite, tests);
     return suite;

@@ -137,7 +137,7 @@ typedef struct sph2d_summary {
     double compression_max;    /**< over all particles and steps */
     double kinetic, potential; /**< energy now [J/m]; potential is 0 at the domain's corner min */
     double energy_start;       /**< kinetic + potential at the start [J/m] */
-    double energy_fed; /**< that sources and new gravity brought less what drains and open sides took [J/m] */
+    double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */
     uint64_t fed, blocked;     /**< particles that sources fed, and places that were taken */

@@ -53,7 +53,7 @@ typedef enum sph2d_status {
     X(OVERLAP, "S108", "two things lie on each other")                                                                 \
     X(NO_PARTICLES, "S109", "the scene has no particle and no source")                                                 \
     X(TOO_MANY, "S110", "more particles or boundary particles than memory can hold")                                   \
-    X(UNSUPPORTED, "S111", "a feature that is not supported here")                                                      \
+    X(UNSUPPORTED, "S111", "a feature that is not supported here")                                                     \
     X(FILE_OPEN, "F201", "a file cannot be opened")                                                                    \
     X(FILE_KIND, "F202", "a file of another kind")                                                                     \
     X(FILE_INCOMPLETE, "F203", "a file not written to its end, or damaged")                                            \

@@ -256,9 +256,9 @@ static void check_source(checker *c, size_t i)
     if (!in_domain(c->scene, source->at))
         outside(c, item_path(path, "sources", i, ".at"), source->at);
     else if (near_side(c->scene, source->at)) {
-        sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE,
-                                               item_path(path, "sources", i, ".at"),
-                                               "a nozzle on a side of the domain finds no room there");
+        sph2d_diagnostic *w =
+            sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, item_path(path, "sources", i, ".at"),
+                             "a nozzle on a side of the domain finds no room there");
         sph2d_diagnostic_hint(w, "move it half a spacing inwards");
     }
     if (source->direction.x == 0 && source->direction.y == 0)

@@ -45,8 +45,10 @@ static size_t find_escaped(const sph2d_sim *sim)
     const sph2d__store *f = &sim->system.fluid;
     sph2d_boundary b = sim->scene.boundary;
     sph2d_box d = sim->scene.domain;
-    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY, top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
+    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY,
+           right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY,
+           top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
     size_t escaped = SIZE_MAX;
     int threads = sph2d__threads_for(sim->system.threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : escaped)

@@ -42,7 +42,8 @@ static bool taken_by(const sph2d_outline *outline, double spacing, sph2d_vec2 p)
 {
     double distance = FREE_DISTANCE * spacing;
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
-        return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) < outline->circle.radius + distance;
+        return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) <
+               outline->circle.radius + distance;
     if (sph2d__outline_encloses(outline, p))
         return true;
     size_t pieces = sph2d__outline_pieces(outline, spacing);

@@ -91,8 +91,7 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     const sph2d_source *source = &sim->scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
-    if (fluid->count + columns > MOST_PARTICLES ||
-        !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
+    if (fluid->count + columns > MOST_PARTICLES || !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
         double across = ((double)k - (n->columns - 1) / 2) * n->across;
