@@ -307,7 +307,7 @@ START_TEST(rows_are_complete)
     sph2d_scene fresh;
     sph2d_scene_keys()->set_default(&fresh);
     ck_assert_uint_eq(fresh.struct_size, sizeof fresh);
-    ck_assert(fresh.gravity.y == -9.81 && fresh.fluid.density == 1000 && fresh.method.support_ratio == 2);
+    ck_assert(fresh.gravity.y == -9.81 && fresh.fluid.density == 1000 && fresh.method.density_diffusion == 0.1);
 }
 END_TEST
 

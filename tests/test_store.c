@@ -9,10 +9,14 @@
 static sph2d__memory memory;
 static sph2d__store store;
 
+/* Arrays of every kind: one is not there at all, some do not go along into a new order. */
+static const uint32_t ALL = ((uint32_t)1 << SPH2D__STORE_COUNT) - 1;
+static const uint32_t CARRIED = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(density) | SPH2D__BIT(start_density);
+
 static void start(void)
 {
     memory = sph2d__memory_from((sph2d_allocator){0});
-    store = (sph2d__store){0};
+    store = (sph2d__store){.has = ALL & ~SPH2D__BIT(slope_x), .carried = CARRIED};
 }
 
 static void finish(void)
@@ -28,7 +32,10 @@ static void fill(size_t count)
     for (size_t i = 0; i < count; ++i) {
         ck_assert_uint_eq(sph2d__store_add(&store, 1000 + i, 0, 0), i);
         int a = 0;
-#define SET(name, carried) store.name[i] = (double)(100 * i) + a++;
+#define SET(name)                                                                                                      \
+    if (store.name)                                                                                                    \
+        store.name[i] = (double)(100 * i) + a;                                                                         \
+    ++a;
         SPH2D__STORE_REALS(SET)
 #undef SET
     }
@@ -39,13 +46,25 @@ static bool holds(size_t k, size_t i, bool sorted)
 {
     bool same = store.id[k] == 1000 + i;
     int a = 0;
-#define SAME(name, carried)                                                                                            \
-    same = same && ((sorted && !(carried)) || store.name[k] == (double)(100 * i) + a);                                 \
+#define SAME(name)                                                                                                     \
+    same =                                                                                                             \
+        same && (!store.name || (sorted && !(CARRIED & SPH2D__BIT(name))) || store.name[k] == (double)(100 * i) + a);  \
     ++a;
     SPH2D__STORE_REALS(SAME)
 #undef SAME
     return same;
 }
+
+START_TEST(only_the_arrays_of_the_set_are_there)
+{
+    fill(5);
+    ck_assert_ptr_null(store.slope_x);
+    ck_assert_ptr_nonnull(store.slope_y);
+    size_t length = store.capacity + SPH2D__PADDING;
+    ck_assert_uint_eq(memory.bytes, length * sph2d__store_bytes(store.has));
+    ck_assert_uint_eq(sph2d__store_bytes(SPH2D__STORE_BASIC), (4 + 1) * sizeof(double) + 2 * sizeof(uint64_t));
+}
+END_TEST
 
 START_TEST(a_new_particle_is_at_rest_and_empty)
 {
@@ -166,6 +185,7 @@ Suite *suite_store(void)
     Suite *suite = suite_create("store");
     TCase *tests = tcase_create("store");
     tcase_add_checked_fixture(tests, start, finish);
+    tcase_add_test(tests, only_the_arrays_of_the_set_are_there);
     tcase_add_test(tests, a_new_particle_is_at_rest_and_empty);
     tcase_add_test(tests, reserving_keeps_what_is_there);
     tcase_add_test(tests, lanes_may_read_behind_the_last);

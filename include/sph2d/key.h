@@ -38,6 +38,7 @@ typedef struct sph2d_key {
     size_t count_offset;           /**< of the number of items, for the list kinds */
     double min, max;               /**< range of numbers and of point coordinates, both ends included ... */
     bool min_excluded;             /**< ... but the lower end where this is set */
+    bool zero_is_unset;            /**< 0 stands for a value that is not given, whatever the range */
     size_t choice_offset;          /**< of an int that tells which key of a choice is given ... */
     int choice;                    /**< ... and its value for this key; 0: the key is no part of a choice */
     const char *const *words;      /**< names of a WORD's values 0, 1, ..., ended by NULL */

@@ -51,23 +51,65 @@ typedef struct sph2d_rate {
 
 /** What closes a side of the domain. */
 typedef enum sph2d_side {
-    SPH2D_SIDE_WALL = 0, /**< closed, by the form of wall that the scene names */
-    SPH2D_SIDE_OPEN = 1  /**< liquid may leave; it is followed for one more domain width or height, then removed and
-                              counted. Walls beside an open side go on for as far */
+    SPH2D_SIDE_WALL = 0,    /**< closed, by the form of wall that the scene names */
+    SPH2D_SIDE_OPEN = 1,    /**< liquid may leave; it is followed for one more domain width or height, then removed and
+                                 counted. Walls beside an open side go on for as far */
+    SPH2D_SIDE_PERIODIC = 2 /**< what leaves here comes in at the opposite side, which must be periodic too; the period
+                                 must hold three support radii */
 } sph2d_side;
 
 /** How walls push. */
 typedef enum sph2d_wall_form {
-    SPH2D_WALL_SPRING = 0, /**< a spring along the normal within half a spacing of the side: sides of the domain only */
-    SPH2D_WALL_HEAVY = 1,  /**< fixed boundary particles, heavy enough to hold rest density alone, acting by pressure */
-    SPH2D_WALL_REFLECT = 2 /**< boundary particles that reflect what comes within one spacing; for large steps */
+    SPH2D_WALL_DEFAULT = 0, /**< the method's: muller spring (obstacles heavy), wcsph generalised */
+    SPH2D_WALL_SPRING = 1,  /**< a spring along the normal within half a spacing of the side: muller, sides only */
+    SPH2D_WALL_HEAVY = 2,   /**< fixed boundary particles, heavy enough to hold rest density alone, acting by pressure:
+                                 muller */
+    SPH2D_WALL_REFLECT = 3, /**< boundary particles that reflect what comes within one spacing; for large steps */
+    SPH2D_WALL_GENERALISED = 4 /**< layers of boundary particles that take the liquid's pressure on, with its weight:
+                                    wcsph (Adami, Hu & Adams 2012) */
 } sph2d_wall_form;
+
+/** Whether liquid slides along walls. */
+typedef enum sph2d_slip {
+    SPH2D_SLIP_FREE = 0, /**< no friction: boundary layers thinner than the spacing, as of water in most scenes */
+    SPH2D_SLIP_NONE = 1  /**< liquid at a wall moves with it */
+} sph2d_slip;
 
 /** Which solver moves the liquid. */
 typedef enum sph2d_method {
-    SPH2D_METHOD_MULLER = 0 /**< summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with
-                                 two-dimensional kernel constants */
+    SPH2D_METHOD_MULLER = 0, /**< summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with
+                                  two-dimensional kernel constants */
+    SPH2D_METHOD_WCSPH = 1   /**< weakly compressible with an error that is known: density by the continuity equation
+                                  with diffusion, physical viscosity, particle shifting, generalised walls */
 } sph2d_method;
+
+/** How method wcsph takes derivatives. */
+typedef enum sph2d_operators {
+    SPH2D_OPERATORS_SYMMETRIC = 0, /**< kernel sums that conserve momentum: for free surfaces and impacts */
+    SPH2D_OPERATORS_FITTED = 1     /**< quadratic least-squares fits around each particle, of second order: for liquid
+                                        that fills its room, periodic or between walls */
+} sph2d_operators;
+
+/** Smoothing kernels of the symmetric operators. */
+typedef enum sph2d_kernel {
+    SPH2D_KERNEL_WENDLAND_C2 = 0,
+    SPH2D_KERNEL_WENDLAND_C4 = 1,
+    SPH2D_KERNEL_WENDLAND_C6 = 2,
+    SPH2D_KERNEL_CUBIC = 3,
+    SPH2D_KERNEL_QUINTIC = 4
+} sph2d_kernel;
+
+/** How pressure follows from density in method wcsph. */
+typedef enum sph2d_state_equation {
+    SPH2D_STATE_LINEAR = 0, /**< p = c0^2 (rho - rho0) */
+    SPH2D_STATE_TAIT = 1    /**< p = rho0 c0^2/7 ((rho/rho0)^7 - 1) */
+} sph2d_state_equation;
+
+/** The pair form of viscosity of the symmetric operators. */
+typedef enum sph2d_viscosity_form {
+    SPH2D_VISCOSITY_MORRIS = 0, /**< Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named */
+    SPH2D_VISCOSITY_MONAGHAN = 1 /**< Monaghan & Gingold 1983: keeps angular momentum too */
+} sph2d_viscosity_form;
 
 /** The area of a block or drain. */
 typedef enum sph2d_shape_kind {
@@ -112,18 +154,37 @@ typedef struct sph2d_fluid {
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
 } sph2d_fluid;
 
-/** The solver and its numbers. */
+/** The solver and its numbers. A method refuses what it does not have, but for the default. */
 typedef struct sph2d_method_options {
-    sph2d_method name;      /**< default muller */
-    double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0.1. Gives the sound speed:
-                                 c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of the liquid above
-                                 the lowest side, U its fastest start or source, pull the strongest interaction's
-                                 acceleration * radius / 2, and 2 for the swing after a release */
+    sph2d_method name;                   /**< default muller */
+    sph2d_operators operators;           /**< wcsph; default symmetric */
+    sph2d_kernel kernel;                 /**< wcsph, symmetric operators; default wendland_c2 */
+    sph2d_state_equation state_equation; /**< wcsph; default linear */
+    sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators; default morris */
+    double density_diffusion;            /**< wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where
+                                              h = H/2 is the smoothing length; default 0.1 */
+    double artificial_viscosity;         /**< wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the
+                                              kinematic viscosity alpha h c0 / 8; default 0 */
+    double shifting;                     /**< wcsph: strength of particle shifting over the standard one, 0 to 2;
+                                              default 1 */
+    double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
+                                 wcsph 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with
+                               h the height of the liquid above the lowest side, U its fastest start or source, pull the
+                               strongest interaction's acceleration * radius / 2, and 2 for the swing after a release */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
-    double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 2.0 */
-    double cfl;             /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0.4 */
-    double time_step;       /**< fixed step [s]; default 0: adaptive */
+    double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
+    double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
+                                 2.6 with symmetric and 2.5 with fitted operators */
+    double cfl;       /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0: the method's, muller 0.4,
+                           wcsph 0.3 with symmetric and 0.5 with fitted operators */
+    double time_step; /**< fixed step [s]; default 0: adaptive */
 } sph2d_method_options;
+
+/** Random displacement of a block's particles: each coordinate by up to `amplitude` spacings, evenly spread. */
+typedef struct sph2d_perturb {
+    double amplitude; /**< in spacings, 0 to 0.5; default 0 */
+    uint64_t seed;    /**< default 1 */
+} sph2d_perturb;
 
 /** A piece of liquid at the start: particles on a square lattice. Places inside or too close to an obstacle stay free.
  */
@@ -132,6 +193,7 @@ typedef struct sph2d_block {
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
     double spacing; /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
                          the scene's spacing, so a smaller one starts compressed */
+    sph2d_perturb perturb;
 } sph2d_block;
 
 /** A nozzle: feeds in rows of particles. A place that is taken stays empty, and is counted. */
@@ -155,7 +217,7 @@ typedef struct sph2d_drain {
 /** A fixed line of boundary particles, one thick. Nothing passes it, at any speed. */
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
-    sph2d_wall_form form; /**< heavy or reflect; default heavy */
+    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; default: the method's */
     double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
 } sph2d_obstacle;
 
@@ -228,7 +290,8 @@ typedef struct sph2d_scene {
     const char *name;   /**< for people; default "scene" */
     sph2d_box domain;   /**< must be given */
     sph2d_boundary boundary;
-    sph2d_wall_form walls; /**< form of the domain's wall sides; default spring */
+    sph2d_wall_form walls; /**< form of the domain's wall sides; default: the method's */
+    sph2d_slip wall_slip;  /**< of generalised walls; default free */
     double wall_damping;   /**< spring walls: damping over critical damping, 0 to 1; default 0.1 */
     sph2d_vec2 gravity;    /**< [m/s^2]; default (0, -9.81) */
     double spacing;        /**< between particles, dx [m], > 0; must be given. Particle mass is density dx^2 */

@@ -18,18 +18,36 @@ typedef enum sph2d__limit {
 /** "acoustic", "force", "viscous", "fixed". */
 const char *sph2d__limit_name(sph2d__limit limit);
 
+/** How particles are moved in time; the schemes are in sim/. */
+typedef enum sph2d__integrator {
+    SPH2D__LEAPFROG,   /**< kick, drift, evaluate, kick: density is a sum */
+    SPH2D__MIDPOINT,   /**< kick, half drift, density by its rate, half drift, evaluate, kick: reversible too */
+    SPH2D__RUNGE_KUTTA /**< three stages of Shu & Osher 1988, third order: rates of place, velocity and density */
+} sph2d__integrator;
+
 typedef struct sph2d__method {
     const char *name;
+    sph2d__integrator integrator;
+    uint32_t fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
+    uint32_t walls;          /**< the arrays of the boundary particles' store */
     /** Sets what follows from the scene's numbers and the walls. */
     void (*prepare)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The
      *  cells are up to date. */
     void (*evaluate)(sph2d__system *system);
+    /** SPH2D__MIDPOINT: change of density of every particle at its present position and velocity. NULL otherwise. */
+    void (*density_rate)(sph2d__system *system);
     /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;
 
-/** The entry of a method; never NULL for a checked scene. */
-const sph2d__method *sph2d__method_find(sph2d_method name);
+/** The entry for a scene's options; never NULL for a checked scene. */
+const sph2d__method *sph2d__method_find(const sph2d_method_options *options);
+
+/** The shortest of the acoustic, viscous and force limits, and which it is:
+ *      cfl H / (c0 + speed),   viscous H^2 / nu,   force sqrt(H / acceleration)
+ *  with the kinematic viscosity nu [m^2/s] that acts and two fractions that belong to the method. */
+double sph2d__shortest_step(const sph2d__system *system, double speed, double acceleration, double nu, double viscous,
+                            double force, sph2d__limit *limit);
 
 #endif

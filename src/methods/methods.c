@@ -2,7 +2,12 @@
 /** @file methods.c
  *  The table of methods. */
 #include "methods/method.h"
+
+#include <math.h>
+
 #include "methods/muller.h"
+#include "methods/wcsph.h"
+#include "methods/wcsph_fitted.h"
 
 const char *sph2d__limit_name(sph2d__limit limit)
 {
@@ -10,8 +15,22 @@ const char *sph2d__limit_name(sph2d__limit limit)
     return (unsigned)limit < SPH2D__LIMIT_COUNT ? names[limit] : "unknown";
 }
 
-const sph2d__method *sph2d__method_find(sph2d_method name)
+const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
 {
-    static const sph2d__method *const table[] = {[SPH2D_METHOD_MULLER] = &sph2d__muller};
-    return table[name];
+    if (options->name == SPH2D_METHOD_MULLER)
+        return &sph2d__muller;
+    return options->operators == SPH2D_OPERATORS_FITTED ? &sph2d__wcsph_fitted : &sph2d__wcsph;
+}
+
+double sph2d__shortest_step(const sph2d__system *s, double speed, double acceleration, double nu, double viscous,
+                            double force, sph2d__limit *limit)
+{
+    double limits[3] = {[SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (s->sound_speed + speed),
+                        [SPH2D__LIMIT_FORCE] = acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY,
+                        [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};
+    *limit = SPH2D__LIMIT_ACOUSTIC;
+    for (int k = 0; k < 3; ++k)
+        if (limits[k] < limits[*limit])
+            *limit = (sph2d__limit)k;
+    return limits[*limit];
 }

@@ -40,12 +40,11 @@ static void weigh_walls(sph2d__system *s)
         sph2d__ranges ranges =
             sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, walls->x[b], walls->y[b]));
         double sum = 0;
-        for (int r = 0; r < 3; ++r)
-            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
-                double dx = walls->x[b] - walls->x[j], dy = walls->y[b] - walls->y[j];
-                if (s->wall_bounce[j] < 0)
-                    sum += sph2d__poly6_shape(support2, dx * dx + dy * dy);
-            }
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+            double dx = walls->x[b] + ranges.x[r] - walls->x[j], dy = walls->y[b] + ranges.y[r] - walls->y[j];
+            if (s->wall_bounce[j] < 0)
+                sum += sph2d__poly6_shape(support2, dx * dx + dy * dy);
+        }
         s->wall_mass[b] = s->rest_density / (poly6 * sum);
     }
 }
@@ -92,23 +91,17 @@ static void evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double dt = s->cfl * s->support / (s->sound_speed + speed);
-    *limit = SPH2D__LIMIT_ACOUSTIC;
-    if (s->viscosity > 0) {
-        double viscous = VISCOUS * s->support * s->support * s->rest_density / s->viscosity;
-        if (viscous < dt) {
-            dt = viscous;
-            *limit = SPH2D__LIMIT_VISCOUS;
-        }
-    }
-    if (acceleration > 0) {
-        double force = FORCE * sqrt(s->support / acceleration);
-        if (force < dt) {
-            dt = force;
-            *limit = SPH2D__LIMIT_FORCE;
-        }
-    }
-    return dt;
+    return sph2d__shortest_step(s, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE, limit);
 }
 
-const sph2d__method sph2d__muller = {"muller", prepare, evaluate, stable_step};
+const sph2d__method sph2d__muller = {
+    .name = "muller",
+    .integrator = SPH2D__LEAPFROG,
+    .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+    .prepare = prepare,
+    .evaluate = evaluate,
+    .stable_step = stable_step,
+};

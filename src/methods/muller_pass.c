@@ -36,13 +36,15 @@ static void density(sph2d__system *s)
             double xi = fluid->x[i], yi = fluid->y[i];
             sph2d__lanes sum = {0};
             sph2d__cursor_move(&cursor, &s->fluid_cells, xi, yi);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
-                sum += density_block(support2, xi, yi, fluid->x + j, fluid->y + j, NULL, left);
+            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+                sum += density_block(support2, xi + cursor.ranges.x[r], yi + cursor.ranges.y[r], fluid->x + j,
+                                     fluid->y + j, NULL, left);
             double rho = own * sph2d__lanes_total(sum);
             if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, xi, yi)) {
                 sph2d__lanes wall_sum = {0};
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, j, left)
-                    wall_sum += density_block(support2, xi, yi, walls->x + j, walls->y + j, s->wall_mass + j, left);
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
+                    wall_sum += density_block(support2, xi + wall_cursor.ranges.x[r], yi + wall_cursor.ranges.y[r],
+                                              walls->x + j, walls->y + j, s->wall_mass + j, left);
                 rho += poly6 * sph2d__lanes_total(wall_sum);
             }
             fluid->density[i] = rho;
@@ -65,8 +67,9 @@ static void wall_density(sph2d__system *s)
             double xb = walls->x[b], yb = walls->y[b];
             sph2d__lanes sum = {0};
             if (s->wall_mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
-                SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
-                    sum += density_block(support2, xb, yb, fluid->x + j, fluid->y + j, NULL, left);
+                SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+                    sum += density_block(support2, xb + cursor.ranges.x[r], yb + cursor.ranges.y[r], fluid->x + j,
+                                         fluid->y + j, NULL, left);
             walls->density[b] = s->rest_density + own * sph2d__lanes_total(sum);
         }
     }
@@ -82,10 +85,12 @@ typedef struct receiver {
     double x, y, vx, vy, pressure;
 } receiver;
 
+/** `range` is the place of the block among the receiver's ranges. */
 SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, const receiver *i,
-                             const sph2d__store *from, size_t j, double left)
+                             const sph2d__ranges *ranges, int range, const sph2d__store *from, size_t j, double left)
 {
-    sph2d__lanes dx = i->x - sph2d__lanes_load(from->x + j), dy = i->y - sph2d__lanes_load(from->y + j);
+    sph2d__lanes dx = i->x + ranges->x[range] - sph2d__lanes_load(from->x + j);
+    sph2d__lanes dy = i->y + ranges->y[range] - sph2d__lanes_load(from->y + j);
     /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
     sph2d__lanes tiny = (sph2d__lanes){0} + 1e-24 * support * support;
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
@@ -123,13 +128,13 @@ SPH2D__INLINE void force_with(sph2d__system *s, bool viscous)
             double fx = 0, fy = 0;
             force_sums sums = {{0}, {0}, {0}, {0}};
             sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, j, left)
-                add_force(&sums, s->support, viscous, &me, fluid, j, left);
+            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+                add_force(&sums, s->support, viscous, &me, &cursor.ranges, r, fluid, j, left);
             add_sums(&fx, &fy, &sums, press, s->viscosity * laplacian);
             if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y)) {
                 force_sums wall_sums = {{0}, {0}, {0}, {0}};
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, j, left)
-                    add_force(&wall_sums, s->support, true, &me, &s->walls, j, left);
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
+                    add_force(&wall_sums, s->support, true, &me, &wall_cursor.ranges, r, &s->walls, j, left);
                 add_sums(&fx, &fy, &wall_sums, press, s->wall_viscosity * laplacian);
             }
             double ax = fx / fluid->density[i], ay = fy / fluid->density[i];

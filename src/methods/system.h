@@ -24,9 +24,15 @@ typedef struct sph2d__system {
     double sound_speed;    /**< c0 [m/s] */
     double viscosity;      /**< dynamic [Pa s] */
     double wall_viscosity; /**< of fluid on boundary particles [Pa s] */
-    double cfl;            /**< of the acoustic limit */
-    double calibration;    /**< factor on summed density that makes a filled lattice have the rest density */
+    double calibration;    /**< muller: factor on summed density that makes a filled lattice have the rest density */
+    double residual_gain;  /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
+    double shift_gain;     /**< wcsph: shift velocity over U and the crowding; set for each step */
+    sph2d_method_options method; /**< the scene's, every default filled in */
+    sph2d_slip wall_slip;
     sph2d__body body;
+
+    double step;  /**< length of the step that is being taken [s] */
+    double speed; /**< largest speed of a particle when the step began [m/s] */
 
     sph2d__memory *memory;
     int threads;

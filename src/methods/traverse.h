@@ -7,15 +7,15 @@
 #ifndef SPH2D_METHODS_TRAVERSE_H
 #define SPH2D_METHODS_TRAVERSE_H
 
-#include "methods/lanes.h"
+#include "base/lanes.h"
 #include "particles/cells.h"
 
-/** Runs the statement behind it for each block of candidates in `ranges`: `first` is the block's first particle, `left`
- *  (a double, so that it compares in the lanes' own type) the number of candidates from there on. */
-#define SPH2D__FOR_BLOCKS(ranges, first, left)                                                                         \
-    for (int range_ = 0; range_ < 3; ++range_)                                                                         \
-        for (size_t first = (ranges)->begin[range_], end_ = (ranges)->end[range_]; first < end_;                       \
-             first += SPH2D__LANES)                                                                                    \
+/** Runs the statement behind it for each block of candidates in `ranges`: `range` is the number of the range (whose x
+ * and y must be added to the asking particle's place), `first` the block's first particle, `left` (a double, so that it
+ *  compares in the lanes' own type) the number of candidates from there on. */
+#define SPH2D__FOR_BLOCKS(ranges, range, first, left)                                                                  \
+    for (int range = 0; range < (ranges)->count; ++range)                                                              \
+        for (size_t first = (ranges)->begin[range], end_ = (ranges)->end[range]; first < end_; first += SPH2D__LANES)  \
             for (double left = (double)(end_ - first), once_ = 1; once_ > 0; once_ = 0)
 
 /** The ranges around one particle after another: kept while they stay in one cell, as particles in cell order do. */

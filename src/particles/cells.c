@@ -8,7 +8,7 @@
 
 #include "base/threads.h"
 
-enum { RIM = 2 };
+enum { RIM = SPH2D__RIM };
 #define NONE UINT32_MAX
 
 /* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index.
@@ -43,26 +43,45 @@ static bounds find_bounds(const sph2d__store *store, int threads)
     return (bounds){min_x, min_y, max_x, max_y};
 }
 
+/** The cells of one direction, rim included. */
+typedef struct axis {
+    double origin, size, count;
+} axis;
+
+/** Cells of at least `size` over an extent, or exactly over a period, which must hold three. */
+static axis lay_axis(double low, double high, double size, double period_low, double period)
+{
+    if (period > 0) {
+        double count = fmax(floor(period / size), 3);
+        size = period / count;
+        return (axis){period_low - RIM * size, size, count + 2 * RIM};
+    }
+    double count = floor(high / size - low / size) + 1; /* the difference alone might overflow */
+    return (axis){low - RIM * size, size, count + 2 * RIM};
+}
+
 /** Lays the grid over the particles. Cells grow where sparse particles would need far more cells than there are
  *  particles, so that memory stays in proportion to the particles. */
 static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count)
 {
+    const sph2d__period *p = &cells->period;
     double limit = fmin(8.0 * (double)count + 4096.0, MOST_CELLS);
     double size = support * MARGIN;
-    double nx, ny;
+    axis x, y;
     for (;;) {
-        nx = floor(b.max_x / size - b.min_x / size) + 1 + 2 * RIM; /* the difference alone might overflow */
-        ny = floor(b.max_y / size - b.min_y / size) + 1 + 2 * RIM;
-        if (nx * ny <= limit)
+        x = lay_axis(b.min_x, b.max_x, size, p->low_x, p->length_x);
+        y = lay_axis(b.min_y, b.max_y, size, p->low_y, p->length_y);
+        if (x.count * y.count <= limit)
             break;
-        double excess = sqrt(nx) * sqrt(ny / limit);
+        double excess = sqrt(x.count) * sqrt(y.count / limit);
         size *= !(excess < MAX_GROWTH) ? MAX_GROWTH : excess > 1.01 ? excess : 1.01;
     }
-    cells->nx = (uint32_t)nx;
-    cells->ny = (uint32_t)ny;
-    cells->inverse_size = 1 / size;
-    cells->origin_x = b.min_x - RIM * size;
-    cells->origin_y = b.min_y - RIM * size;
+    cells->nx = (uint32_t)x.count;
+    cells->ny = (uint32_t)y.count;
+    cells->inverse_x = 1 / x.size;
+    cells->inverse_y = 1 / y.size;
+    cells->origin_x = x.origin;
+    cells->origin_y = y.origin;
 }
 
 static bool reserve_cells(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
@@ -95,13 +114,13 @@ static bool reserve_particles(sph2d__cells *cells, size_t needed, sph2d__memory 
 static void assign_cells(sph2d__cells *cells, const sph2d__store *store, int threads)
 {
     const double *x = store->x, *y = store->y;
-    double ox = cells->origin_x, oy = cells->origin_y, inverse = cells->inverse_size;
+    double ox = cells->origin_x, oy = cells->origin_y, ix = cells->inverse_x, iy = cells->inverse_y;
     double last_x = cells->nx - 1.0 - RIM, last_y = cells->ny - 1.0 - RIM;
     uint32_t nx = cells->nx;
     uint32_t *cell = cells->cell;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < store->count; ++i) {
-        double fx = (x[i] - ox) * inverse, fy = (y[i] - oy) * inverse;
+        double fx = (x[i] - ox) * ix, fy = (y[i] - oy) * iy;
         fx = fx > RIM ? fx : RIM;
         fy = fy > RIM ? fy : RIM;
         fx = fx < last_x ? fx : last_x;
@@ -157,5 +176,54 @@ void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
         sph2d__release(memory, &by_cell[i], cells->cell_capacity, sizeof(uint32_t));
     for (int i = 0; i < 3; ++i)
         sph2d__release(memory, &by_particle[i], cells->particle_capacity, sizeof(uint32_t));
-    *cells = (sph2d__cells){0};
+    *cells = (sph2d__cells){.period = cells->period};
+}
+
+/* ---- asking ------------------------------------------------------------------------------------------------------ */
+
+/** Some of the three neighbouring rows or columns: they follow each other, moved by one period or not. */
+typedef struct stretch {
+    uint32_t first, count;
+    double offset;
+} stretch;
+
+/** The rows or columns beside `middle`, in one stretch or, at an end of the period, two. Returns the number. */
+static int stretches(uint32_t middle, uint32_t all, double period, stretch out[2])
+{
+    uint32_t low = RIM, high = all - RIM; /* the columns of the period */
+    out[0] = (stretch){middle - 1, 3, 0};
+    if (!(period > 0))
+        return 1;
+    if (middle <= low) { /* the image below the first column is the last one */
+        out[0] = (stretch){middle - 1 + high - low, low - middle + 1, period};
+        out[1] = (stretch){low, 2 - (low - middle), 0};
+        return 2;
+    }
+    if (middle >= high - 1) {
+        out[0] = (stretch){middle - 1, high - middle + 1, 0};
+        out[1] = (stretch){low, 2 - (high - middle), -period};
+        return 2;
+    }
+    return 1;
+}
+
+sph2d__ranges sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell)
+{
+    stretch columns[2], rows[2];
+    int column_count = stretches(cell % cells->nx, cells->nx, cells->period.length_x, columns);
+    int row_count = stretches(cell / cells->nx, cells->ny, cells->period.length_y, rows);
+    sph2d__ranges ranges = {0};
+    for (int b = 0; b < row_count; ++b)
+        for (uint32_t row = 0; row < rows[b].count; ++row)
+            for (int a = 0; a < column_count; ++a) {
+                if (columns[a].count == 0)
+                    continue;
+                size_t first = (size_t)(rows[b].first + row) * cells->nx + columns[a].first;
+                int r = ranges.count++;
+                ranges.begin[r] = cells->start[first];
+                ranges.end[r] = cells->start[first + columns[a].count];
+                ranges.x[r] = columns[a].offset;
+                ranges.y[r] = rows[b].offset;
+            }
+    return ranges;
 }

@@ -13,15 +13,39 @@ static size_t length_of(size_t capacity)
     return capacity > 0 ? capacity + SPH2D__PADDING : 0;
 }
 
-/* Every array of a store, as blocks that grow and go together. */
-#define SLOT(name, carried) {&store->name, sizeof(double)},
-#define ALL_ARRAYS(store)                                                                                              \
-    {                                                                                                                  \
-        SPH2D__STORE_REALS(SLOT){&(store)->scratch, sizeof(double)}, {&(store)->id, sizeof(uint64_t)},                 \
-        {                                                                                                              \
-            &(store)->scratch_id, sizeof(uint64_t)                                                                     \
-        }                                                                                                              \
-    }
+/** The addresses of a store's arrays of doubles, in the order of their indices. */
+static void list_reals(sph2d__store *store, double **slots[SPH2D__STORE_COUNT])
+{
+    int n = 0;
+#define SLOT(name) slots[n++] = &store->name;
+    SPH2D__STORE_REALS(SLOT)
+#undef SLOT
+}
+
+enum { BLOCKS_MOST = SPH2D__STORE_COUNT + 3 };
+
+/** Every block that the store has, as blocks that grow and go together. Returns their number. */
+static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[BLOCKS_MOST])
+{
+    double **slots[SPH2D__STORE_COUNT];
+    list_reals(store, slots);
+    size_t n = 0;
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
+        if (store->has >> a & 1)
+            blocks[n++] = (sph2d__growth){slots[a], sizeof(double)};
+    blocks[n++] = (sph2d__growth){&store->scratch, sizeof(double)};
+    blocks[n++] = (sph2d__growth){&store->id, sizeof(uint64_t)};
+    blocks[n++] = (sph2d__growth){&store->scratch_id, sizeof(uint64_t)};
+    return n;
+}
+
+size_t sph2d__store_bytes(uint32_t has)
+{
+    size_t arrays = 1;
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
+        arrays += has >> a & 1;
+    return arrays * sizeof(double) + 2 * sizeof(uint64_t);
+}
 
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity)
 {
@@ -29,9 +53,9 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
         return true;
     size_t grown = store->capacity + store->capacity / 2;
     capacity = capacity > grown ? capacity : grown;
-    const sph2d__growth arrays[] = ALL_ARRAYS(store);
-    if (!sph2d__grow_all(memory, arrays, sizeof arrays / sizeof arrays[0], length_of(store->capacity),
-                         length_of(capacity)))
+    sph2d__growth blocks[BLOCKS_MOST];
+    size_t count = list_blocks(store, blocks);
+    if (!sph2d__grow_all(memory, blocks, count, length_of(store->capacity), length_of(capacity)))
         return false;
     store->capacity = capacity;
     return true;
@@ -39,12 +63,13 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
 
 void sph2d__store_free(sph2d__store *store, sph2d__memory *memory)
 {
-    const sph2d__growth arrays[] = ALL_ARRAYS(store);
-    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; ++i) {
+    sph2d__growth blocks[BLOCKS_MOST];
+    size_t count = list_blocks(store, blocks);
+    for (size_t i = 0; i < count; ++i) {
         void *block;
-        memcpy(&block, arrays[i].slot, sizeof block);
-        sph2d__release(memory, &block, length_of(store->capacity), arrays[i].size);
-        memcpy(arrays[i].slot, &block, sizeof block);
+        memcpy(&block, blocks[i].slot, sizeof block);
+        sph2d__release(memory, &block, length_of(store->capacity), blocks[i].size);
+        memcpy(blocks[i].slot, &block, sizeof block);
     }
     store->count = store->capacity = 0;
 }
@@ -52,9 +77,11 @@ void sph2d__store_free(sph2d__store *store, sph2d__memory *memory)
 size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
 {
     size_t i = store->count++;
-#define ZERO(name, carried) store->name[i] = 0;
-    SPH2D__STORE_REALS(ZERO)
-#undef ZERO
+    double **slots[SPH2D__STORE_COUNT];
+    list_reals(store, slots);
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
+        if (store->has >> a & 1)
+            (*slots[a])[i] = 0;
     store->x[i] = x;
     store->y[i] = y;
     store->id[i] = id;
@@ -75,11 +102,11 @@ static void gather_reals(double **array, double **scratch, const uint32_t *order
 void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int threads)
 {
     threads = sph2d__threads_for(threads, store->count);
-#define GATHER(name, carried)                                                                                          \
-    if (carried)                                                                                                       \
-        gather_reals(&store->name, &store->scratch, order, store->count, threads);
-    SPH2D__STORE_REALS(GATHER)
-#undef GATHER
+    double **slots[SPH2D__STORE_COUNT];
+    list_reals(store, slots);
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
+        if (store->has & store->carried & (uint32_t)1 << a)
+            gather_reals(slots[a], &store->scratch, order, store->count, threads);
     uint64_t *to = store->scratch_id;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t k = 0; k < store->count; ++k)
@@ -88,19 +115,26 @@ void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int thread
     store->id = to;
 }
 
+/** Moves the values without a flag to the front of an array. */
+static void keep(void *array, size_t size, size_t count, const unsigned char *flags)
+{
+    char *values = array;
+    size_t kept = 0;
+    for (size_t i = 0; i < count; ++i)
+        if (!flags[i])
+            memmove(values + size * kept++, values + size * i, size);
+}
+
 void sph2d__store_remove(sph2d__store *store, const unsigned char *flags)
 {
+    double **slots[SPH2D__STORE_COUNT];
+    list_reals(store, slots);
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
+        if (store->has >> a & 1)
+            keep(*slots[a], sizeof(double), store->count, flags);
+    keep(store->id, sizeof(uint64_t), store->count, flags);
     size_t kept = 0;
-    for (size_t i = 0; i < store->count; ++i) {
-        if (flags[i])
-            continue;
-        if (kept != i) {
-#define MOVE(name, carried) store->name[kept] = store->name[i];
-            SPH2D__STORE_REALS(MOVE)
-#undef MOVE
-            store->id[kept] = store->id[i];
-        }
-        ++kept;
-    }
+    for (size_t i = 0; i < store->count; ++i)
+        kept += !flags[i];
     store->count = kept;
 }

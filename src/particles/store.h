@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file store.h
- *  Particles as a struct of arrays. Fluid and walls are two stores of this one type. */
+ *  Particles as a struct of arrays. Fluid and walls are two stores of this one type, and a method tells which arrays it
+ *  needs: the others are never allocated. */
 #ifndef SPH2D_PARTICLES_STORE_H
 #define SPH2D_PARTICLES_STORE_H
 
@@ -12,24 +13,48 @@
 /** Doubles behind the last particle that a block of lanes may read. */
 enum { SPH2D__PADDING = 16 };
 
-/** The arrays of doubles: name, and whether a new order of the particles must carry its values along (the others are
- *  computed anew before they are read). */
+/** The arrays of doubles. */
 #define SPH2D__STORE_REALS(X)                                                                                          \
-    X(x, true) /* position [m] */                                                                                      \
-    X(y, true)                                                                                                         \
-    X(vx, true) /* velocity [m/s] */                                                                                   \
-    X(vy, true)                                                                                                        \
-    X(ax, true) /* acceleration [m/s^2] */                                                                             \
-    X(ay, true)                                                                                                        \
-    X(old_ax, false) /* acceleration one step before, while a step needs both */                                       \
-    X(old_ay, false)                                                                                                   \
-    X(density, false)  /* [kg/m^3] */                                                                                  \
-    X(pressure, false) /* [Pa] */                                                                                      \
-    X(volume, false)   /* mass over density [m^2] */
+    X(x) /* position [m] */                                                                                            \
+    X(y)                                                                                                               \
+    X(vx) /* velocity [m/s] */                                                                                         \
+    X(vy)                                                                                                              \
+    X(ax) /* acceleration [m/s^2] */                                                                                   \
+    X(ay)                                                                                                              \
+    X(old_ax) /* acceleration one step before, while a step needs both */                                              \
+    X(old_ay)                                                                                                          \
+    X(density)      /* [kg/m^3] */                                                                                     \
+    X(pressure)     /* [Pa] */                                                                                         \
+    X(volume)       /* mass over density [m^2] */                                                                      \
+    X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
+    X(shift_x)      /* crowding: points where neighbours are too many [1/m] or the shift velocity [m/s] */             \
+    X(shift_y)                                                                                                         \
+    X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
+    X(slope_y)                                                                                                         \
+    X(start_x) /* position, velocity and density when the step began */                                                \
+    X(start_y)                                                                                                         \
+    X(start_vx)                                                                                                        \
+    X(start_vy)                                                                                                        \
+    X(start_density)
 
+/** The index of each array, and its bit in a set of arrays. */
+enum sph2d__store_real {
+#define SPH2D__STORE_INDEX(name) SPH2D__STORE_##name,
+    SPH2D__STORE_REALS(SPH2D__STORE_INDEX)
+#undef SPH2D__STORE_INDEX
+        SPH2D__STORE_COUNT
+};
+#define SPH2D__BIT(name) ((uint32_t)1 << SPH2D__STORE_##name)
+
+/** What every store has. */
+#define SPH2D__STORE_BASIC (SPH2D__BIT(x) | SPH2D__BIT(y) | SPH2D__BIT(vx) | SPH2D__BIT(vy))
+
+/** A store; start it with its two sets of arrays and zeros. */
 typedef struct sph2d__store {
+    uint32_t has;     /**< the arrays that it has; never changed once there is room */
+    uint32_t carried; /**< those whose values go along into a new order; the others are computed before they are read */
     size_t count, capacity;
-#define SPH2D__STORE_MEMBER(name, carried) double *name;
+#define SPH2D__STORE_MEMBER(name) double *name;
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
 #undef SPH2D__STORE_MEMBER
     uint64_t *id;
@@ -37,11 +62,14 @@ typedef struct sph2d__store {
     uint64_t *scratch_id;
 } sph2d__store;
 
+/** Bytes that a particle takes in a store of these arrays. */
+size_t sph2d__store_bytes(uint32_t has);
+
 /** Room for `capacity` particles at least; counts and values stay. */
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity);
 void sph2d__store_free(sph2d__store *store, sph2d__memory *memory);
 
-/** Adds a particle at rest of density 0; the caller has reserved the room. Returns its index. */
+/** Adds a particle whose every value but its place is 0; the caller has reserved the room. Returns its index. */
 size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y);
 
 /** Puts the particles into a new order: particle order[k] becomes particle k. */

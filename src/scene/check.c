@@ -7,30 +7,24 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/shape.h"
 #include "sph2d/key.h"
 
-typedef struct checker {
-    const sph2d_scene *scene;
-    sph2d_report *report;
-    size_t errors; /**< counted here too, since the report may be NULL */
-    bool broken;   /**< a list that cannot be read */
-} checker;
-
 /* Smallest spacing over the largest coordinate: three digits are left for the distance between neighbours. */
 static const double FINENESS = 1e-13;
 /* Corners of a polygon: the search for crossings compares every side with every other. */
-enum { PATH_SIZE = 256, MAX_CORNERS = 10000 };
+enum { PATH_SIZE = SPH2D__PATH_SIZE, MAX_CORNERS = 10000 };
+typedef sph2d__checker checker;
 
-static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *path, const char *message)
+sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
 {
     ++c->errors;
     return sph2d_report_add(c->report, SPH2D_ERROR, code, path, "%s", message);
 }
 
-/** "blocks[2].box" from "blocks", 2, ".box". */
-static const char *item_path(char path[PATH_SIZE], const char *list, size_t index, const char *rest)
+const char *sph2d__check_path(char path[PATH_SIZE], const char *list, size_t index, const char *rest)
 {
     snprintf(path, PATH_SIZE, "%s[%zu]%s", list, index, rest);
     return path;
@@ -40,6 +34,8 @@ static const char *item_path(char path[PATH_SIZE], const char *list, size_t inde
 
 static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
 {
+    if (key->zero_is_unset && value == 0)
+        return;
     if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
         return;
     char message[160];
@@ -51,7 +47,7 @@ static void check_number(checker *c, const sph2d_key *key, const char *path, dou
     else
         snprintf(message, sizeof message, "%g is out of range: must be %s %g and at most %g", value,
                  key->min_excluded ? "above" : "at least", key->min, key->max);
-    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
     sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
 }
 
@@ -67,7 +63,7 @@ static void check_word(checker *c, const sph2d_key *key, const char *path, int v
     while (key->words[count])
         ++count;
     if (value < 0 || value >= count)
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "is none of the known values");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "is none of the known values");
 }
 
 static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix);
@@ -80,7 +76,7 @@ static void check_key(checker *c, const sph2d_key *key, const char *base, const 
     if (key->count_offset)
         memcpy(&items, slot, sizeof items);
     if (count > 0 && !items) {
-        fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
         c->broken = true;
         return;
     }
@@ -116,7 +112,7 @@ static void check_key(checker *c, const sph2d_key *key, const char *base, const 
     case SPH2D_KEY_LIST:
         for (size_t i = 0; i < count; ++i) {
             char item[PATH_SIZE];
-            check_struct(c, key->keys, (const char *)items + i * key->keys->size, item_path(item, path, i, ""));
+            check_struct(c, key->keys, (const char *)items + i * key->keys->size, sph2d__check_path(item, path, i, ""));
         }
         break;
     case SPH2D_KEY_TEXT:
@@ -142,7 +138,8 @@ static bool check_box(checker *c, sph2d_box box, const char *path)
 {
     if (box.min.x < box.max.x && box.min.y < box.max.y)
         return true;
-    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "max must be above min in both directions");
+    sph2d_diagnostic *d =
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "max must be above min in both directions");
     sph2d_diagnostic_hint(d, "min is (%g, %g), max is (%g, %g)", box.min.x, box.min.y, box.max.x, box.max.y);
     return false;
 }
@@ -154,7 +151,8 @@ static bool check_frame(checker *c)
     double reach = fmax(fmax(fabs(d.min.x), fabs(d.max.x)), fmax(fabs(d.min.y), fabs(d.max.y)));
     if (reach < 1e150 && c->scene->spacing >= FINENESS * reach)
         return true;
-    sph2d_diagnostic *d1 = fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is too small for coordinates so far from 0");
+    sph2d_diagnostic *d1 =
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is too small for coordinates so far from 0");
     sph2d_diagnostic_hint(d1, "move the domain: spacing must be at least %g of its largest coordinate", FINENESS);
     return false;
 }
@@ -171,7 +169,7 @@ static void outside(checker *c, const char *path, sph2d_vec2 p)
     sph2d_box b = c->scene->domain;
     char message[160];
     snprintf(message, sizeof message, "(%g, %g) lies outside the domain", p.x, p.y);
-    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUTSIDE, path, message);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, path, message);
     sph2d_diagnostic_hint(d, "the domain reaches from (%g, %g) to (%g, %g)", b.min.x, b.min.y, b.max.x, b.max.y);
 }
 
@@ -181,27 +179,29 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
     char path[PATH_SIZE];
     switch (shape->kind) {
     case SPH2D_SHAPE_BOX:
-        if (!check_box(c, shape->box, item_path(path, list, index, ".box")))
+        if (!check_box(c, shape->box, sph2d__check_path(path, list, index, ".box")))
             return;
         break;
     case SPH2D_SHAPE_DISC:
-        item_path(path, list, index, ".disc");
+        sph2d__check_path(path, list, index, ".disc");
         break;
     case SPH2D_SHAPE_POLYGON:
-        item_path(path, list, index, ".polygon");
+        sph2d__check_path(path, list, index, ".polygon");
         if (shape->polygon.count < 3 || !(sph2d__shape_area(shape) > 0)) {
-            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon needs 3 corners or more that are not on one line");
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                               "a polygon needs 3 corners or more that are not on one line");
             return;
         }
         if (shape->polygon.count > MAX_CORNERS || sph2d__polygon_crosses_itself(shape->polygon)) {
-            fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                  "a polygon must not cross or touch itself, and has 10000 corners at most");
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                               "a polygon must not cross or touch itself, and has 10000 corners at most");
             return;
         }
         break;
     case SPH2D_SHAPE_NONE:
     default: {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, item_path(path, list, index, ""), "has no shape");
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, list, index, ""), "has no shape");
         sph2d_diagnostic_hint(d, "give one of box, disc, polygon");
         return;
     }
@@ -219,7 +219,8 @@ static void check_times(checker *c, const char *list, size_t index, double start
 {
     char path[PATH_SIZE];
     if (stop != 0 && !(stop > start))
-        fault(c, SPH2D_CODE_CONFLICT, item_path(path, list, index, ".stop"), "must be later than start");
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, list, index, ".stop"),
+                           "must be later than start");
 }
 
 static void check_rate(checker *c, sph2d_rate rate, const char *prefix)
@@ -227,7 +228,7 @@ static void check_rate(checker *c, sph2d_rate rate, const char *prefix)
     if (rate.per_second > 0 && rate.every > 0) {
         char path[PATH_SIZE];
         snprintf(path, sizeof path, "%s.every", prefix);
-        fault(c, SPH2D_CODE_CONFLICT, path, "give per_second or every, not both");
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "give per_second or every, not both");
     }
 }
 
@@ -238,8 +239,8 @@ static void check_block(checker *c, size_t i)
     char path[PATH_SIZE];
     double dx = c->scene->spacing;
     if (block->spacing != 0 && !(block->spacing >= 0.01 * dx && block->spacing <= 2 * dx))
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, item_path(path, "blocks", i, ".spacing"),
-              "must be between 0.01 and 2 times the scene's spacing");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "blocks", i, ".spacing"),
+                           "must be between 0.01 and 2 times the scene's spacing");
 }
 
 static bool near_side(const sph2d_scene *scene, sph2d_vec2 p)
@@ -254,19 +255,20 @@ static void check_source(checker *c, size_t i)
     const sph2d_source *source = &c->scene->sources[i];
     char path[PATH_SIZE];
     if (!in_domain(c->scene, source->at))
-        outside(c, item_path(path, "sources", i, ".at"), source->at);
+        outside(c, sph2d__check_path(path, "sources", i, ".at"), source->at);
     else if (near_side(c->scene, source->at)) {
         sph2d_diagnostic *w =
-            sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, item_path(path, "sources", i, ".at"),
+            sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "sources", i, ".at"),
                              "a nozzle on a side of the domain finds no room there");
         sph2d_diagnostic_hint(w, "move it half a spacing inwards");
     }
     if (source->direction.x == 0 && source->direction.y == 0)
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, item_path(path, "sources", i, ".direction"), "must not be (0, 0)");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "sources", i, ".direction"),
+                           "must not be (0, 0)");
     double width = fmax(source->width, c->scene->spacing);
     if (source->rate > width * source->speed * (1 + 1e-9)) {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_CONFLICT, item_path(path, "sources", i, ".rate"),
-                                    "is more than a jet of this width and speed can carry");
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "sources", i, ".rate"),
+                                                 "is more than a jet of this width and speed can carry");
         sph2d_diagnostic_hint(d, "at most width * speed = %g m^2/s", width * source->speed);
     }
     check_times(c, "sources", i, source->start, source->stop);
@@ -275,7 +277,8 @@ static void check_source(checker *c, size_t i)
 static void check_outline_points(checker *c, sph2d_points points, bool two, const char *path)
 {
     if (two ? points.count != 2 : points.count < 2) {
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, two ? "a line has two points" : "a polyline has two points or more");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                           two ? "a line has two points" : "a polyline has two points or more");
         return;
     }
     for (size_t i = 0; i < points.count; ++i) {
@@ -283,7 +286,7 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
         if (!in_domain(c->scene, p))
             outside(c, path, p);
         if (i > 0 && p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
-            fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
     }
 }
 
@@ -297,27 +300,28 @@ static void check_obstacle(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
-    if (obstacle->form == SPH2D_WALL_SPRING) {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_UNSUPPORTED, item_path(path, "obstacles", i, ".form"),
-                                    "springs are for the sides of the domain only");
+    if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
+                               "springs are for the sides of the domain only");
         sph2d_diagnostic_hint(d, "use heavy or reflect");
     }
     switch (outline->kind) {
     case SPH2D_OUTLINE_LINE:
-        check_outline_points(c, outline->line, true, item_path(path, "obstacles", i, ".line"));
+        check_outline_points(c, outline->line, true, sph2d__check_path(path, "obstacles", i, ".line"));
         break;
     case SPH2D_OUTLINE_POLYLINE:
-        check_outline_points(c, outline->polyline, false, item_path(path, "obstacles", i, ".polyline"));
+        check_outline_points(c, outline->polyline, false, sph2d__check_path(path, "obstacles", i, ".polyline"));
         break;
     case SPH2D_OUTLINE_CIRCLE:
         if (!in_domain(c->scene, outline->circle.center))
-            outside(c, item_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+            outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
         if (outline->circle.radius > domain_diagonal(c->scene))
-            fault(c, SPH2D_CODE_OUTSIDE, item_path(path, "obstacles", i, ".circle.radius"),
-                  "is larger than the whole domain");
+            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
+                               "is larger than the whole domain");
         break;
     case SPH2D_OUTLINE_BOX:
-        item_path(path, "obstacles", i, ".box");
+        sph2d__check_path(path, "obstacles", i, ".box");
         if (check_box(c, outline->box, path)) {
             if (!in_domain(c->scene, outline->box.min))
                 outside(c, path, outline->box.min);
@@ -327,7 +331,8 @@ static void check_obstacle(checker *c, size_t i)
         break;
     case SPH2D_OUTLINE_NONE:
     default: {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, item_path(path, "obstacles", i, ""), "has no outline");
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "obstacles", i, ""),
+                                                 "has no outline");
         sph2d_diagnostic_hint(d, "give one of line, polyline, circle, box");
         break;
     }
@@ -338,12 +343,12 @@ static void check_interaction(checker *c, size_t i)
 {
     const sph2d_interaction *interaction = &c->scene->interactions[i];
     char path[PATH_SIZE];
-    item_path(path, "interactions", i, ".path");
+    sph2d__check_path(path, "interactions", i, ".path");
     if (interaction->path.count == 0)
-        fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
+        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
     for (size_t k = 1; k < interaction->path.count; ++k)
         if (!(interaction->path.items[k].t > interaction->path.items[k - 1].t)) {
-            fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
             break;
         }
 }
@@ -361,20 +366,20 @@ static void check_probe(checker *c, size_t i)
 {
     const sph2d_probe *probe = &c->scene->probes[i];
     char path[PATH_SIZE];
-    item_path(path, "probes", i, ".name");
+    sph2d__check_path(path, "probes", i, ".name");
     if (!probe->name || !name_is_sound(probe->name))
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     for (size_t k = 0; k < i && probe->name; ++k)
         if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
-            fault(c, SPH2D_CODE_CONFLICT, path, "another probe has this name");
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another probe has this name");
             break;
         }
-    item_path(path, "probes", i, "");
+    sph2d__check_path(path, "probes", i, "");
     check_rate(c, probe->rate, path);
     if (sph2d_rate_interval(probe->rate) <= 0)
-        fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
+        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
     if (probe->kind == SPH2D_PROBE_SPEED && !in_domain(c->scene, probe->at))
-        outside(c, item_path(path, "probes", i, ".at"), probe->at);
+        outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
 }
 
 /** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some
@@ -397,17 +402,19 @@ static void check_whole(checker *c)
 {
     const sph2d_scene *scene = c->scene;
     if (scene->block_count == 0 && scene->source_count == 0) {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
         return;
     }
     double c0 = c->errors == 0 ? sph2d__scene_derive(scene).sound_speed : 1;
     if (!isfinite(c0))
-        fault(c, SPH2D_CODE_OUT_OF_RANGE, "method", "the sound speed that follows from the scene is not finite");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method",
+                           "the sound speed that follows from the scene is not finite");
     if (!(c0 > 0)) {
-        sph2d_diagnostic *d = fault(c, SPH2D_CODE_MISSING_KEY, "method.stiffness",
-                                    "without gravity and speeds nothing gives the sound speed");
-        sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2");
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, "method.stiffness",
+                                                 "without gravity and speeds nothing gives the sound speed");
+        sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2, or the sound_speed c0, in m/s");
     }
     if (c->errors == 0)
         warn_viscosity(c);
@@ -417,7 +424,8 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
 {
     checker c = {.scene = scene, .report = report};
     if (!scene || scene->struct_size != sizeof *scene) {
-        fault(&c, SPH2D_CODE_GENERAL, NULL, "the scene was not made by sph2d_scene_default() of this version");
+        sph2d__check_fault(&c, SPH2D_CODE_GENERAL, NULL,
+                           "the scene was not made by sph2d_scene_default() of this version");
         return SPH2D_SCENE;
     }
     check_struct(&c, sph2d_scene_keys(), (const char *)scene, "");
@@ -439,6 +447,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         check_probe(&c, i);
     check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
     check_rate(&c, scene->run.frames.rate, "run.frames");
+    sph2d__check_method(&c);
     check_whole(&c);
     return c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }

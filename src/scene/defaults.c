@@ -9,18 +9,17 @@ sph2d_scene sph2d_scene_default(void)
         .struct_size = sizeof(sph2d_scene),
         .name = "scene",
         .boundary = {SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN},
-        .walls = SPH2D_WALL_SPRING,
         .wall_damping = 0.1,
         .gravity = {0.0, -9.81},
         .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
-        .method = {.name = SPH2D_METHOD_MULLER, .max_compression = 0.1, .support_ratio = 2.0, .cfl = 0.4},
+        .method = {.density_diffusion = 0.1, .shifting = 1},
         .run = {.until = 1.0, .frames = {.size = {1280, 720}}},
     };
 }
 
 sph2d_block sph2d_block_default(void)
 {
-    return (sph2d_block){0};
+    return (sph2d_block){.perturb = {.seed = 1}};
 }
 
 sph2d_source sph2d_source_default(void)
@@ -35,7 +34,7 @@ sph2d_drain sph2d_drain_default(void)
 
 sph2d_obstacle sph2d_obstacle_default(void)
 {
-    return (sph2d_obstacle){.form = SPH2D_WALL_HEAVY, .restitution = 0.5};
+    return (sph2d_obstacle){.restitution = 0.5};
 }
 
 sph2d_interaction sph2d_interaction_default(void)

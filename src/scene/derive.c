@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "scene/resolve.h"
 #include "scene/shape.h"
 
 /* A liquid that is released at its rest density swings to twice its static compression. */
@@ -36,7 +37,8 @@ static double highest_liquid(const sph2d_scene *scene, double g)
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
 {
     sph2d__derived d = {0};
-    d.support_radius = scene->method.support_ratio * scene->spacing;
+    sph2d_method_options method = sph2d__method_resolve(scene->method);
+    d.support_radius = method.support_ratio * scene->spacing;
     d.mass = scene->fluid.density * scene->spacing * scene->spacing;
     double g = hypot(scene->gravity.x, scene->gravity.y);
     d.height = g > 0 ? highest_liquid(scene, g) : 0;
@@ -47,7 +49,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
-    double stiffness = scene->method.stiffness;
-    d.sound_speed = sqrt(stiffness > 0 ? stiffness : OVERSHOOT * d.head / scene->method.max_compression);
+    d.sound_speed = method.sound_speed;
+    if (!(d.sound_speed > 0))
+        d.sound_speed = sqrt(method.stiffness > 0 ? method.stiffness : OVERSHOOT * d.head / method.max_compression);
     return d;
 }

@@ -11,6 +11,7 @@
 #define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
 #define FROM_0 .min = 0, .max = INFINITY
 #define BETWEEN(low, high) .min = (low), .max = (high)
+#define BETWEEN_OR_0(low, high) .min = (low), .max = (high), .zero_is_unset = true
 #define LIST_AT(type, member, counter) AT(type, member), .count_offset = offsetof(type, counter)
 #define CHOICE(type, member, value) .choice_offset = offsetof(type, member), .choice = (value)
 #define KEYS(name, type, fill)                                                                                         \
@@ -30,10 +31,15 @@ DEFAULT(obstacle)
 DEFAULT(interaction)
 DEFAULT(probe)
 
-static const char *const side_words[] = {"wall", "open", NULL};
-static const char *const wall_words[] = {"spring", "heavy", "reflect", NULL};
+static const char *const side_words[] = {"wall", "open", "periodic", NULL};
+static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
+static const char *const slip_words[] = {"free", "none", NULL};
 
-static const char *const method_words[] = {"muller", NULL};
+static const char *const method_words[] = {"muller", "wcsph", NULL};
+static const char *const operator_words[] = {"symmetric", "fitted", NULL};
+static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
+static const char *const state_words[] = {"linear", "tait", NULL};
+static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const probe_words[] = {"energy", "speed", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
@@ -72,12 +78,22 @@ KEYS(disc, sph2d_disc, NULL);
             CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself" \
     }
 
+static const sph2d_key perturb_items[] = {
+    {"amplitude", SPH2D_KEY_NUMBER, false, AT(sph2d_perturb, amplitude), BETWEEN(0, 0.5), .unit = "spacings",
+     .standard = "0", .text = "largest displacement of a coordinate"},
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_perturb, seed), FROM_0, .unit = "", .standard = "1",
+     .text = "of the random numbers"},
+};
+KEYS(perturb, sph2d_perturb, NULL);
+
 static const sph2d_key block_items[] = {
     SHAPE(sph2d_block),
     {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .standard = "[0, 0]",
      .text = "at the start"},
     {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .standard = "the scene's",
      .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed"},
+    {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "", .standard = "none",
+     .text = "random displacement of the particles"},
 };
 KEYS(block, sph2d_block, block_set);
 
@@ -120,8 +136,9 @@ static const sph2d_key obstacle_items[] = {
     {"box", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.box),
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_BOX), .keys = &box_keys, .unit = "",
      .text = "the four sides of a rectangle"},
-    {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "", .standard = "heavy",
-     .text = "heavy: acts through the pressure; reflect: reflects at once, for large steps"},
+    {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
+     .standard = "the method's",
+     .text = "heavy (muller), generalised (wcsph): acts through the pressure; reflect: at once, for large steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .standard = "0.5", .text = "reflect: normal speed after over before"},
 };
@@ -218,14 +235,36 @@ KEYS(fluid, sph2d_fluid, NULL);
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
      .standard = "muller", .text = "the solver"},
-    {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN(1e-6, 0.9),
-     .unit = "", .standard = "0.1", .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
+    {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
+     .standard = "symmetric",
+     .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "
+             "its room"},
+    {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
+     .standard = "wendland_c2", .text = "wcsph, symmetric operators: the smoothing kernel"},
+    {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
+     .unit = "", .standard = "linear", .text = "wcsph: p = c0^2 (rho - rho0), or Tait's with power 7"},
+    {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
+     .unit = "", .standard = "morris",
+     .text = "wcsph, symmetric operators: morris is exact in shear, monaghan keeps "
+             "angular momentum"},
+    {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
+     .unit = "", .standard = "0.1", .text = "wcsph: delta; density diffuses with delta c0 H/2"},
+    {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
+     .unit = "", .standard = "0", .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16"},
+    {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
+     .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
+    {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
+     .unit = "", .standard = "muller 0.1, wcsph 0.01",
+     .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
      .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
-    {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN(1.2, 6), .unit = "",
-     .standard = "2.0", .text = "support radius over spacing, H/dx"},
-    {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN(0.01, 0.9), .unit = "", .standard = "0.4",
-     .text = "step limit: dt <= cfl H / (c0 + v_max)"},
+    {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
+     .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
+    {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
+     .unit = "", .standard = "muller 2.0, wcsph 2.6 (symmetric) or 2.5 (fitted)",
+     .text = "support radius over spacing, H/dx"},
+    {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
+     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.5 (fitted)", .text = "step limit: dt <= cfl H / (c0 + v_max)"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .standard = "adaptive", .text = "a fixed step"},
 };
@@ -243,8 +282,10 @@ static const sph2d_key scene_items[] = {
      .text = "the rectangle where the liquid lives"},
     {"boundary", SPH2D_KEY_GROUP, false, AT(sph2d_scene, boundary), .keys = &boundary_keys, .unit = "",
      .text = "what closes its sides"},
-    {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "", .standard = "spring",
-     .text = "form of the sides that are walls"},
+    {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
+     .standard = "muller spring, wcsph generalised", .text = "form of the sides that are walls"},
+    {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
+     .standard = "free", .text = "generalised walls: free slides, none sticks"},
     {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
      .standard = "0.1", .text = "spring walls: damping over critical damping"},
     {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .standard = "[0, -9.81]",

@@ -10,6 +10,7 @@
 #include "methods/isa.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
+#include "scene/resolve.h"
 #include "sim/simulation.h"
 
 sph2d_sim_options sph2d_sim_options_default(void)
@@ -65,7 +66,13 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
     s->viscosity = scene->fluid.dynamic_viscosity;
-    s->cfl = scene->method.cfl;
+    s->method = scene->method;
+    s->wall_slip = scene->wall_slip;
+    s->fluid.has = sim->method->fluid;
+    s->fluid.carried = sim->method->carried;
+    s->walls.has = s->walls.carried = sim->method->walls;
+    s->fluid_cells.period = s->wall_cells.period =
+        (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     sim->record.gravity_x = scene->gravity.x;
     sim->record.gravity_y = scene->gravity.y;
     sim->record.isa = s->isa;
@@ -113,8 +120,10 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     sph2d_status status = sph2d__scene_copy(scene, &sim->arena, &sim->memory, &sim->scene);
     if (status != SPH2D_OK)
         return status;
+    sim->scene.method = sph2d__method_resolve(sim->scene.method);
+    sim->scene.walls = sph2d__side_form(&sim->scene);
+    sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
-    sim->method = sph2d__method_find(sim->scene.method.name);
     status = allocate_lists(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);

@@ -81,11 +81,10 @@ static double mean_neighbours(const sph2d__system *s)
         if (cell == UINT32_MAX)
             continue;
         sph2d__ranges ranges = sph2d__cells_ranges(&s->fluid_cells, cell);
-        for (int r = 0; r < 3; ++r)
-            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
-                double dx = f->x[i] - f->x[j], dy = f->y[i] - f->y[j];
-                pairs += j != i && dx * dx + dy * dy < support2;
-            }
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+            double dx = f->x[i] + ranges.x[r] - f->x[j], dy = f->y[i] + ranges.y[r] - f->y[j];
+            pairs += j != i && dx * dx + dy * dy < support2;
+        }
     }
     return f->count > 0 ? (double)pairs / (double)f->count : 0;
 }

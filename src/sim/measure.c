@@ -98,7 +98,7 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
                                                "(step %llu, time %g s)",
                                                speed * r->next_step, s->support, (unsigned long long)r->steps, r->time);
         sph2d_diagnostic_hint(d, "leave method.time_step out for an adaptive step, or lower it to %.2g",
-                              s->cfl * s->support / (s->sound_speed + speed));
+                              s->method.cfl * s->support / (s->sound_speed + speed));
         return false;
     }
     sph2d__limit limit;
@@ -152,6 +152,7 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
     double compression = e.density / sim->system.rest_density - 1;
     if (compression > sim->record.compression_max)
         sim->record.compression_max = compression;
+    sim->record.speed = sqrt(e.speed2);
     choose_step(sim, &e);
     return guard_step(sim, &e, report);
 }

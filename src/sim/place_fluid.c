@@ -5,16 +5,12 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "base/random.h"
 #include "sim/simulation.h"
 
 /* Places closer to an obstacle than this many spacings stay free. */
 static const double FREE_DISTANCE = 0.7;
 
-/** Bytes that a fluid particle takes in the store and the cells. */
-#define ONE_MORE(name, carried) +1
-static const double PARTICLE_BYTES =
-    (0 SPH2D__STORE_REALS(ONE_MORE) + 1) * sizeof(double) + 2 * sizeof(uint64_t) + 3 * sizeof(uint32_t);
-#undef ONE_MORE
 /* Cells name particles by 32 bits. */
 static const double MOST_PARTICLES = 4e9;
 
@@ -63,11 +59,12 @@ static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
     return false;
 }
 
-bool sph2d__sim_too_many(double count, const char *path, sph2d_report *report)
+bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report)
 {
     long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where the system does not tell */
     double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
-    double bytes = count * PARTICLE_BYTES;
+    double each = (double)sph2d__store_bytes(sim->system.fluid.has) + 3 * sizeof(uint32_t); /* store and cells */
+    double bytes = count * each;
     if (count < MOST_PARTICLES && bytes <= memory)
         return false;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
@@ -83,7 +80,7 @@ static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *repo
     lattice l = lattice_of(sim, block);
     char path[64];
     snprintf(path, sizeof path, "blocks[%zu]", index);
-    if (sph2d__sim_too_many((double)fluid->count + l.nx * l.ny, path, report))
+    if (sph2d__sim_too_many(sim, (double)fluid->count + l.nx * l.ny, path, report))
         return SPH2D_SCENE;
     size_t nx = (size_t)l.nx, ny = (size_t)l.ny;
     if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + nx * ny))
@@ -100,6 +97,7 @@ static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *repo
             size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
             fluid->vx[i] = block->velocity.x;
             fluid->vy[i] = block->velocity.y;
+            fluid->density[i] = sim->scene.fluid.density;
         }
     return SPH2D_OK;
 }
@@ -133,6 +131,21 @@ static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t fir
     return SPH2D_SCENE;
 }
 
+/** Displaces the particles of a block, from `first` on, at random; what leaves a periodic side comes in opposite. */
+static void perturb_block(sph2d_sim *sim, size_t index, size_t first)
+{
+    const sph2d_perturb *perturb = &sim->scene.blocks[index].perturb;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    sph2d__store *f = &sim->system.fluid;
+    double reach = perturb->amplitude * sim->scene.spacing;
+    for (size_t i = first; reach > 0 && i < f->count; ++i) {
+        double x = f->x[i] + reach * sph2d__noise(perturb->seed, index, i - first, 0, 0);
+        double y = f->y[i] + reach * sph2d__noise(perturb->seed, index, i - first, 0, 1);
+        f->x[i] = sph2d__period_wrap(x, period->low_x, period->length_x);
+        f->y[i] = sph2d__period_wrap(y, period->low_y, period->length_y);
+    }
+}
+
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -144,6 +157,7 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
             status = check_overlap(sim, i, first, report);
         if (status != SPH2D_OK)
             return status;
+        perturb_block(sim, i, first);
     }
     if (fluid->count == 0 && scene->source_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");

@@ -3,6 +3,7 @@
  *  Walls of a scene: boundary particles along obstacles and sides, pieces for the backstop, springs. */
 #include <math.h>
 
+#include "scene/resolve.h"
 #include "sim/simulation.h"
 
 /* Distance at which the backstop holds a particle, in spacings: well inside what pressure and springs keep free. */
@@ -46,7 +47,7 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     sph2d__system *s = &sim->system;
     const sph2d__segment *line = &piece->segment;
     double intervals = piece_intervals(line, s->spacing);
-    if (sph2d__sim_too_many((double)s->walls.count + intervals, "obstacles", report))
+    if (sph2d__sim_too_many(sim, (double)s->walls.count + intervals, "obstacles", report))
         return SPH2D_SCENE;
     size_t n = (size_t)intervals, count = n + piece->with_end;
     if (!reserve_walls(s, count))
@@ -66,11 +67,12 @@ static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacl
 {
     double spacing = sim->scene.spacing;
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
-    if (sph2d__sim_too_many((double)sim->system.walls.count + (double)pieces, "obstacles", report))
+    if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
         return SPH2D_SCENE;
     bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
     for (size_t k = 0; k < pieces; ++k) {
-        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), obstacle->form, obstacle->restitution,
+        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k),
+                            sph2d__obstacle_form(&sim->scene, obstacle), obstacle->restitution,
                             open && k + 1 == pieces};
         if (!sph2d__barrier_add(&sim->barrier, piece.segment, &sim->memory))
             return SPH2D_NOMEM;

@@ -10,7 +10,11 @@
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {
     double g = hypot(scene->gravity.x, scene->gravity.y);
-    if (scene->method.stiffness > 0)
+    if (scene->method.sound_speed > 0)
+        snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
+                 "as the scene names it; head %.4g m^2/s^2 gives compression %.3g %%", d->head,
+                 100 * d->head / (d->sound_speed * d->sound_speed));
+    else if (scene->method.stiffness > 0)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
                  "sqrt(stiffness) = sqrt(%g); head %.4g m^2/s^2 gives compression %.3g %%", scene->method.stiffness,
                  d->head, 100 * d->head / scene->method.stiffness);

@@ -39,15 +39,14 @@ static size_t probe_speed(const sph2d_sim *sim, sph2d_vec2 at, double *values)
     uint32_t cell = f->count > 0 ? sph2d__cells_find(&s->fluid_cells, at.x, at.y) : UINT32_MAX;
     if (cell != UINT32_MAX) {
         sph2d__ranges ranges = sph2d__cells_ranges(&s->fluid_cells, cell);
-        for (int r = 0; r < 3; ++r)
-            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
-                double dx = at.x - f->x[j], dy = at.y - f->y[j];
-                double w = sph2d__poly6_shape(s->support * s->support, dx * dx + dy * dy);
-                weight += w;
-                vx += w * f->vx[j];
-                vy += w * f->vy[j];
-                neighbours += w > 0;
-            }
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+            double dx = at.x + ranges.x[r] - f->x[j], dy = at.y + ranges.y[r] - f->y[j];
+            double w = sph2d__poly6_shape(s->support * s->support, dx * dx + dy * dy);
+            weight += w;
+            vx += w * f->vx[j];
+            vy += w * f->vy[j];
+            neighbours += w > 0;
+        }
     }
     values[0] = weight > 0 ? vx / weight : NAN;
     values[1] = weight > 0 ? vy / weight : NAN;

@@ -12,6 +12,7 @@
     X(time, "Time", 0, 0, 1, "simulated time")                                                                         \
     X(next_step, "NextTimeStep", 0, 0, 1, "length of the step that comes next")                                        \
     X(last_step, "LastTimeStep", 0, 0, 1, "length of the step before; 0 at the start")                                 \
+    X(speed, "LargestSpeed", 1, 0, -1, "largest speed of a particle")                                                  \
     X(gravity_x, "GravityX", 1, 0, -2, "gravity")                                                                      \
     X(gravity_y, "GravityY", 1, 0, -2, "gravity")                                                                      \
     X(pointer_x, "PointerX", 1, 0, 0, "place of the steering pointer")                                                 \

@@ -55,7 +55,7 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim);
 
 /** Whether so many particles are more than this machine's memory holds or a 32-bit index can name; then it is reported
  *  at `path`. */
-bool sph2d__sim_too_many(double count, const char *path, sph2d_report *report);
+bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report);
 
 /** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);

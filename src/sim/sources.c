@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/random.h"
 #include "base/threads.h"
 #include "sim/simulation.h"
 
@@ -15,22 +16,6 @@ static const double REACHED = 1 + 1e-12;
 
 /* Cells name particles by 32 bits. */
 static const size_t MOST_PARTICLES = 4000000000u;
-
-/** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
-static uint64_t mix(uint64_t z)
-{
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-/** Uniform in [-1, 1) from seed, source, row, column and component. */
-static double noise(uint64_t seed, uint64_t source, uint64_t row, uint64_t column, uint64_t component)
-{
-    uint64_t bits = mix(mix(mix(seed ^ mix(source)) ^ row) ^ (2 * column + component));
-    return (double)(bits >> 11) * 0x1p-52 - 1.0;
-}
 
 /** A source in numbers that emission needs. */
 typedef struct nozzle {
@@ -57,10 +42,9 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     if (store->count == 0 || cell == UINT32_MAX)
         return false;
     sph2d__ranges ranges = sph2d__cells_ranges(cells, cell);
-    for (int r = 0; r < 3; ++r)
-        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j)
-            if (hypot(store->x[j] - x, store->y[j] - y) < distance)
-                return true;
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
+        if (hypot(x + ranges.x[r] - store->x[j], y + ranges.y[r] - store->y[j]) < distance)
+            return true;
     return false;
 }
 
@@ -104,8 +88,9 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
         }
         size_t i = sph2d__store_add(fluid, sim->record.next_id++, x, y);
         double spread = source->spread * source->speed;
-        fluid->vx[i] = source->speed * n->ux + spread * noise(source->seed, index, row, k, 0);
-        fluid->vy[i] = source->speed * n->uy + spread * noise(source->seed, index, row, k, 1);
+        fluid->density[i] = sim->scene.fluid.density;
+        fluid->vx[i] = source->speed * n->ux + spread * sph2d__noise(source->seed, index, row, k, 0);
+        fluid->vy[i] = source->speed * n->uy + spread * sph2d__noise(source->seed, index, row, k, 1);
         sph2d__body_add(&sim->system.body, x, y, fluid->vx[i], fluid->vy[i], &fluid->ax[i], &fluid->ay[i]);
         sim->record.energy_fed += sph2d__sim_energy_of(sim, x, y, fluid->vx[i], fluid->vy[i]);
         ++sim->record.fed;

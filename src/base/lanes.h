@@ -5,8 +5,8 @@
  *  Plain arithmetic works on them (a compiler extension that GCC and Clang share); the few functions below are what the
  *  language lacks. A loop over lanes in plain C would say the same, but compilers unroll so short a loop before they
  * try to make vectors of it: the force pass took 4 times the instructions. */
-#ifndef SPH2D_METHODS_LANES_H
-#define SPH2D_METHODS_LANES_H
+#ifndef SPH2D_BASE_LANES_H
+#define SPH2D_BASE_LANES_H
 
 #include <math.h>
 #include <string.h>
@@ -32,6 +32,11 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
     __mmask8 kept = _mm512_cmp_pd_mask((__m512d)index, _mm512_set1_pd(left), _CMP_LT_OQ);
     return (sph2d__lanes)_mm512_maskz_mov_pd(kept, (__m512d)a);
 }
+SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
+{
+    __mmask8 below = _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(limit), _CMP_LT_OQ);
+    return (sph2d__lanes)_mm512_mask_mov_pd((__m512d)no, below, (__m512d)yes);
+}
 
 #elif defined(__AVX__)
 #include <immintrin.h>
@@ -51,6 +56,11 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
     const sph2d__lanes index = {0, 1, 2, 3};
     __m256d kept = _mm256_cmp_pd((__m256d)index, _mm256_set1_pd(left), _CMP_LT_OQ);
     return (sph2d__lanes)_mm256_and_pd(kept, (__m256d)a);
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
+{
+    __m256d below = _mm256_cmp_pd((__m256d)a, _mm256_set1_pd(limit), _CMP_LT_OQ);
+    return (sph2d__lanes)_mm256_blendv_pd((__m256d)no, (__m256d)yes, below);
 }
 
 #else
@@ -72,6 +82,11 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
 {
     return (sph2d__lanes){0 < left ? a[0] : 0, 1 < left ? a[1] : 0};
 }
+/** `yes` in lanes where a is below the limit, `no` in the others. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
+{
+    return (sph2d__lanes){a[0] < limit ? yes[0] : no[0], a[1] < limit ? yes[1] : no[1]};
+}
 #endif
 
 /** The values at `from`, of any alignment. */
@@ -80,6 +95,12 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_load(const double *from)
     sph2d__lanes a;
     memcpy(&a, from, sizeof a);
     return a;
+}
+
+/** Writes the lanes at `to`, of any alignment. */
+SPH2D__INLINE void sph2d__lanes_store(double *to, sph2d__lanes a)
+{
+    memcpy(to, &a, sizeof a);
 }
 
 /** Sum over the lanes, from the first to the last. */

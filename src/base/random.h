@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/** @file random.h
+ *  Random numbers that are a function of what they are for, so that no generator has a state to keep. */
+#ifndef SPH2D_BASE_RANDOM_H
+#define SPH2D_BASE_RANDOM_H
+
+#include <stdint.h>
+
+/** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
+static inline uint64_t sph2d__mix(uint64_t z)
+{
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/** Uniform in [-1, 1) from seed, source, row, column and component. */
+static inline double sph2d__noise(uint64_t seed, uint64_t source, uint64_t row, uint64_t column, uint64_t component)
+{
+    uint64_t bits = sph2d__mix(sph2d__mix(sph2d__mix(seed ^ sph2d__mix(source)) ^ row) ^ (2 * column + component));
+    return (double)(bits >> 11) * 0x1p-52 - 1.0;
+}
+
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/** @file state_equation.h
+ *  Pressure from density in method `wcsph`, and back.
+ *
+ *      linear   p = c0^2 (rho - rho0)
+ *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
+ *
+ *  Both have dp/drho = c0^2 at rest density. Negative pressure is kept. */
+#ifndef SPH2D_METHODS_STATE_EQUATION_H
+#define SPH2D_METHODS_STATE_EQUATION_H
+
+#include <math.h>
+
+#include "base/threads.h"
+#include "methods/system.h"
+
+static inline double sph2d__pressure_of(const sph2d__system *s, double density)
+{
+    double c2 = s->sound_speed * s->sound_speed;
+    if (s->method.state_equation == SPH2D_STATE_LINEAR)
+        return c2 * (density - s->rest_density);
+    double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
+    return s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
+}
+
+/** The inverse; a pressure below what the equation can give is cut off at a thousandth of the rest density. */
+static inline double sph2d__density_of(const sph2d__system *s, double pressure)
+{
+    double c2 = s->sound_speed * s->sound_speed;
+    double density = s->method.state_equation == SPH2D_STATE_LINEAR
+                         ? s->rest_density + pressure / c2
+                         : s->rest_density * pow(fmax(1 + 7 * pressure / (s->rest_density * c2), 0), 1.0 / 7);
+    return fmax(density, 1e-3 * s->rest_density);
+}
+
+/** dp/drho, the square of the speed of sound at a density [m^2/s^2]. */
+static inline double sph2d__sound_speed2_at(const sph2d__system *s, double density)
+{
+    double c2 = s->sound_speed * s->sound_speed;
+    if (s->method.state_equation == SPH2D_STATE_LINEAR)
+        return c2;
+    double x = density / s->rest_density, x2 = x * x;
+    return c2 * x2 * x2 * x2;
+}
+
+/** Sets the pressure of every particle of a store. */
+static inline void sph2d__state_equation_apply(const sph2d__system *s, sph2d__store *store)
+{
+    int threads = sph2d__threads_for(s->threads, store->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < store->count; ++i)
+        store->pressure[i] = sph2d__pressure_of(s, store->density[i]);
+}
+
+#endif

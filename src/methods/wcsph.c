@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/** @file wcsph.c
+ *  Method `wcsph` with symmetric operators: step limits. The pair loops are in wcsph_pass.c. */
+#include "methods/wcsph.h"
+
+#include <math.h>
+
+#include "methods/state_equation.h"
+
+/* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice with a jitter of 0.25 dx Morris' operator stands
+ * nu dt/H^2 < 0.04 at H/dx = 2 and 0.06 at 4. */
+static const double VISCOUS = 0.03;
+static const double FORCE = 0.25;
+
+static const sph2d__wcsph_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__wcsph_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__wcsph_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__wcsph_passes_baseline;
+}
+
+static void prepare(sph2d__system *s)
+{
+    (void)s;
+}
+
+/** The kinematic viscosity that acts [m^2/s]: the liquid's and the artificial one. */
+static double kinematic_viscosity(const sph2d__system *s)
+{
+    return s->viscosity / s->rest_density + s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+}
+
+static void set_volumes(sph2d__system *s)
+{
+    sph2d__store *f = &s->fluid;
+    int threads = sph2d__threads_for(s->threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < f->count; ++i)
+        f->volume[i] = s->mass / f->density[i];
+}
+
+static void density_rate(sph2d__system *s)
+{
+    set_volumes(s);
+    passes(s->isa)->density_rate[s->method.kernel](s);
+}
+
+static void evaluate(sph2d__system *s)
+{
+    set_volumes(s);
+    sph2d__state_equation_apply(s, &s->fluid);
+    passes(s->isa)->force[s->method.kernel](s);
+}
+
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    return sph2d__shortest_step(s, speed, acceleration, kinematic_viscosity(s), VISCOUS, FORCE, limit);
+}
+
+const sph2d__method sph2d__wcsph = {
+    .name = "wcsph",
+    .integrator = SPH2D__MIDPOINT,
+    .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
+             SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y),
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
+               SPH2D__BIT(slope_y),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+    .prepare = prepare,
+    .evaluate = evaluate,
+    .density_rate = density_rate,
+    .stable_step = stable_step,
+};

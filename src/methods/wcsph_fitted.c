@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/** @file wcsph_fitted.c
+ *  Method `wcsph` with fitted operators: constants and step limits. The pair loop is in wcsph_fitted_pass.c. */
+#include "methods/wcsph_fitted.h"
+
+#include <math.h>
+
+#include "methods/state_equation.h"
+
+/* Step limits as fractions of H^2/nu and sqrt(H/a). */
+static const double VISCOUS = 0.016;
+static const double FORCE = 0.25;
+
+static const sph2d__fitted_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__fitted_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__fitted_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__fitted_passes_baseline;
+}
+
+/** On f = r^4 the fit finds c (x^2 + y^2), whose Laplacian 4c is all error at the centre, and leaves the residual R:
+ *  gamma makes 4c + gamma R = 0. */
+double sph2d__fitted_residual_gain(double ratio)
+{
+    double m2 = 0, m4 = 0, m22 = 0, m6 = 0, m42 = 0;
+    int reach = (int)ratio + 1;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double x = i / ratio, y = j / ratio, q = sqrt(x * x + y * y);
+            double w = q < 1 ? (1 - q) * (1 - q) * (1 - q) : 0;
+            m2 += w * x * x;
+            m4 += w * x * x * x * x;
+            m22 += w * x * x * y * y;
+            m6 += w * pow(x, 6);
+            m42 += w * pow(x, 4) * y * y;
+        }
+    double c = (m6 + 3 * m42) / (m4 + m22);
+    double residual = 2 / m2 * (2 * m4 + 2 * m22 - 2 * c * m2);
+    return -4 * c / residual;
+}
+
+static void prepare(sph2d__system *s)
+{
+    s->residual_gain = sph2d__fitted_residual_gain(s->support / s->spacing);
+}
+
+static void evaluate(sph2d__system *s)
+{
+    passes(s->isa)->rates(s);
+    sph2d__state_equation_apply(s, &s->fluid);
+}
+
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    return sph2d__shortest_step(s, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE, limit);
+}
+
+const sph2d__method sph2d__wcsph_fitted = {
+    .name = "wcsph, fitted",
+    .integrator = SPH2D__RUNGE_KUTTA,
+    .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
+             SPH2D__BIT(density_rate) | SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(start_x) |
+             SPH2D__BIT(start_y) | SPH2D__BIT(start_vx) | SPH2D__BIT(start_vy) | SPH2D__BIT(start_density),
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(start_x) |
+               SPH2D__BIT(start_y) | SPH2D__BIT(start_vx) | SPH2D__BIT(start_vy) | SPH2D__BIT(start_density),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure),
+    .prepare = prepare,
+    .evaluate = evaluate,
+    .stable_step = stable_step,
+};

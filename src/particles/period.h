@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/** @file period.h
+ *  Periodic directions: what leaves at one side comes in at the other. */
+#ifndef SPH2D_PARTICLES_PERIOD_H
+#define SPH2D_PARTICLES_PERIOD_H
+
+#include <math.h>
+
+/** Lower end and length of the period in each direction [m]; length 0: not periodic. */
+typedef struct sph2d__period {
+    double low_x, low_y;
+    double length_x, length_y;
+} sph2d__period;
+
+/** A coordinate brought into [low, low + length). Finite values only. */
+static inline double sph2d__period_wrap(double x, double low, double length)
+{
+    if (!(length > 0) || (x >= low && x < low + length))
+        return x;
+    double wrapped = x - length * floor((x - low) / length);
+    return wrapped < low + length ? wrapped : low; /* rounding may land on the upper end */
+}
+
+/** The shortest of a distance and its images. */
+static inline double sph2d__period_nearest(double distance, double length)
+{
+    return length > 0 ? distance - length * floor(distance / length + 0.5) : distance;
+}
+
+#endif

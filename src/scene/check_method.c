@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_method.c
+ *  Which method has which feature, and periodic sides. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scene/checker.h"
+#include "scene/derive.h"
+#include "scene/resolve.h"
+
+/** The three solvers, as bits. */
+enum { MULLER = 1, SYMMETRIC = 2, FITTED = 4 };
+
+static int solver_of(const sph2d_method_options *m)
+{
+    if (m->name != SPH2D_METHOD_WCSPH)
+        return MULLER;
+    return m->operators == SPH2D_OPERATORS_FITTED ? FITTED : SYMMETRIC;
+}
+
+static const char *solver_name(int solver)
+{
+    return solver == MULLER   ? "method muller"
+           : solver == FITTED ? "method wcsph with fitted operators"
+                              : "method wcsph";
+}
+
+/** Refuses a feature that is used and that only other solvers have. */
+static void refuse(sph2d__checker *c, const char *path, bool used, int have, const char *hint)
+{
+    int solver = solver_of(&c->scene->method);
+    if (!used || (have & solver))
+        return;
+    char message[160];
+    snprintf(message, sizeof message, "%s does not have this", solver_name(solver));
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, message);
+    sph2d_diagnostic_hint(d, "%s", hint);
+}
+
+static void check_options(sph2d__checker *c)
+{
+    const sph2d_method_options *m = &c->scene->method, standard = sph2d_scene_default().method;
+    const char *wcsph = "take `method: {name: wcsph}`", *symmetric = "leave it out, or take `operators: symmetric`";
+    bool muller = m->name == SPH2D_METHOD_MULLER;
+    const char *hint = muller ? wcsph : symmetric;
+    refuse(c, "method.operators", muller && m->operators != standard.operators, 0, wcsph);
+    refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC, hint);
+    refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
+    refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);
+    refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity, SYMMETRIC, hint);
+    refuse(c, "method.density_diffusion", m->density_diffusion != standard.density_diffusion, SYMMETRIC | FITTED,
+           wcsph);
+    refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
+    refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
+    if (m->stiffness > 0 && m->sound_speed > 0)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.sound_speed", "give stiffness or sound_speed, not both");
+}
+
+/** The walls' forms that a solver has. */
+static int solvers_with(sph2d_wall_form form)
+{
+    switch (form) {
+    case SPH2D_WALL_SPRING:
+    case SPH2D_WALL_HEAVY:
+        return MULLER;
+    case SPH2D_WALL_GENERALISED:
+        return SYMMETRIC | FITTED;
+    case SPH2D_WALL_REFLECT:
+    case SPH2D_WALL_DEFAULT:
+        break;
+    }
+    return MULLER | SYMMETRIC | FITTED;
+}
+
+static void check_walls(sph2d__checker *c)
+{
+    const char *hint = "leave it out for the method's own form";
+    refuse(c, "walls", true, solvers_with(c->scene->walls), hint);
+    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
+        char path[SPH2D__PATH_SIZE];
+        refuse(c, sph2d__check_path(path, "obstacles", i, ".form"), true, solvers_with(c->scene->obstacles[i].form),
+               hint);
+    }
+}
+
+static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char *path, double length)
+{
+    bool periodic = a == SPH2D_SIDE_PERIODIC;
+    if (periodic != (b == SPH2D_SIDE_PERIODIC)) {
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a periodic side needs a periodic side opposite");
+        return;
+    }
+    double support = sph2d__method_resolve(c->scene->method).support_ratio * c->scene->spacing;
+    if (!periodic || length >= 3.001 * support)
+        return;
+    sph2d_diagnostic *d =
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "the period does not hold three support radii");
+    sph2d_diagnostic_hint(d, "make the domain at least %g m long here, or the spacing smaller", 3.001 * support);
+}
+
+void sph2d__check_method(sph2d__checker *c)
+{
+    check_options(c);
+    check_walls(c);
+    sph2d_boundary b = c->scene->boundary;
+    sph2d_box d = c->scene->domain;
+    check_pair(c, b.left, b.right, "boundary.right", d.max.x - d.min.x);
+    check_pair(c, b.bottom, b.top, "boundary.top", d.max.y - d.min.y);
+}

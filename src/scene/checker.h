@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/** @file checker.h
+ *  What the parts of the scene checker share. */
+#ifndef SPH2D_SCENE_CHECKER_H
+#define SPH2D_SCENE_CHECKER_H
+
+#include "sph2d/scene.h"
+
+typedef struct sph2d__checker {
+    const sph2d_scene *scene;
+    sph2d_report *report;
+    size_t errors; /**< counted here too, since the report may be NULL */
+    bool broken;   /**< a list that cannot be read */
+} sph2d__checker;
+
+/** Room for a key path. */
+enum { SPH2D__PATH_SIZE = 256 };
+
+/** Counts and reports an error. Returns its diagnostic, for a hint; NULL without a report. */
+sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message);
+
+/** "blocks[2].box" from "blocks", 2, ".box". */
+const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
+
+/** What the method does not have, and periodic sides. */
+void sph2d__check_method(sph2d__checker *c);
+
+#endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/** @file runge_kutta.c
+ *  One step of third order in three stages (Shu & Osher 1988, eq. 2.18), for methods that give the rates of place,
+ *  velocity and density:
+ *
+ *      y1     = y(n) + dt f(y(n))
+ *      y2     = 3/4 y(n) + 1/4 (y1 + dt f(y1))
+ *      y(n+1) = 1/3 y(n) + 2/3 (y2 + dt f(y2))
+ *
+ *  Each stage is an average of forward steps: what one forward step keeps bounded, the whole keeps bounded. */
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+#include "methods/state_equation.h"
+#include "sim/integrators.h"
+
+/* Shift velocities may move particles by a diffusion D with D dt / H^2 of this at most. */
+static const double SHIFT_LIMIT = 0.1;
+/* Shift velocity over the largest speed and the crowding, for shifting: 1. */
+static const double SHIFT_GAIN = 4;
+
+static void keep_start(sph2d__store *f)
+{
+    memcpy(f->start_x, f->x, f->count * sizeof(double));
+    memcpy(f->start_y, f->y, f->count * sizeof(double));
+    memcpy(f->start_vx, f->vx, f->count * sizeof(double));
+    memcpy(f->start_vy, f->vy, f->count * sizeof(double));
+    memcpy(f->start_density, f->density, f->count * sizeof(double));
+}
+
+/** One forward step, averaged with the start by the weight `old`. */
+static sph2d_status stage(sph2d_sim *sim, double dt, double old)
+{
+    sph2d__store *f = &sim->system.fluid;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    uint64_t hits = 0, reflections = 0, bad = 0;
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
+    for (size_t i = 0; i < f->count; ++i) {
+        /* Of the way since the start, 1 - old is gone: what is left of it is the way from here. */
+        double gone_x = sph2d__period_nearest(f->x[i] - f->start_x[i], period->length_x);
+        double gone_y = sph2d__period_nearest(f->y[i] - f->start_y[i], period->length_y);
+        double dx = (1 - old) * dt * (f->vx[i] + f->shift_x[i]) - old * gone_x;
+        double dy = (1 - old) * dt * (f->vy[i] + f->shift_y[i]) - old * gone_y;
+        sph2d_vec2 v = {old * f->start_vx[i] + (1 - old) * (f->vx[i] + dt * f->ax[i]),
+                        old * f->start_vy[i] + (1 - old) * (f->vy[i] + dt * f->ay[i])};
+        f->density[i] = old * f->start_density[i] + (1 - old) * (f->density[i] + dt * f->density_rate[i]);
+        sph2d__events events = {0};
+        sph2d__carry(sim, i, dx, dy, &v, &events);
+        hits += events.hits;
+        reflections += events.reflections;
+        bad += events.bad;
+    }
+    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
+}
+
+sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
+{
+    static const double old[3] = {0, 3.0 / 4, 1.0 / 3}, moment[3] = {0, 1, 0.5};
+    sph2d__system *s = &sim->system;
+    double most = SHIFT_LIMIT * s->support / (s->speed * dt);
+    s->shift_gain = s->method.shifting * (s->speed > 0 ? fmin(SHIFT_GAIN, most) : SHIFT_GAIN);
+    keep_start(&s->fluid);
+    for (int k = 0; k < 3; ++k) {
+        sph2d__sim_aim(sim, sim->record.time + moment[k] * dt);
+        sim->method->evaluate(s);
+        sph2d_status status = stage(sim, dt, old[k]);
+        if (status == SPH2D_OK)
+            status = sph2d__sort_fluid(sim);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    sph2d__state_equation_apply(s, &s->fluid);
+    return SPH2D_OK;
+}
