@@ -41,8 +41,10 @@ static void fill_lists(void)
     sources[0].at = (sph2d_vec2){0.9, 0.9};
     sources[0].width = 0.05;
     sources[0].speed = 1;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         obstacles[i] = sph2d_obstacle_default();
+        obstacles[i].motion.path = (sph2d_path){path, 2};
+    }
     obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
     obstacles[0].outline.line = (sph2d_points){ends, 2};
     obstacles[1].outline.kind = SPH2D_OUTLINE_POLYLINE;

@@ -148,6 +148,18 @@ typedef struct sph2d_boundary {
     sph2d_side left, right, bottom, top; /**< default: wall, wall, wall, open */
 } sph2d_boundary;
 
+/** How fast the surfaces of wall sides move along themselves, like a lid or a belt [m/s]; default 0. */
+typedef struct sph2d_side_speeds {
+    double left, right; /**< upwards */
+    double bottom, top; /**< to the right */
+} sph2d_side_speeds;
+
+/** A force towards a centre that grows with the distance: acceleration -rate^2 (x - center). */
+typedef struct sph2d_central_force {
+    sph2d_vec2 center; /**< [m]; default (0, 0) */
+    double rate;       /**< B [1/s], >= 0; default 0: none */
+} sph2d_central_force;
+
 /** The liquid. */
 typedef struct sph2d_fluid {
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
@@ -214,13 +226,6 @@ typedef struct sph2d_drain {
     double start, stop; /**< [s]; default 0 and 0: from the start, for ever */
 } sph2d_drain;
 
-/** A fixed line of boundary particles, one thick. Nothing passes it, at any speed. */
-typedef struct sph2d_obstacle {
-    sph2d_outline outline;
-    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; default: the method's */
-    double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
-} sph2d_obstacle;
-
 /** A point of a path: where something is at a time. */
 typedef struct sph2d_path_point {
     double t, x, y; /**< [s], [m], [m] */
@@ -232,6 +237,25 @@ typedef struct sph2d_path {
     const sph2d_path_point *items;
     size_t count;
 } sph2d_path;
+
+/** How an obstacle moves without turning: along a path, swinging, or both. Its displacement from where the scene puts
+ * it is path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
+typedef struct sph2d_motion {
+    sph2d_path path; /**< displacements [m]; before the first point and after the last it rests there; default none */
+    sph2d_vec2 amplitude; /**< of the swing [m]; default (0, 0) */
+    double frequency;     /**< of the swing [1/s], >= 0; default 0 */
+    double phase;         /**< of the swing [rad]; default 0: it starts at full speed, -pi/2: at rest */
+} sph2d_motion;
+
+/** A wall of boundary particles. Nothing passes it, at any speed. Heavy and reflecting ones are one particle thick and
+ *  work on both sides. Generalised ones have layers: closed outlines are solids, with layers inside; lines and
+ * polylines have the liquid on the left of the way from the first point to the last, and layers on the right. */
+typedef struct sph2d_obstacle {
+    sph2d_outline outline;
+    sph2d_motion motion;  /**< default: none, it stands */
+    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; default: the method's */
+    double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
+} sph2d_obstacle;
 
 /** A pull or push towards a moving point: acceleration * (1 - r/radius) inside `radius`. */
 typedef struct sph2d_interaction {
@@ -290,11 +314,13 @@ typedef struct sph2d_scene {
     const char *name;   /**< for people; default "scene" */
     sph2d_box domain;   /**< must be given */
     sph2d_boundary boundary;
-    sph2d_wall_form walls; /**< form of the domain's wall sides; default: the method's */
-    sph2d_slip wall_slip;  /**< of generalised walls; default free */
-    double wall_damping;   /**< spring walls: damping over critical damping, 0 to 1; default 0.1 */
-    sph2d_vec2 gravity;    /**< [m/s^2]; default (0, -9.81) */
-    double spacing;        /**< between particles, dx [m], > 0; must be given. Particle mass is density dx^2 */
+    sph2d_wall_form walls;             /**< form of the domain's wall sides; default: the method's */
+    sph2d_slip wall_slip;              /**< of generalised walls; default free */
+    sph2d_side_speeds wall_speeds;     /**< of no-slip sides; default 0 */
+    double wall_damping;               /**< spring walls: damping over critical damping, 0 to 1; default 0.1 */
+    sph2d_vec2 gravity;                /**< [m/s^2]; default (0, -9.81) */
+    sph2d_central_force central_force; /**< default none */
+    double spacing; /**< between particles, dx [m], > 0; must be given. Particle mass is density dx^2 */
     sph2d_fluid fluid;
     sph2d_method_options method;
     const sph2d_block *blocks;

@@ -34,18 +34,18 @@ static void weigh_walls(sph2d__system *s)
     double support2 = s->support * s->support;
     double poly6 = sph2d__poly6_constant(s->support);
     for (size_t b = 0; b < walls->count; ++b) {
-        s->wall_mass[b] = 0;
-        if (s->wall_bounce[b] >= 0)
+        s->walls.mass[b] = 0;
+        if (s->walls.bounce[b] >= 0)
             continue;
         sph2d__ranges ranges =
             sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, walls->x[b], walls->y[b]));
         double sum = 0;
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
             double dx = walls->x[b] + ranges.x[r] - walls->x[j], dy = walls->y[b] + ranges.y[r] - walls->y[j];
-            if (s->wall_bounce[j] < 0)
+            if (s->walls.bounce[j] < 0)
                 sum += sph2d__poly6_shape(support2, dx * dx + dy * dy);
         }
-        s->wall_mass[b] = s->rest_density / (poly6 * sum);
+        s->walls.mass[b] = s->rest_density / (poly6 * sum);
     }
 }
 
@@ -83,7 +83,7 @@ static void evaluate(sph2d__system *s)
         pass->wall_density(s);
         for (size_t b = 0; b < walls->count; ++b) {
             walls->pressure[b] = pressure_of(s, walls->density[b]);
-            walls->volume[b] = s->wall_mass[b] / walls->density[b];
+            walls->volume[b] = s->walls.mass[b] / walls->density[b];
         }
     }
     pass->force(s);
@@ -100,7 +100,8 @@ const sph2d__method sph2d__muller = {
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay),
-    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) |
+             SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
     .prepare = prepare,
     .evaluate = evaluate,
     .stable_step = stable_step,

@@ -44,7 +44,7 @@ static void density(sph2d__system *s)
                 sph2d__lanes wall_sum = {0};
                 SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
                     wall_sum += density_block(support2, xi + wall_cursor.ranges.x[r], yi + wall_cursor.ranges.y[r],
-                                              walls->x + j, walls->y + j, s->wall_mass + j, left);
+                                              walls->x + j, walls->y + j, s->walls.mass + j, left);
                 rho += poly6 * sph2d__lanes_total(wall_sum);
             }
             fluid->density[i] = rho;
@@ -66,7 +66,7 @@ static void wall_density(sph2d__system *s)
         for (size_t b = 0; b < walls->count; ++b) {
             double xb = walls->x[b], yb = walls->y[b];
             sph2d__lanes sum = {0};
-            if (s->wall_mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
+            if (s->walls.mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
                 SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
                     sum += density_block(support2, xb + cursor.ranges.x[r], yb + cursor.ranges.y[r], fluid->x + j,
                                          fluid->y + j, NULL, left);

@@ -11,11 +11,8 @@
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
-    double *wall_mass;    /**< of each boundary particle [kg/m]; 0 for those that only reflect */
-    double *wall_bounce;  /**< restitution of each that reflects; negative for those that act by pressure */
-    size_t wall_capacity; /**< length of the two arrays above */
-    bool walls_press;     /**< some boundary particle acts by pressure */
-    bool walls_reflect;   /**< some boundary particle reflects */
+    bool walls_press;   /**< some boundary particle acts by pressure */
+    bool walls_reflect; /**< some boundary particle reflects */
 
     double spacing;        /**< dx [m] */
     double support;        /**< support radius H [m] */

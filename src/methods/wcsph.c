@@ -55,6 +55,8 @@ static void evaluate(sph2d__system *s)
 {
     set_volumes(s);
     sph2d__state_equation_apply(s, &s->fluid);
+    if (s->walls_press)
+        passes(s->isa)->walls[s->method.kernel](s);
     passes(s->isa)->force[s->method.kernel](s);
 }
 
@@ -71,7 +73,9 @@ const sph2d__method sph2d__wcsph = {
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y),
-    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) |
+             SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) |
+             SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy),
     .prepare = prepare,
     .evaluate = evaluate,
     .density_rate = density_rate,

@@ -4,6 +4,7 @@
  *  SPH2D__ISA, and in it once for each kernel. */
 #include "base/threads.h"
 #include "kernels/kernel.h"
+#include "methods/state_equation.h"
 #include "methods/traverse.h"
 #include "methods/wcsph.h"
 
@@ -34,25 +35,39 @@ static double slope_scale(const sph2d__system *s)
     return sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
 }
 
+/** Whether boundary particles are near; then the cursor is at their ranges. */
+SPH2D__INLINE bool near_walls(const sph2d__system *s, sph2d__cursor *cursor, double x, double y)
+{
+    return s->walls_press && sph2d__cursor_move(cursor, &s->wall_cells, x, y);
+}
+
 /* ---- density ----------------------------------------------------------------------------------------------------- */
+
+/** m_j v_ij . r_ij g of a block. */
+SPH2D__INLINE sph2d__lanes flux_of(const pair *p, double vx, double vy, const sph2d__store *from, size_t j)
+{
+    return p->g * ((vx - sph2d__lanes_load(from->vx + j)) * p->dx + (vy - sph2d__lanes_load(from->vy + j)) * p->dy);
+}
 
 SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
+    const sph2d__store *walls = &s->walls;
     double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
     bool diffuse = spread > 0;
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
-        sph2d__cursor cursor = SPH2D__CURSOR_START;
+        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t i = 0; i < f->count; ++i) {
-            double vx = f->vx[i], vy = f->vy[i], rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
+            double x = f->x[i], y = f->y[i], vx = f->vx[i], vy = f->vy[i];
+            double rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
             sph2d__lanes flux = {0}, smooth = {0};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, f->x[i], f->y[i]);
+            sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
             SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, f->x[i], f->y[i], &cursor.ranges, r, f, j, left);
-                flux += p.g * ((vx - sph2d__lanes_load(f->vx + j)) * p.dx + (vy - sph2d__lanes_load(f->vy + j)) * p.dy);
+                pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, f, j, left);
+                flux += flux_of(&p, vx, vy, f, j);
                 if (diffuse) {
                     sph2d__lanes linear = (sx + sph2d__lanes_load(f->slope_x + j)) * p.dx +
                                           (sy + sph2d__lanes_load(f->slope_y + j)) * p.dy;
@@ -60,7 +75,72 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
                               (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
                 }
             }
-            f->density_rate[i] = scale * (s->mass * sph2d__lanes_total(flux) + spread * sph2d__lanes_total(smooth));
+            double rate = s->mass * sph2d__lanes_total(flux) + spread * sph2d__lanes_total(smooth);
+            if (near_walls(s, &wall_cursor, x, y)) {
+                sph2d__lanes wall_flux = {0};
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
+                    pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, walls, j, left);
+                    wall_flux += flux_of(&p, vx, vy, walls, j) * sph2d__lanes_load(walls->mass + j);
+                }
+                rate += sph2d__lanes_total(wall_flux);
+            }
+            f->density_rate[i] = scale * rate;
+        }
+    }
+}
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/** Sums over the liquid around a boundary particle, weighted by the kernel. */
+typedef struct wall_sums {
+    sph2d__lanes weight, pressure, weight_x, weight_y, vx, vy;
+} wall_sums;
+
+/** Where no liquid is near, the pressure is 0 and the image is the wall itself. */
+static void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums)
+{
+    sph2d__store *w = &s->walls;
+    double weight = sph2d__lanes_total(sums->weight), gx = 0, gy = 0;
+    bool wet = weight > 1e-12;
+    double share = wet ? 1 / weight : 0;
+    sph2d__body_add(&s->body, w->x[b], w->y[b], w->vx[b], w->vy[b], &gx, &gy);
+    gx -= w->ax[b];
+    gy -= w->ay[b];
+    double pressure = share * (sph2d__lanes_total(sums->pressure) + gx * sph2d__lanes_total(sums->weight_x) +
+                               gy * sph2d__lanes_total(sums->weight_y));
+    w->pressure[b] = pressure;
+    w->density[b] = sph2d__density_of(s, pressure);
+    w->volume[b] = w->mass[b] / w->density[b];
+    w->image_vx[b] = 2 * w->vx[b] - (wet ? share * sph2d__lanes_total(sums->vx) : w->vx[b]);
+    w->image_vy[b] = 2 * w->vy[b] - (wet ? share * sph2d__lanes_total(sums->vy) : w->vy[b]);
+}
+
+SPH2D__INLINE void walls_with(sph2d__system *s, sph2d_kernel kernel)
+{
+    const sph2d__store *f = &s->fluid;
+    sph2d__store *w = &s->walls;
+    int threads = sph2d__threads_for(s->threads, w->count);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        sph2d__cursor cursor = SPH2D__CURSOR_START;
+#pragma omp for schedule(dynamic, CHUNK)
+        for (size_t b = 0; b < w->count; ++b) {
+            wall_sums sums = {0};
+            if (w->bounce[b] < 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, w->x[b], w->y[b]))
+                SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
+                    sph2d__lanes dx = w->x[b] + cursor.ranges.x[r] - sph2d__lanes_load(f->x + j);
+                    sph2d__lanes dy = w->y[b] + cursor.ranges.y[r] - sph2d__lanes_load(f->y + j);
+                    sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support);
+                    sph2d__lanes weight = sph2d__lanes_first(sph2d__kernel_value(kernel, q), left);
+                    sph2d__lanes heavy = weight * sph2d__lanes_load(f->density + j);
+                    sums.weight += weight;
+                    sums.pressure += weight * sph2d__lanes_load(f->pressure + j);
+                    sums.weight_x += heavy * dx;
+                    sums.weight_y += heavy * dy;
+                    sums.vx += weight * sph2d__lanes_load(f->vx + j);
+                    sums.vy += weight * sph2d__lanes_load(f->vy + j);
+                }
+            finish_wall(s, b, &sums);
         }
     }
 }
@@ -77,37 +157,60 @@ typedef struct force_sums {
 typedef struct terms {
     double morris, monaghan; /**< dynamic viscosity [Pa s] of each form */
     bool slope;              /**< density diffusion needs the slope of density */
+    bool sticky;             /**< walls are rough */
 } terms;
 
-SPH2D__INLINE void add_pairs(force_sums *sums, const terms *with, const pair *p, const sph2d__store *f, size_t i,
-                             size_t j)
+/** The particle that feels. */
+typedef struct receiver {
+    double x, y, vx, vy, density;
+    double push; /**< p V^2 */
+} receiver;
+
+SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair *p, sph2d__lanes vg, sph2d__lanes dvx,
+                                 sph2d__lanes dvy)
 {
-    sph2d__lanes volume = sph2d__lanes_load(f->volume + j);
-    sph2d__lanes vg = volume * p->g;
-    double own = f->pressure[i] * f->volume[i] * f->volume[i];
-    sph2d__lanes press = p->g * (own + sph2d__lanes_load(f->pressure + j) * volume * volume);
+    sums->morris_x += vg * dvx;
+    sums->morris_y += vg * dvy;
+    if (with->monaghan > 0) {
+        sph2d__lanes tiny = (sph2d__lanes){0} + 1e-300;
+        sph2d__lanes along = vg * (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny);
+        sums->monaghan_x += along * p->dx;
+        sums->monaghan_y += along * p->dy;
+    }
+}
+
+SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, const pair *p, const receiver *me,
+                              const sph2d__store *f, size_t j)
+{
+    sph2d__lanes volume = sph2d__lanes_load(f->volume + j), vg = volume * p->g;
+    sph2d__lanes press = p->g * (me->push + sph2d__lanes_load(f->pressure + j) * volume * volume);
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
-    if (with->morris > 0 || with->monaghan > 0) {
-        sph2d__lanes dvx = f->vx[i] - sph2d__lanes_load(f->vx + j), dvy = f->vy[i] - sph2d__lanes_load(f->vy + j);
-        sums->morris_x += vg * dvx;
-        sums->morris_y += vg * dvy;
-        if (with->monaghan > 0) {
-            sph2d__lanes tiny = (sph2d__lanes){0} + 1e-300;
-            sph2d__lanes along = vg * (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny);
-            sums->monaghan_x += along * p->dx;
-            sums->monaghan_y += along * p->dy;
-        }
-    }
+    if (with->morris > 0 || with->monaghan > 0)
+        add_viscosity(sums, with, p, vg, me->vx - sph2d__lanes_load(f->vx + j), me->vy - sph2d__lanes_load(f->vy + j));
     if (with->slope) {
         sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
         sums->xx += gx * p->dx;
         sums->xy += gx * p->dy;
         sums->yy += gy * p->dy;
-        sph2d__lanes drho = sph2d__lanes_load(f->density + j) - f->density[i];
+        sph2d__lanes drho = sph2d__lanes_load(f->density + j) - me->density;
         sums->slope_x += gx * drho;
         sums->slope_y += gy * drho;
     }
+}
+
+/** Boundary particles have masses of their own. */
+SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, const pair *p, const receiver *me,
+                            const sph2d__store *w, size_t j, double mass)
+{
+    sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * (1 / mass);
+    sph2d__lanes own = sph2d__lanes_max(ratio, (sph2d__lanes){0} + 1e-300);
+    sph2d__lanes press = p->g * (ratio * me->push + sph2d__lanes_load(w->pressure + j) * volume * volume / own);
+    sums->press_x += press * p->dx;
+    sums->press_y += press * p->dy;
+    if (with->sticky)
+        add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->image_vx + j),
+                      me->vy - sph2d__lanes_load(w->image_vy + j));
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
@@ -122,48 +225,58 @@ static void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
     f->slope_y[i] = sound ? (xx * by - xy * bx) / det : 0;
 }
 
-static void finish_force(sph2d__system *s, size_t i, const force_sums *sums, const terms *with, double scale)
+/** Adds the acceleration that the sums stand for. */
+static void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double density, double *ax,
+                     double *ay)
 {
-    sph2d__store *f = &s->fluid;
-    double press = -scale / s->mass, morris = 2 * with->morris * scale / f->density[i];
-    double monaghan = 8 * with->monaghan * scale / f->density[i];
-    double ax = press * sph2d__lanes_total(sums->press_x) + morris * sph2d__lanes_total(sums->morris_x) +
-                monaghan * sph2d__lanes_total(sums->monaghan_x);
-    double ay = press * sph2d__lanes_total(sums->press_y) + morris * sph2d__lanes_total(sums->morris_y) +
-                monaghan * sph2d__lanes_total(sums->monaghan_y);
-    sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
-    f->ax[i] = ax;
-    f->ay[i] = ay;
-    if (with->slope)
-        finish_slope(f, i, sums);
+    double scale = slope_scale(s), press = -scale / s->mass;
+    double morris = 2 * with->morris * scale / density, monaghan = 8 * with->monaghan * scale / density;
+    *ax += press * sph2d__lanes_total(sums->press_x) + morris * sph2d__lanes_total(sums->morris_x) +
+           monaghan * sph2d__lanes_total(sums->monaghan_x);
+    *ay += press * sph2d__lanes_total(sums->press_y) + morris * sph2d__lanes_total(sums->morris_y) +
+           monaghan * sph2d__lanes_total(sums->monaghan_y);
 }
 
 static terms terms_of(const sph2d__system *s)
 {
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    return (terms){morris ? s->viscosity : 0, artificial + (morris ? 0 : s->viscosity),
-                   s->method.density_diffusion > 0};
+    terms with = {morris ? s->viscosity : 0, artificial + (morris ? 0 : s->viscosity), s->method.density_diffusion > 0,
+                  false};
+    with.sticky = s->wall_slip == SPH2D_SLIP_NONE && (with.morris > 0 || with.monaghan > 0);
+    return with;
 }
 
 SPH2D__INLINE void force_with(sph2d__system *s, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
     terms with = terms_of(s);
-    double scale = slope_scale(s);
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
-        sph2d__cursor cursor = SPH2D__CURSOR_START;
+        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t i = 0; i < f->count; ++i) {
+            receiver me = {f->x[i],  f->y[i],       f->vx[i],
+                           f->vy[i], f->density[i], f->pressure[i] * f->volume[i] * f->volume[i]};
+            double ax = 0, ay = 0;
             force_sums sums = {0};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, f->x[i], f->y[i]);
+            sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
             SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, f->x[i], f->y[i], &cursor.ranges, r, f, j, left);
-                add_pairs(&sums, &with, &p, f, i, j);
+                pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, f, j, left);
+                add_liquid(&sums, &with, &p, &me, f, j);
             }
-            finish_force(s, i, &sums, &with, scale);
+            if (with.slope)
+                finish_slope(f, i, &sums);
+            if (near_walls(s, &wall_cursor, me.x, me.y))
+                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
+                    pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &s->walls, j, left);
+                    add_wall(&sums, &with, &p, &me, &s->walls, j, s->mass);
+                }
+            add_sums(s, &sums, &with, me.density, &ax, &ay);
+            sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
+            f->ax[i] = ax;
+            f->ay[i] = ay;
         }
     }
 }
@@ -174,6 +287,10 @@ SPH2D__INLINE void force_with(sph2d__system *s, sph2d_kernel kernel)
     static void density_rate_##name(sph2d__system *s)                                                                  \
     {                                                                                                                  \
         density_rate_with(s, kernel);                                                                                  \
+    }                                                                                                                  \
+    static void walls_##name(sph2d__system *s)                                                                         \
+    {                                                                                                                  \
+        walls_with(s, kernel);                                                                                         \
     }                                                                                                                  \
     static void force_##name(sph2d__system *s)                                                                         \
     {                                                                                                                  \
@@ -189,5 +306,6 @@ FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
 #define NAME(isa) NAME_(isa)
 const sph2d__wcsph_passes NAME(SPH2D__ISA) = {
     .density_rate = {density_rate_c2, density_rate_c4, density_rate_c6, density_rate_cubic, density_rate_quintic},
+    .walls = {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic},
     .force = {force_c2, force_c4, force_c6, force_cubic, force_quintic},
 };

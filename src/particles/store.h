@@ -26,9 +26,13 @@ enum { SPH2D__PADDING = 16 };
     X(density)      /* [kg/m^3] */                                                                                     \
     X(pressure)     /* [Pa] */                                                                                         \
     X(volume)       /* mass over density [m^2] */                                                                      \
+    X(mass)         /* of a boundary particle [kg/m]; 0 for those that only reflect. All liquid has one mass */        \
+    X(bounce)       /* restitution of a boundary particle that reflects; negative: it acts by pressure */              \
     X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
     X(shift_x)      /* crowding: points where neighbours are too many [1/m] or the shift velocity [m/s] */             \
     X(shift_y)                                                                                                         \
+    X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */         \
+    X(image_vy)                                                                                                        \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
     X(start_x) /* position, velocity and density when the step began */                                                \

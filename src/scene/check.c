@@ -295,11 +295,21 @@ static double domain_diagonal(const sph2d_scene *scene)
     return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
 }
 
+static void check_way(checker *c, sph2d_path way, const char *path)
+{
+    for (size_t k = 1; k < way.count; ++k)
+        if (!(way.items[k].t > way.items[k - 1].t)) {
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
+            break;
+        }
+}
+
 static void check_obstacle(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
+    check_way(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
@@ -341,16 +351,11 @@ static void check_obstacle(checker *c, size_t i)
 
 static void check_interaction(checker *c, size_t i)
 {
-    const sph2d_interaction *interaction = &c->scene->interactions[i];
     char path[PATH_SIZE];
     sph2d__check_path(path, "interactions", i, ".path");
-    if (interaction->path.count == 0)
+    if (c->scene->interactions[i].path.count == 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
-    for (size_t k = 1; k < interaction->path.count; ++k)
-        if (!(interaction->path.items[k].t > interaction->path.items[k - 1].t)) {
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
-            break;
-        }
+    check_way(c, c->scene->interactions[i].path, path);
 }
 
 static bool name_is_sound(const char *name)

@@ -52,6 +52,11 @@ static void check_options(sph2d__checker *c)
            wcsph);
     refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
     refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
+    const sph2d_side_speeds *v = &c->scene->wall_speeds;
+    bool belts = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
+    if (belts && c->scene->wall_slip == SPH2D_SLIP_FREE)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
+                           "has no effect on free-slip walls; take wall_slip: none");
     if (m->stiffness > 0 && m->sound_speed > 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.sound_speed", "give stiffness or sound_speed, not both");
 }

@@ -34,6 +34,20 @@ static double highest_liquid(const sph2d_scene *scene, double g)
     return height;
 }
 
+/** Largest distance of a block's corners from the centre of the central force. */
+static double farthest_liquid(const sph2d_scene *scene)
+{
+    double distance = 0;
+    sph2d_vec2 c = scene->central_force.center;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        const sph2d_shape *shape = &scene->blocks[i].shape;
+        sph2d_box b = sph2d__shape_bounds(shape);
+        double x = fmax(fabs(b.min.x - c.x), fabs(b.max.x - c.x)), y = fmax(fabs(b.min.y - c.y), fabs(b.max.y - c.y));
+        distance = fmax(distance, shape->kind == SPH2D_SHAPE_DISC ? fmax(x, y) : hypot(x, y));
+    }
+    return distance;
+}
+
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
 {
     sph2d__derived d = {0};
@@ -48,6 +62,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
+    double swing = scene->central_force.rate * farthest_liquid(scene);
+    d.pull += swing * swing / 2;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.sound_speed = method.sound_speed;
     if (!(d.sound_speed > 0))

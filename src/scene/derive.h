@@ -12,7 +12,8 @@ typedef struct sph2d__derived {
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
     double height;         /**< of the highest liquid above the lowest side, along gravity [m] */
     double speed;          /**< fastest start or source [m/s] */
-    double pull; /**< strongest interaction: acceleration * radius / 2, the depth of its potential [m^2/s^2] */
+    double pull; /**< depth of the potentials that pull [m^2/s^2]: strongest interaction's acceleration * radius / 2,
+                    and that of the central force at the farthest liquid */
     double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
     double sound_speed; /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;

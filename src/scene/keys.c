@@ -126,6 +126,18 @@ static const sph2d_key drain_items[] = {
 };
 KEYS(drain, sph2d_drain, drain_set);
 
+static const sph2d_key motion_items[] = {
+    {"path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_motion, path.items, path.count), ANY, .unit = "s, m, m",
+     .standard = "none", .text = "[t, x, y] displacements with straight lines between; it rests before and after"},
+    {"amplitude", SPH2D_KEY_POINT, false, AT(sph2d_motion, amplitude), ANY, .unit = "m", .standard = "[0, 0]",
+     .text = "of a swing: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},
+    {"frequency", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, frequency), FROM_0, .unit = "1/s", .standard = "0",
+     .text = "of the swing"},
+    {"phase", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, phase), ANY, .unit = "rad", .standard = "0",
+     .text = "of the swing; -1.5708 starts at rest"},
+};
+KEYS(motion, sph2d_motion, NULL);
+
 static const sph2d_key obstacle_items[] = {
     {"line", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.line.items, outline.line.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_LINE), .unit = "m", .text = "its two ends"},
@@ -141,6 +153,8 @@ static const sph2d_key obstacle_items[] = {
      .text = "heavy (muller), generalised (wcsph): acts through the pressure; reflect: at once, for large steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .standard = "0.5", .text = "reflect: normal speed after over before"},
+    {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "", .standard = "none",
+     .text = "how it moves"},
 };
 KEYS(obstacle, sph2d_obstacle, obstacle_set);
 
@@ -224,6 +238,26 @@ static const sph2d_key boundary_items[] = {
 };
 KEYS(boundary, sph2d_boundary, NULL);
 
+static const sph2d_key wall_speeds_items[] = {
+    {"left", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, left), ANY, .unit = "m/s", .standard = "0",
+     .text = "upwards"},
+    {"right", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, right), ANY, .unit = "m/s", .standard = "0",
+     .text = "upwards"},
+    {"bottom", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, bottom), ANY, .unit = "m/s", .standard = "0",
+     .text = "to the right"},
+    {"top", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, top), ANY, .unit = "m/s", .standard = "0",
+     .text = "to the right"},
+};
+KEYS(wall_speeds, sph2d_side_speeds, NULL);
+
+static const sph2d_key central_force_items[] = {
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_central_force, center), ANY, .unit = "m", .standard = "[0, 0]",
+     .text = "where it is zero"},
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_central_force, rate), FROM_0, .unit = "1/s", .standard = "0",
+     .text = "B in the acceleration -B^2 (x - center)"},
+};
+KEYS(central_force, sph2d_central_force, NULL);
+
 static const sph2d_key fluid_items[] = {
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
      .text = "rest density"},
@@ -286,10 +320,14 @@ static const sph2d_key scene_items[] = {
      .standard = "muller spring, wcsph generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
      .standard = "free", .text = "generalised walls: free slides, none sticks"},
+    {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",
+     .standard = "none", .text = "how fast no-slip sides move along themselves"},
     {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
      .standard = "0.1", .text = "spring walls: damping over critical damping"},
     {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .standard = "[0, -9.81]",
      .text = "acceleration"},
+    {"central_force", SPH2D_KEY_GROUP, false, AT(sph2d_scene, central_force), .keys = &central_force_keys, .unit = "",
+     .standard = "none", .text = "a pull towards a centre that grows with the distance"},
     {"spacing", SPH2D_KEY_NUMBER, true, AT(sph2d_scene, spacing), ABOVE_0, .unit = "m", .text = "between particles"},
     {"fluid", SPH2D_KEY_GROUP, false, AT(sph2d_scene, fluid), .keys = &fluid_keys, .unit = "", .text = "the liquid"},
     {"method", SPH2D_KEY_GROUP, false, AT(sph2d_scene, method), .keys = &method_keys, .unit = "",

@@ -20,7 +20,7 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
         double dx = p.x + ranges.x[r] - s->walls.x[b], dy = p.y + ranges.y[r] - s->walls.y[b];
         double r2 = dx * dx + dy * dy;
-        if (s->wall_bounce[b] >= 0 && r2 < nearest2 && r2 > 0) {
+        if (s->walls.bounce[b] >= 0 && r2 < nearest2 && r2 > 0) {
             nearest2 = r2;
             nearest = b;
             nx = dx;
@@ -32,10 +32,28 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     double along = (v->x * nx + v->y * ny) / nearest2;
     if (along >= 0)
         return false;
-    double turn = (1 + s->wall_bounce[nearest]) * along;
+    double turn = (1 + s->walls.bounce[nearest]) * along;
     v->x -= turn * nx;
     v->y -= turn * ny;
     return true;
+}
+
+/** Holds a motion on its side of every obstacle that moves: swept where the obstacle is at rest. */
+static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    uint64_t hits = 0;
+    for (size_t k = 0; k < sim->moving_count; ++k) {
+        const sph2d__moving *m = &sim->moving[k];
+        sph2d_vec2 a = {from.x - m->from.x, from.y - m->from.y}, b = {to->x - m->to.x, to->y - m->to.y};
+        sph2d_vec2 relative = {v->x - m->velocity.x, v->y - m->velocity.y};
+        uint64_t met = (uint64_t)sph2d__barrier_sweep(&m->barrier, a, &b, &relative);
+        if (met == 0)
+            continue;
+        hits += met;
+        *to = (sph2d_vec2){b.x + m->to.x, b.y + m->to.y};
+        *v = (sph2d_vec2){relative.x + m->velocity.x, relative.y + m->velocity.y};
+    }
+    return hits;
 }
 
 void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
@@ -54,6 +72,8 @@ void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v,
     }
     sph2d_vec2 to = {from.x + dx, from.y + dy};
     events->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
+    if (sim->moving_count > 0)
+        events->hits += sweep_moving(sim, from, &to, v);
     sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
                      sph2d__period_wrap(to.y, period->low_y, period->length_y)};
     if (in.x != to.x || in.y != to.y) { /* the last part of the way lies at the other side */

@@ -73,6 +73,9 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->walls.has = s->walls.carried = sim->method->walls;
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
+    s->body.center_x = scene->central_force.center.x;
+    s->body.center_y = scene->central_force.center.y;
+    s->body.central_rate2 = scene->central_force.rate * scene->central_force.rate;
     sim->record.gravity_x = scene->gravity.x;
     sim->record.gravity_y = scene->gravity.y;
     sim->record.isa = s->isa;
@@ -82,10 +85,11 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
 {
     const sph2d_scene *scene = &sim->scene;
     sim->points = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
+    sim->moving = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof *sim->moving);
     sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
-    return sim->points && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
+    return sim->points && sim->moving && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 /** First forces and extremes of a new simulation. */
@@ -95,7 +99,9 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     if (status != SPH2D_OK)
         return status;
     sim->method->prepare(&sim->system);
-    sph2d__sim_aim(sim, 0);
+    status = sph2d__sim_aim(sim, 0);
+    if (status != SPH2D_OK)
+        return status;
     sim->method->evaluate(&sim->system);
     sph2d_summary start;
     sph2d__sim_sum_energy(sim, &start);
@@ -110,8 +116,7 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
     sph2d_status status = sph2d__sim_load(sim, state, report);
     if (status != SPH2D_OK)
         return status;
-    sph2d__sim_aim(sim, sim->record.time);
-    return SPH2D_OK;
+    return sph2d__sim_aim(sim, sim->record.time);
 }
 
 static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,
@@ -185,12 +190,12 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__store_free(&s->walls, memory);
     sph2d__cells_free(&s->fluid_cells, memory);
     sph2d__cells_free(&s->wall_cells, memory);
-    void *blocks[4] = {s->wall_mass, s->wall_bounce, sim->doomed, sim->state_arrays};
-    sph2d__release(memory, &blocks[0], s->wall_capacity, sizeof(double));
-    sph2d__release(memory, &blocks[1], s->wall_capacity, sizeof(double));
-    sph2d__release(memory, &blocks[2], sim->doomed_capacity, 1);
-    sph2d__release(memory, &blocks[3], sim->state_capacity, sizeof(sph2d_array));
+    void *blocks[2] = {sim->doomed, sim->state_arrays};
+    sph2d__release(memory, &blocks[0], sim->doomed_capacity, 1);
+    sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
     sph2d__barrier_free(&sim->barrier, memory);
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        sph2d__barrier_free(&sim->moving[k].barrier, memory);
     sph2d__arena_free(&sim->arena, memory);
     sph2d__memory last = *memory; /* the simulation holds its own allocator */
     void *block = sim;

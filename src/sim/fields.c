@@ -80,7 +80,7 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
         break;
     case MASS:
         field.stride = group == SPH2D_GROUP_WALL;
-        field.data[0] = group == SPH2D_GROUP_WALL ? s->wall_mass : &s->mass;
+        field.data[0] = group == SPH2D_GROUP_WALL ? s->walls.mass : &s->mass;
         break;
     case SUPPORT:
         field.stride = 0;

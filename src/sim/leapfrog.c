@@ -36,13 +36,16 @@ static sph2d_status kick_drift(sph2d_sim *sim, double dt)
 
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
 {
+    sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
     sph2d_status status = kick_drift(sim, dt);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
     sph2d__keep_accelerations(&sim->system.fluid);
-    sph2d__sim_aim(sim, sim->record.time + dt);
+    status = sph2d__sim_aim(sim, sim->record.time + dt);
+    if (status != SPH2D_OK)
+        return status;
     sim->method->evaluate(&sim->system);
     sph2d__second_kick(&sim->system, dt);
     return SPH2D_OK;

@@ -13,7 +13,9 @@ double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx,
 {
     sph2d_vec2 corner = sim->scene.domain.min;
     const sph2d__body *body = &sim->system.body;
-    double potential = -(body->gravity_x * (x - corner.x) + body->gravity_y * (y - corner.y));
+    double rx = x - body->center_x, ry = y - body->center_y;
+    double potential = -(body->gravity_x * (x - corner.x) + body->gravity_y * (y - corner.y)) +
+                       body->central_rate2 * (rx * rx + ry * ry) / 2;
     return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
 }
 

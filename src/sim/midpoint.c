@@ -55,13 +55,18 @@ static void predict(sph2d_sim *sim, double dt)
 
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
 {
+    double start = sim->record.time, middle = start + dt / 2, end = start + dt;
+    sph2d__sim_window(sim, start, middle);
     sph2d_status status = drift(sim, dt / 2, dt);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
+    if (status == SPH2D_OK && sim->moving_count > 0)
+        status = sph2d__sim_aim(sim, middle);
     if (status != SPH2D_OK)
         return status;
     sim->method->density_rate(&sim->system);
     move_density(sim, dt);
+    sph2d__sim_window(sim, middle, end);
     status = drift(sim, 0, dt);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
@@ -69,7 +74,9 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
         return status;
     predict(sim, dt);
     sph2d__keep_accelerations(&sim->system.fluid);
-    sph2d__sim_aim(sim, sim->record.time + dt);
+    status = sph2d__sim_aim(sim, end);
+    if (status != SPH2D_OK)
+        return status;
     sim->method->evaluate(&sim->system);
     sph2d__second_kick(&sim->system, dt);
     return SPH2D_OK;

@@ -26,21 +26,6 @@ static double piece_intervals(const sph2d__segment *s, double spacing)
     return n < 1 ? 1 : n;
 }
 
-/** Room for `extra` more boundary particles, also in the arrays beside the store. */
-static bool reserve_walls(sph2d__system *s, size_t extra)
-{
-    if (!sph2d__store_reserve(&s->walls, s->memory, s->walls.count + extra))
-        return false;
-    size_t was = s->wall_capacity, now = s->walls.capacity + SPH2D__PADDING;
-    if (now <= was)
-        return true;
-    const sph2d__growth arrays[] = {{&s->wall_mass, sizeof(double)}, {&s->wall_bounce, sizeof(double)}};
-    if (!sph2d__grow_all(s->memory, arrays, 2, was, now))
-        return false;
-    s->wall_capacity = now;
-    return true;
-}
-
 /** Boundary particles from a to b, no farther apart than the spacing. */
 static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_report *report)
 {
@@ -50,37 +35,56 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     if (sph2d__sim_too_many(sim, (double)s->walls.count + intervals, "obstacles", report))
         return SPH2D_SCENE;
     size_t n = (size_t)intervals, count = n + piece->with_end;
-    if (!reserve_walls(s, count))
+    if (!sph2d__store_reserve(&s->walls, s->memory, s->walls.count + count))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < count; ++k) {
         double t = (double)k / (double)n;
         size_t i = sph2d__store_add(&s->walls, s->walls.count, line->a.x + t * (line->b.x - line->a.x),
                                     line->a.y + t * (line->b.y - line->a.y));
-        s->wall_bounce[i] = piece->form == SPH2D_WALL_REFLECT ? piece->restitution : -1;
+        s->walls.bounce[i] = piece->form == SPH2D_WALL_REFLECT ? piece->restitution : -1;
     }
     s->walls_press |= piece->form == SPH2D_WALL_HEAVY;
     s->walls_reflect |= piece->form == SPH2D_WALL_REFLECT;
     return SPH2D_OK;
 }
 
-static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_report *report)
+static bool is_moving(const sph2d_motion *m)
+{
+    return m->path.count > 0 || (m->frequency > 0 && (m->amplitude.x != 0 || m->amplitude.y != 0));
+}
+
+/** The boundary particles of an obstacle, and its pieces for a backstop. */
+static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
+                                  sph2d_report *report)
 {
     double spacing = sim->scene.spacing;
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
     if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
         return SPH2D_SCENE;
+    sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
     bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
     for (size_t k = 0; k < pieces; ++k) {
-        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k),
-                            sph2d__obstacle_form(&sim->scene, obstacle), obstacle->restitution,
+        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
                             open && k + 1 == pieces};
-        if (!sph2d__barrier_add(&sim->barrier, piece.segment, &sim->memory))
+        if (!sph2d__barrier_add(barrier, piece.segment, &sim->memory))
             return SPH2D_NOMEM;
-        sph2d_status status = place_piece(sim, &piece, report);
+        sph2d_status status = form == SPH2D_WALL_GENERALISED ? SPH2D_OK : place_piece(sim, &piece, report);
         if (status != SPH2D_OK)
             return status;
     }
-    return SPH2D_OK;
+    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, &obstacle->outline, report) : SPH2D_OK;
+}
+
+static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_report *report)
+{
+    if (!is_moving(&obstacle->motion))
+        return place_outline(sim, obstacle, &sim->barrier, report);
+    sph2d__moving *m = &sim->moving[sim->moving_count++];
+    m->motion = &obstacle->motion;
+    m->first_id = sim->system.walls.count;
+    sph2d_status status = place_outline(sim, obstacle, &m->barrier, report);
+    m->end_id = sim->system.walls.count;
+    return status;
 }
 
 /** One side of the domain that is a wall. `shift` leads outwards. */
@@ -88,7 +92,7 @@ static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d
 {
     if (!sph2d__barrier_add(&sim->barrier, (sph2d__segment){a, b}, &sim->memory))
         return SPH2D_NOMEM;
-    if (sim->scene.walls == SPH2D_WALL_SPRING)
+    if (sim->scene.walls == SPH2D_WALL_SPRING || sim->scene.walls == SPH2D_WALL_GENERALISED)
         return SPH2D_OK;
     double d = SIDE_OFFSET * sim->scene.spacing;
     wall_piece piece = {{{a.x + d * shift.x, a.y + d * shift.y}, {b.x + d * shift.x, b.y + d * shift.y}},
@@ -149,19 +153,24 @@ static void set_springs(sph2d_sim *sim)
     w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
 }
 
-/** Sorts the boundary particles into their cells, with the arrays beside the store. */
-static bool sort_walls(sph2d__system *s)
+/** Sorts the boundary particles, once all are placed, and builds the backstops. */
+static bool finish_walls(sph2d_sim *sim)
 {
-    if (s->walls.count == 0)
-        return true;
-    if (!sph2d__cells_build(&s->wall_cells, &s->walls, s->support, s->memory, 1))
-        return false;
-    double *from = s->wall_bounce, *to = s->wall_mass; /* the masses are not set yet */
-    for (size_t k = 0; k < s->walls.count; ++k)
-        to[k] = from[s->wall_cells.order[k]];
-    s->wall_bounce = to;
-    s->wall_mass = from;
-    return true;
+    sph2d__system *s = &sim->system;
+    const sph2d__period *period = &s->wall_cells.period;
+    double bucket = 2 * s->support, clearance = CLEARANCE * sim->scene.spacing;
+    for (size_t i = 0; i < s->walls.count; ++i) {
+        s->walls.start_x[i] = s->walls.x[i];
+        s->walls.start_y[i] = s->walls.y[i];
+        s->walls.x[i] = sph2d__period_wrap(s->walls.x[i], period->low_x, period->length_x);
+        s->walls.y[i] = sph2d__period_wrap(s->walls.y[i], period->low_y, period->length_y);
+        s->walls.density[i] = s->rest_density;
+    }
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        if (!sph2d__barrier_build(&sim->moving[k].barrier, bucket, clearance, &sim->memory))
+            return false;
+    return sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
+           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->support, s->memory, 1));
 }
 
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
@@ -169,14 +178,10 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
     sph2d_status status = place_sides(sim, report);
     for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
         status = place_obstacle(sim, &sim->scene.obstacles[i], report);
+    if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
+        status = sph2d__sim_place_rings(sim, report);
     if (status != SPH2D_OK)
         return status;
     set_springs(sim);
-    double dx = sim->scene.spacing;
-    if (!sort_walls(&sim->system) ||
-        !sph2d__barrier_build(&sim->barrier, 2 * sim->system.support, CLEARANCE * dx, &sim->memory))
-        return SPH2D_NOMEM;
-    for (size_t i = 0; i < sim->system.walls.count; ++i)
-        sim->system.walls.density[i] = sim->scene.fluid.density;
-    return SPH2D_OK;
+    return finish_walls(sim) ? SPH2D_OK : SPH2D_NOMEM;
 }

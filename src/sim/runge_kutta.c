@@ -57,15 +57,19 @@ static sph2d_status stage(sph2d_sim *sim, double dt, double old)
 
 sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
 {
-    static const double old[3] = {0, 3.0 / 4, 1.0 / 3}, moment[3] = {0, 1, 0.5};
+    static const double old[3] = {0, 3.0 / 4, 1.0 / 3}, moment[4] = {0, 1, 0.5, 1};
     sph2d__system *s = &sim->system;
     double most = SHIFT_LIMIT * s->support / (s->speed * dt);
     s->shift_gain = s->method.shifting * (s->speed > 0 ? fmin(SHIFT_GAIN, most) : SHIFT_GAIN);
     keep_start(&s->fluid);
     for (int k = 0; k < 3; ++k) {
-        sph2d__sim_aim(sim, sim->record.time + moment[k] * dt);
+        double time = sim->record.time;
+        sph2d_status status = sph2d__sim_aim(sim, time + moment[k] * dt);
+        if (status != SPH2D_OK)
+            return status;
         sim->method->evaluate(s);
-        sph2d_status status = stage(sim, dt, old[k]);
+        sph2d__sim_window(sim, time + moment[k] * dt, time + moment[k + 1] * dt);
+        status = stage(sim, dt, old[k]);
         if (status == SPH2D_OK)
             status = sph2d__sort_fluid(sim);
         if (status != SPH2D_OK)

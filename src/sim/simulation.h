@@ -9,6 +9,15 @@
 #include "sim/record.h"
 #include "sph2d/state.h"
 
+/** An obstacle that moves: its boundary particles first_id to end_id - 1, and a backstop where the scene puts it. */
+typedef struct sph2d__moving {
+    const sph2d_motion *motion;
+    uint64_t first_id, end_id;
+    sph2d__barrier barrier;
+    sph2d_vec2 from, to; /**< displacements at the start and end of the drift that is being made [m] */
+    sph2d_vec2 velocity; /**< mean over that drift [m/s] */
+} sph2d__moving;
+
 struct sph2d_sim {
     sph2d_scene scene; /**< a deep copy, in `arena` */
     sph2d__arena arena;
@@ -18,6 +27,8 @@ struct sph2d_sim {
     sph2d__system system;
     const sph2d__method *method;
     sph2d__barrier barrier;
+    sph2d__moving *moving; /**< room for every obstacle */
+    size_t moving_count;
     sph2d__point_force *points; /**< room for every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has fed */
     uint64_t *output_counts;    /**< outputs taken: snapshots, frames, then each probe */
@@ -30,8 +41,11 @@ struct sph2d_sim {
     size_t state_capacity;
 };
 
-/** Puts the interactions and the pointer that act at `time` where the method looks for them. */
-void sph2d__sim_aim(sph2d_sim *sim, double time);
+/** Puts the interactions and the pointer that act at `time` where the method looks for them, and moves obstacles to
+ * where they are then. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time);
+/** Tells moving obstacles over which time the next drift goes. */
+void sph2d__sim_window(sph2d_sim *sim, double from, double to);
 
 /** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
  *  compression; from them the length of the next step. False when a guard fires. */
@@ -59,6 +73,10 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
 
 /** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
+/** Places the layers of a generalised wall: along an outline, and around the sides of the domain that are walls. The
+ * same errors. */
+sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_outline *outline, sph2d_report *report);
+sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
 /** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
 

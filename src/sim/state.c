@@ -224,6 +224,15 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     if (count >= UINT32_MAX || !sph2d__store_reserve(fluid, &sim->memory, count > 0 ? count : 1))
         return SPH2D_NOMEM;
     fluid->count = count;
+    sph2d_array clock = run_array("Time", NULL, SPH2D_F64, 1, &sim->record.time);
+    const sph2d_array *time = find_array(&l, &clock, 1);
+    if (!time)
+        return SPH2D_FORMAT;
+    copy_values(&l, time, &sim->record.time, 0);
+    if (!l.ok)
+        return SPH2D_FORMAT;
+    if (sph2d__sim_aim(sim, sim->record.time) != SPH2D_OK)
+        return SPH2D_NOMEM;
     if (!walls_match(&l, sim))
         return SPH2D_FORMAT;
     sph2d_array wanted[STATE_ARRAYS];

@@ -5,44 +5,6 @@
 
 #include "sim/simulation.h"
 
-/** Place on a path at a time; false before its start and after its end. */
-static bool on_path(const sph2d_path *path, double time, sph2d_vec2 *at)
-{
-    const sph2d_path_point *p = path->items;
-    if (path->count == 1) {
-        *at = (sph2d_vec2){p[0].x, p[0].y};
-        return true;
-    }
-    for (size_t k = 1; k < path->count; ++k) {
-        if (time < p[k - 1].t || time > p[k].t)
-            continue;
-        double f = (time - p[k - 1].t) / (p[k].t - p[k - 1].t);
-        *at = (sph2d_vec2){p[k - 1].x + f * (p[k].x - p[k - 1].x), p[k - 1].y + f * (p[k].y - p[k - 1].y)};
-        return true;
-    }
-    return false;
-}
-
-void sph2d__sim_aim(sph2d_sim *sim, double time)
-{
-    const sph2d__record *r = &sim->record;
-    sph2d__body *body = &sim->system.body;
-    size_t count = 0;
-    for (size_t i = 0; i < sim->scene.interaction_count; ++i) {
-        const sph2d_interaction *force = &sim->scene.interactions[i];
-        sph2d_vec2 at;
-        if (on_path(&force->path, time, &at))
-            sim->points[count++] = (sph2d__point_force){at.x, at.y, force->radius, force->acceleration};
-    }
-    if (r->pointer_acceleration != 0)
-        sim->points[count++] =
-            (sph2d__point_force){r->pointer_x, r->pointer_y, r->pointer_radius, r->pointer_acceleration};
-    body->points = sim->points;
-    body->point_count = count;
-    body->gravity_x = r->gravity_x;
-    body->gravity_y = r->gravity_y;
-}
-
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
 {
     if (!isfinite(gravity.x) || !isfinite(gravity.y))
@@ -51,7 +13,8 @@ sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
     sph2d__sim_sum_energy(sim, &before);
     sim->record.gravity_x = gravity.x;
     sim->record.gravity_y = gravity.y;
-    sph2d__sim_aim(sim, sim->record.time);
+    sim->system.body.gravity_x = gravity.x;
+    sim->system.body.gravity_y = gravity.y;
     sph2d__sim_sum_energy(sim, &after);
     sim->record.energy_fed += after.potential - before.potential;
     return SPH2D_OK;
