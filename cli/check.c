@@ -67,7 +67,10 @@ static int draw_preview(checked *c)
 
 static void print_terms(const sph2d_scene *scene)
 {
-    static const char *const forms[] = {"spring walls", "heavy walls", "reflecting walls"};
+    static const char *const forms[] = {"walls", "spring walls", "heavy walls", "reflecting walls", "generalised walls"};
+    sph2d_boundary b = scene->boundary;
+    bool walled = b.left == SPH2D_SIDE_WALL || b.right == SPH2D_SIDE_WALL || b.bottom == SPH2D_SIDE_WALL ||
+                  b.top == SPH2D_SIDE_WALL;
     const struct {
         size_t count;
         const char *name;
@@ -82,7 +85,10 @@ static void print_terms(const sph2d_scene *scene)
         printf(", viscosity");
     if (scene->gravity.x != 0 || scene->gravity.y != 0)
         printf(", gravity");
-    printf(", %s", forms[scene->walls]);
+    if (scene->central_force.rate > 0)
+        printf(", central force");
+    if (walled)
+        printf(", %s", forms[scene->walls]);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; ++i)
         if (lists[i].count > 0)
             printf(", %s: %zu", lists[i].name, lists[i].count);
@@ -99,7 +105,7 @@ static void print_table(const checked *c)
     const sph2d_plan *plan = &c->plan;
     char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], in_use[TEXT_SIZE];
     text_row("scene", "%s: no faults", c->scene->name);
-    print_terms(c->scene);
+    print_terms(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
     if (plan->places_left_free > 0)
         text_row("", "%zu places left free at obstacles", plan->places_left_free);

@@ -20,6 +20,7 @@
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \
     X(walls)                                                                                                           \
+    X(layers)                                                                                                          \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

@@ -367,6 +367,20 @@ static bool name_is_sound(const char *name)
     return length > 0 && length <= 64;
 }
 
+/** Whether the place of a probe means something and lies in the domain. Of an elevation's only x does. */
+static bool place_is_sound(const sph2d_scene *scene, const sph2d_probe *probe)
+{
+    switch (probe->kind) {
+    case SPH2D_PROBE_SPEED:
+    case SPH2D_PROBE_PRESSURE:
+        return in_domain(scene, probe->at);
+    case SPH2D_PROBE_ELEVATION:
+        return in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
+    default:
+        return true;
+    }
+}
+
 static void check_probe(checker *c, size_t i)
 {
     const sph2d_probe *probe = &c->scene->probes[i];
@@ -383,7 +397,7 @@ static void check_probe(checker *c, size_t i)
     check_rate(c, probe->rate, path);
     if (sph2d_rate_interval(probe->rate) <= 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
-    if (probe->kind == SPH2D_PROBE_SPEED && !in_domain(c->scene, probe->at))
+    if (!place_is_sound(c->scene, probe))
         outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
 }
 

@@ -40,7 +40,8 @@ static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
-static const char *const probe_words[] = {"energy", "speed", NULL};
+static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
+                                          "axes",   "quality", "momentum", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
 static const sph2d_key box_items[] = {
@@ -185,7 +186,8 @@ static const sph2d_key probe_items[] = {
     {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
-     .text = "energy: of all liquid, with momentum; speed: velocity at a point"},
+     .text = "of all liquid: energy, momentum, extent, axes, quality of the particles; at a point: speed, pressure, "
+             "elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},
     RATE(sph2d_probe, rate),

@@ -11,7 +11,7 @@
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/resolve.h"
-#include "sim/simulation.h"
+#include "sim/integrators.h"
 
 sph2d_sim_options sph2d_sim_options_default(void)
 {
@@ -109,14 +109,26 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
-/** Goes on from a state: density, pressure and acceleration are part of it, so nothing is evaluated. */
+/** What a step hands to the next beside the state follows from places and densities: it is evaluated once more, and the
+ *  accelerations, which were evaluated with predicted velocities, are kept. */
+static void renew_slopes(sph2d_sim *sim)
+{
+    sph2d__keep_accelerations(&sim->system.fluid);
+    sim->method->evaluate(&sim->system);
+    sph2d__keep_accelerations(&sim->system.fluid);
+}
+
+/** Goes on from a state: density, pressure and acceleration are part of it. */
 static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
     sim->method->prepare(&sim->system);
     sph2d_status status = sph2d__sim_load(sim, state, report);
     if (status != SPH2D_OK)
         return status;
-    return sph2d__sim_aim(sim, sim->record.time);
+    status = sph2d__sim_aim(sim, sim->record.time);
+    if (status == SPH2D_OK && (sim->method->carried & SPH2D__BIT(slope_x)))
+        renew_slopes(sim);
+    return status;
 }
 
 static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,

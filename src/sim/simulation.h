@@ -60,6 +60,9 @@ void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out);
 /** Samples the compression when the step count says so. */
 void sph2d__sim_sample(sph2d_sim *sim);
 
+/** The ranges of liquid around a place, which is brought into the period; false where no particle is within reach. */
+bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges);
+
 /** Fills the plan from a simulation that is ready to step. */
 void sph2d__sim_make_plan(sph2d_sim *sim);
 

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/** @file probes.h
+ *  The kinds of probes. Each writes the values of its columns and returns how many; it reads the simulation only, and
+ *  gives the same bits for any number of threads. */
+#ifndef SPH2D_SIM_PROBES_H
+#define SPH2D_SIM_PROBES_H
+
+#include "sim/simulation.h"
+
+typedef size_t sph2d__probe_kind(const sph2d_sim *sim, const sph2d_probe *probe, double *values);
+
+/* At a point. */
+sph2d__probe_kind sph2d__probe_speed, sph2d__probe_pressure, sph2d__probe_elevation;
+/* Of all liquid. */
+sph2d__probe_kind sph2d__probe_energy, sph2d__probe_momentum, sph2d__probe_extent, sph2d__probe_axes;
+/* Of the particles. */
+sph2d__probe_kind sph2d__probe_quality;
+
+#endif
