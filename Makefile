@@ -159,6 +159,8 @@ IO_OBJ := $(call objects,$(IO_SRC))
 RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
+# The parts of the command that depend on nothing else of it are tested like the libraries.
+TESTED_CLI_OBJ := $(call objects,cli/parse.c cli/study/study_reduce.c cli/study/study_reference.c)
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
 EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
 
@@ -220,7 +222,7 @@ $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_
 
 $(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
-$(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
+$(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))

@@ -67,7 +67,8 @@ static int draw_preview(checked *c)
 
 static void print_terms(const sph2d_scene *scene)
 {
-    static const char *const forms[] = {"walls", "spring walls", "heavy walls", "reflecting walls", "generalised walls"};
+    static const char *const forms[] = {"walls", "spring walls", "heavy walls", "reflecting walls",
+                                        "generalised walls"};
     sph2d_boundary b = scene->boundary;
     bool walled = b.left == SPH2D_SIDE_WALL || b.right == SPH2D_SIDE_WALL || b.bottom == SPH2D_SIDE_WALL ||
                   b.top == SPH2D_SIDE_WALL;

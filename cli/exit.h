@@ -10,7 +10,7 @@
 /** Name, value, name in sysexits.h, meaning. */
 #define CLI_EXIT_MAP(X)                                                                                                \
     X(SUCCESS, 0, "", "success")                                                                                       \
-    X(GUARD, 1, "", "a guard stopped the simulation; guard.h5 shows the moment")                                       \
+    X(GUARD, 1, "", "a guard stopped the simulation, or a study missed a bound")                                       \
     X(USAGE, 64, "EX_USAGE", "bad command line")                                                                       \
     X(DATA, 65, "EX_DATAERR", "the content of a scene or snapshot was rejected")                                       \
     X(NOINPUT, 66, "EX_NOINPUT", "an input is missing or unreadable")                                                  \

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <sph2d/study.h>
 #include <sph2d/version.h>
 
 #include "exit.h"
@@ -46,6 +47,13 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "them, steps, memory, disk and time.\n"
         "\n"
         "  sph2d check scene.yaml --preview first.png\n",
+    [CLI__STUDY] =
+        "Runs the scene that STUDY names once a row, each with changes of its own, reduces the series of probes\n"
+        "to numbers, compares them with what is expected, and prints one table: error beside speed. Ends with\n"
+        "1 when an error is above its bound. Nothing but the table is written, unless -o says where.\n"
+        "\n"
+        "  sph2d study study.yaml\n"
+        "  sph2d study study.yaml -o out --all -j 2\n",
     [CLI__INFO] = "Tells each field with type, shape, unit and range, and the state of the run.\n"
                   "\n"
                   "  sph2d info out/snapshot_000042.h5\n",
@@ -74,6 +82,11 @@ void help_print_command(const cli_command *about)
         printf("templates:\n");
         for (size_t i = 0; i < scene_template_count; ++i)
             printf("  %-24s %s\n", scene_templates[i].name, scene_templates[i].text);
+        putchar('\n');
+    }
+    if (about->bit == CLI_STUDY) {
+        printf("keys of a study file:\n\n");
+        keys_print(sph2d_study_keys());
         putchar('\n');
     }
     printf("options:\n");

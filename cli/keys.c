@@ -60,7 +60,7 @@ static void print_keys(const sph2d_keys *keys, int depth, bool list)
     for (size_t i = 0; i < keys->count; ++i) {
         const sph2d_key *key = &keys->items[i];
         char left[48], description[400];
-        bool nested = key->kind == SPH2D_KEY_GROUP || key->kind == SPH2D_KEY_LIST;
+        bool nested = key->kind == SPH2D_KEY_GROUP || (key->kind == SPH2D_KEY_LIST && !key->as_mapping);
         /* The first key of a list's item carries the dash, as in a file. */
         snprintf(left, sizeof left, "%*s%s%s%s", 2 * depth, "", list ? (i == 0 ? "- " : "  ") : "", key->name,
                  nested ? ":" : "");
@@ -70,7 +70,12 @@ static void print_keys(const sph2d_keys *keys, int depth, bool list)
     }
 }
 
+void keys_print(const sph2d_keys *keys)
+{
+    print_keys(keys, 0, false);
+}
+
 void keys_print_all(void)
 {
-    print_keys(sph2d_scene_keys(), 0, false);
+    keys_print(sph2d_scene_keys());
 }

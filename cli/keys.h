@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keys.h
- *  The scene's keys in words, for `sph2d help scene` and the comments of `sph2d init`. */
+ *  The keys of scenes and studies in words, for `sph2d help` and the comments of `sph2d init`. */
 #ifndef SPH2D_CLI_KEYS_H
 #define SPH2D_CLI_KEYS_H
 
@@ -13,5 +13,8 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size);
 
 /** Prints every key of a scene, indented as in a file, to stdout. */
 void keys_print_all(void);
+
+/** The same for any table of keys. */
+void keys_print(const sph2d_keys *keys);
 
 #endif

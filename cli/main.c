@@ -112,7 +112,7 @@ int main(int argc, char **argv)
         unknown_command(argv[1]);
         return close_output(CLI_EXIT_USAGE);
     }
-    if ((what->bit & (CLI_RUN | CLI_RESUME | CLI_CHECK)) != 0)
+    if ((what->bit & (CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY)) != 0)
         threads_wait_passively(argv);
     return close_output(act(what, argc - 1, argv + 1));
 }

@@ -30,7 +30,8 @@ enum {
     OPTION_COLOR,
     OPTION_RANGE,
     OPTION_PREVIEW,
-    OPTION_TEMPLATE
+    OPTION_TEMPLATE,
+    OPTION_ALL
 };
 
 enum {
@@ -47,15 +48,18 @@ typedef struct option_row {
 } option_row;
 
 static const option_row rows[] = {
-    {'o', "output", "DIR", CLI_RUN | CLI_RENDER, "folder for the files; must be empty or new"},
-    {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT,
+    {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; must be empty or new"},
+    {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
      "replace what an earlier run left there (only files of ours)"},
-    {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK, "change a key of the scene: fluid.density=800"},
+    {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY,
+     "change a key of the scene: fluid.density=800"},
     {'n', "dry-run", NULL, CLI_RUN, "only check the scene, as 'sph2d check' does"},
-    {'j', "threads", "N", DRAWS, "threads; else OMP_NUM_THREADS, else every processor this process may use"},
-    {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK, "instruction set: auto, baseline, avx2 or avx512"},
+    {'j', "threads", "N", DRAWS | CLI_STUDY,
+     "threads; else OMP_NUM_THREADS, else every processor this process may use"},
+    {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK | CLI_STUDY, "instruction set: auto, baseline, avx2 or avx512"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
+    {OPTION_ALL, "all", NULL, CLI_STUDY, "run the rows too that the study skips"},
     {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "what to start from; 'sph2d help init' lists them"},
     {OPTION_SIZE, "size", "WxH", CLI_RENDER, "size of the frames in pixels"},
     {OPTION_STYLE, "style", "NAME", CLI_RENDER, "metaballs or points"},
@@ -65,7 +69,8 @@ static const option_row rows[] = {
     {OPTION_PREVIEW, "preview", "FILE", CLI_CHECK, "draw the first frame into a PNG file"},
     {OPTION_GL, "gl", "NAME", DRAWS, "OpenGL context: osmesa or egl"},
     {OPTION_SHADER_DIR, "shader-dir", "DIR", DRAWS, "read the shaders from DIR instead of the built-in ones"},
-    {OPTION_PROGRESS, "progress", "WHEN", CLI_RUN | CLI_RESUME | CLI_RENDER, "auto, always (a bar) or never"},
+    {OPTION_PROGRESS, "progress", "WHEN", CLI_RUN | CLI_RESUME | CLI_RENDER | CLI_STUDY,
+     "auto, always (a bar) or never"},
     {OPTION_JSON, "json", NULL, CLI_ALL, "results and messages as JSON, one object a line"},
     {'q', "quiet", NULL, CLI_ALL, "no notices, progress or summary; errors only"},
     {'v', "verbose", NULL, CLI_ALL, "say more"},
@@ -258,6 +263,9 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
         return take_isa(options, name, value);
     case OPTION_NO_FRAMES:
         options->no_frames = true;
+        return true;
+    case OPTION_ALL:
+        options->all = true;
         return true;
     case OPTION_TEMPLATE:
         options->template_name = value;

@@ -27,7 +27,7 @@ typedef struct cli_options {
     int threads;
     sph2d_isa isa;
     double max_wall; /**< [s] */
-    bool no_frames, dry_run;
+    bool no_frames, dry_run, all;
     sph2d_override *overrides; /**< owned; freed by options_free */
     size_t override_count;
 

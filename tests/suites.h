@@ -14,6 +14,7 @@
 
 #define SUITES(X)                                                                                                      \
     X(kernels)                                                                                                         \
+    X(flows)                                                                                                           \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(muller)                                                                                                          \
@@ -35,8 +36,12 @@
     X(guards)                                                                                                          \
     X(memory)                                                                                                          \
     X(outputs)                                                                                                         \
+    X(sample)                                                                                                          \
+    X(probes)                                                                                                          \
+    X(elevation)                                                                                                       \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
+    X(study)                                                                                                           \
     X(report)                                                                                                          \
     RENDER_SUITES(X)
 

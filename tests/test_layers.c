@@ -8,7 +8,7 @@
 #include "sim/simulation.h"
 
 static const double DX = 0.01;
-enum { LAYERS = 3 }; /* H = 2.6 dx */
+enum { LAYERS = 3 }; /* H = 3 dx */
 
 static sph2d_obstacle obstacle;
 static sph2d_block block;

@@ -132,9 +132,9 @@ START_TEST(probes_give_their_columns)
 }
 END_TEST
 
-START_TEST(a_speed_probe_weighs_with_the_kernel)
+START_TEST(a_speed_probe_weighs_with_a_kernel)
 {
-    /* Two particles at 0.5 and 1.5 spacings from the place, each with its own velocity, H = 2 dx: poly6 weights. */
+    /* Two particles at 0.5 and 1.5 spacings from the place, each with its own velocity, H = 2 dx: Wendland weights. */
     sph2d_scene scene = test_open_scene(DX, -1, -1, 1, 1);
     sph2d_block blocks[2] = {test_particle(DX, 0.5 * DX, 0, 1, 0), test_particle(DX, -1.5 * DX, 0, 0, 3)};
     sph2d_probe probe = sph2d_probe_default();
@@ -146,7 +146,7 @@ START_TEST(a_speed_probe_weighs_with_the_kernel)
     scene.probes = &probe;
     scene.probe_count = 1;
     sph2d_sim *sim = test_create(&scene, NULL);
-    double values[SPH2D_PROBE_MAX_COLUMNS], a = pow(1 - 0.25 * 0.25, 3), b = pow(1 - 0.75 * 0.75, 3);
+    double values[SPH2D_PROBE_MAX_COLUMNS], a = pow(0.75, 4) * 2, b = pow(0.25, 4) * 4;
     sph2d_sim_probe(sim, 0, values);
     ck_assert_double_eq_tol(values[0], a / (a + b), 1e-12);
     ck_assert_double_eq_tol(values[1], 3 * b / (a + b), 1e-12);
@@ -281,7 +281,7 @@ Suite *suite_outputs(void)
     tcase_add_test(tests, outputs_fall_due_on_time);
     tcase_add_test(tests, each_output_has_its_own_clock);
     tcase_add_test(tests, probes_give_their_columns);
-    tcase_add_test(tests, a_speed_probe_weighs_with_the_kernel);
+    tcase_add_test(tests, a_speed_probe_weighs_with_a_kernel);
     tcase_add_test(tests, the_summary_counts_steps);
     tcase_add_test(tests, compression_is_of_density_over_rest);
     tcase_add_test(tests, one_in_a_hundred_is_compressed_more);

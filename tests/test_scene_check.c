@@ -143,6 +143,9 @@ static void start(void)
     X(probe_without_rate, "probes[0]", MISSING_KEY, probes[0].rate.every = 0)                                          \
     X(probe_with_two_rates, "probes[0].every", CONFLICT, probes[0].rate.per_second = 10)                               \
     X(probe_outside, "probes[1].at", OUTSIDE, probes[1].at.x = -1)                                                     \
+    X(pressure_outside, "probes[1].at", OUTSIDE, probes[1].kind = SPH2D_PROBE_PRESSURE; probes[1].at.y = 1.1)          \
+    X(elevation_outside, "probes[1].at", OUTSIDE, probes[1].kind = SPH2D_PROBE_ELEVATION; probes[1].at.x = 1.1)        \
+    X(probe_of_no_kind, "probes[0].kind", OUT_OF_RANGE, probes[0].kind = (sph2d_probe_kind)1000)                       \
     X(snapshots_with_two_rates, "run.snapshots.every", CONFLICT, scene.run.snapshots.rate = ((sph2d_rate){10, 0.1}))   \
     X(frames_with_two_rates, "run.frames.every", CONFLICT, scene.run.frames.rate = ((sph2d_rate){10, 0.1}))            \
     X(frames_too_small, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[1] = 15)                                \
@@ -184,6 +187,20 @@ START_TEST(a_warning_does_not_refuse)
     ck_assert_uint_eq(report.errors, 0);
     ck_assert_int_eq(report.items[0].severity, SPH2D_WARNING);
     ck_assert_str_eq(report.items[0].path, "fluid.dynamic_viscosity");
+}
+END_TEST
+
+START_TEST(probes_have_no_use_for_some_places)
+{
+    for (int k = 0; k <= SPH2D_PROBE_ERROR; ++k) {
+        probes[1].kind = (sph2d_probe_kind)k;
+        bool at_a_point = k == SPH2D_PROBE_SPEED || k == SPH2D_PROBE_PRESSURE;
+        probes[1].at = (sph2d_vec2){0.2, -7}; /* no height is needed to find one */
+        ck_assert_int_eq(sph2d_scene_check(&scene, NULL), at_a_point ? SPH2D_SCENE : SPH2D_OK);
+        probes[1].at.x = -7;
+        bool on_a_line = at_a_point || k == SPH2D_PROBE_ELEVATION;
+        ck_assert_int_eq(sph2d_scene_check(&scene, NULL), on_a_line ? SPH2D_SCENE : SPH2D_OK);
+    }
 }
 END_TEST
 
@@ -286,6 +303,7 @@ Suite *suite_scene_check(void)
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_test(tests, the_sound_scene_is_sound);
     tcase_add_test(tests, a_warning_does_not_refuse);
+    tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
     tcase_add_test(tests, all_faults_are_found_at_once);
     tcase_add_test(tests, more_faults_than_a_report_holds_are_counted);

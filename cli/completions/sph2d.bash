@@ -5,7 +5,7 @@
 
 _sph2d() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
-    local commands='run resume render check info init help'
+    local commands='run resume render check study info init help'
     local options='--json --quiet --verbose --no-color --help --version'
     COMPREPLY=()
 
@@ -32,6 +32,7 @@ _sph2d() {
     resume) options+=" $drawing --set --max-wall --no-frames --progress" ;;
     render) options+=" $drawing --output --force --size --style --radius --color --range --progress" ;;
     check) options+=" $drawing --set --isa --preview" ;;
+    study) options+=' --output --force --set --threads --isa --all --progress' ;;
     init) options+=' --force --template' ;;
     esac
     if [[ $word == -* ]]; then
@@ -39,7 +40,7 @@ _sph2d() {
         return
     fi
     case ${COMP_WORDS[1]} in
-    run | check) mapfile -t COMPREPLY < <(compgen -d -- "$word" && compgen -f -X '!*.@(yaml|yml|json)' -- "$word") ;;
+    run | check | study) mapfile -t COMPREPLY < <(compgen -d -- "$word" && compgen -f -X '!*.@(yaml|yml|json)' -- "$word") ;;
     render | info) mapfile -t COMPREPLY < <(compgen -d -- "$word" && compgen -f -X '!*.h5' -- "$word") ;;
     resume) mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands exit codes scene" -- "$word") ;;

@@ -104,6 +104,12 @@ SPH2D_API sph2d_status sph2d_series_append(sph2d_series *series, double time, co
 /** Closes; NULL is fine. Errors: SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *report);
 
+/* ---- text files -------------------------------------------------------------------------------------------------- */
+
+/** Writes a text file whole or not at all. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was),
+ *  SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_text_write(const char *path, const char *text, size_t length, sph2d_report *report);
+
 /** The version of the HDF5 library in use, "1.10.8". Static storage. */
 SPH2D_API const char *sph2d_io_hdf5_version(void);
 

@@ -43,6 +43,8 @@ typedef struct sph2d_key {
     int choice;                    /**< ... and its value for this key; 0: the key is no part of a choice */
     const char *const *words;      /**< names of a WORD's values 0, 1, ..., ended by NULL */
     const struct sph2d_keys *keys; /**< of a GROUP or LIST */
+    bool as_mapping;               /**< a file writes this LIST of two texts as a mapping, {first: second}, the second
+                                        being any value */
     const char *unit;              /**< "m", "Pa s"; "" for none */
     const char *standard;          /**< the default, in words; NULL for none */
     const char *text;              /**< one sentence */

@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "sph2d/export.h"
+#include "sph2d/flow.h"
 #include "sph2d/status.h"
 
 #ifdef __cplusplus
@@ -186,7 +187,7 @@ typedef struct sph2d_method_options {
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
-                                 2.6 with symmetric and 2.5 with fitted operators */
+                                 3.0 with symmetric and 2.5 with fitted operators */
     double cfl;       /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0: the method's, muller 0.4,
                            wcsph 0.3 with symmetric and 0.5 with fitted operators */
     double time_step; /**< fixed step [s]; default 0: adaptive */
@@ -203,6 +204,8 @@ typedef struct sph2d_perturb {
 typedef struct sph2d_block {
     sph2d_shape shape;   /**< box, disc or polygon */
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
+    sph2d_flow start;    /**< adds the velocity of a known flow, and with method wcsph starts at its pressure; default
+                            none.    That of the first block that has one is what an `error` probe compares with */
     double spacing; /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
                          the scene's spacing, so a smaller one starts compressed */
     sph2d_perturb perturb;
@@ -264,17 +267,42 @@ typedef struct sph2d_interaction {
     double acceleration; /**< at the point [m/s^2]; positive pulls, negative pushes */
 } sph2d_interaction;
 
-/** What a probe writes. */
+/** What a probe writes: the columns behind `time`. Values without meaning, as where there is no liquid, are NaN. */
 typedef enum sph2d_probe_kind {
-    SPH2D_PROBE_ENERGY = 0, /**< kinetic and potential energy [J/m], momentum [kg/s], particles, largest speed [m/s] */
-    SPH2D_PROBE_SPEED = 1   /**< velocity at a point [m/s], kernel-averaged, with the number of neighbours */
+    SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m]; momentum_x, momentum_y [kg/s]; particles;
+                                    speed_max: of the fastest one [m/s] */
+    SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
+                                    particles within the support radius */
+    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours */
+    SPH2D_PROBE_ELEVATION = 3, /**< elevation: y of the highest free surface on the vertical line through at.x [m],
+                                  where liquid fills half of what the kernel covers: from H/dx = 2.2 on, no lone
+                                  particle does. Liquid up to a closed top has the top's y */
+    SPH2D_PROBE_EXTENT = 4,    /**< left, right, bottom, top: of the particles' places [m] */
+    SPH2D_PROBE_AXES = 5,      /**< centre_x, centre_y: centre of mass [m]; a, b: larger and smaller half axis of the
+                                    filled ellipse that has the particles' second moments about it [m]; angle: of the
+                                    larger one to the x axis, above -pi/2 to pi/2 [rad]; a_x, a_y: half axes along x and
+                                    y from <x^2> and <y^2> alone [m]. Places are taken as they are: not across a
+                                    periodic side */
+    SPH2D_PROBE_QUALITY = 6,   /**< spacing_min, spacing_p1: smallest distance between two particles, and 1st percentile
+                                    over particles of the distance to the nearest one, over the scene's spacing, H/dx at
+                                    most; paired: fraction of particles with another nearer than half a spacing;
+                                    density_rms, density_max: root mean square and largest absolute value of
+                                    rho/rho0 - 1; mach: largest speed over c0 */
+    SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
+                                   anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */
+    SPH2D_PROBE_ERROR = 8 /**< difference from the exact solution that a block starts with, at the particles' places:
+                               speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
+                               vector_max: largest error of v over the flow's speed U (a flow at rest: over the
+                               speed that its largest pressure could make); pressure_l1: mean error over mean exact
+                               |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
+                               kinetic energy over the exact one, - 1 */
 } sph2d_probe_kind;
 
 /** A time series, written while the run goes on. */
 typedef struct sph2d_probe {
     const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
     sph2d_probe_kind kind;
-    sph2d_vec2 at;   /**< [m]; for the kinds at a point */
+    sph2d_vec2 at;   /**< [m]; for the kinds at a point; an elevation has no use for y */
     sph2d_rate rate; /**< must be given */
 } sph2d_probe;
 

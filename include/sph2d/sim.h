@@ -93,6 +93,20 @@ typedef struct sph2d_view {
 SPH2D_API sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
 SPH2D_API sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
 
+/** The liquid at a point. */
+typedef struct sph2d_sample {
+    double velocity[2]; /**< [m/s] */
+    double pressure;    /**< [Pa] */
+    double density;     /**< [kg/m^3] */
+    double neighbours;  /**< particles within the support radius of the point */
+} sph2d_sample;
+
+/** Values of the liquid at a point [m], of third order inside liquid: a quadratic polynomial is fitted to the particles
+ *  within the support radius. Where they do not carry it, or where it gives a value further beyond theirs than they are
+ *  from each other, a linear one is taken, then their average: near walls and surfaces. False where no particle is
+ *  within the support radius: then the values are NaN. */
+SPH2D_API bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out);
+
 /* ---- steering while it runs -------------------------------------------------------------------------------------- */
 
 /** Sets gravity [m/s^2] from the next step on; the change of potential counts as energy_fed. Errors: SPH2D_INVALID when

@@ -10,6 +10,8 @@
 
 /** More keys than any struct has; a test holds the table to it. */
 enum { MOST_KEYS = 64 };
+/** Keys of a list that is written as a mapping: each is looked for among all. */
+enum { MOST_PAIRS = 1000 };
 
 /** A mapping that is being converted. */
 typedef struct level {
@@ -87,9 +89,44 @@ static bool excluded(sph2d__converter *c, const level *m, size_t index, const sp
     return true;
 }
 
+static void store_list(const sph2d_key *key, const void *items, size_t count, void *out)
+{
+    memcpy((char *)out + key->offset, &items, sizeof items);
+    memcpy((char *)out + key->count_offset, &count, sizeof count);
+}
+
+/** A list that is written as a mapping: the keys are the first text of its items, the values, of any kind, the second.
+ */
+static void convert_pairs(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
+                          void *out)
+{
+    if (node->kind != SPH2D__NODE_MAPPING || node->count > MOST_PAIRS) {
+        sph2d__convert_wrong_type(c, key, node, path, node->count > MOST_PAIRS ? "at most 1000 keys" : "a mapping");
+        return;
+    }
+    size_t size = key->keys->size, count = 0;
+    char *items = sph2d__pool_alloc(c->pool, node->count, size);
+    c->faults->short_of_memory |= !items;
+    for (const sph2d__node *child = node->first; child && items; child = child->next) {
+        const sph2d__node *first = sph2d__node_find(node, child->key, strlen(child->key));
+        const char *text = sph2d__node_text(child, c->pool);
+        c->faults->short_of_memory |= !text;
+        if (first != child)
+            report_twice(c, child, first, path);
+        char *item = items + count++ * size;
+        memcpy(item + key->keys->items[0].offset, &child->key, sizeof child->key);
+        memcpy(item + key->keys->items[1].offset, &text, sizeof text);
+    }
+    store_list(key, items, count, out);
+}
+
 static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
                          void *out)
 {
+    if (key->as_mapping) {
+        convert_pairs(c, key, node, path, out);
+        return;
+    }
     if (node->kind != SPH2D__NODE_SEQUENCE) {
         sph2d__convert_wrong_type(c, key, node, path, "a list");
         return;
@@ -112,8 +149,7 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
         else
             sph2d__convert_wrong_type(c, key, child, item_path, "a mapping");
     }
-    memcpy((char *)out + key->offset, &items, sizeof items);
-    memcpy((char *)out + key->count_offset, &index, sizeof index);
+    store_list(key, items, index, out);
 }
 
 static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path, void *out)

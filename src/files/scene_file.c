@@ -27,20 +27,8 @@ struct sph2d_scene_file {
 
 void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic)
 {
-    if (!file || !diagnostic)
-        return;
-    const char *rest = diagnostic->path;
-    const sph2d__node *node = file->root;
-    sph2d__step step;
-    while (*rest && sph2d__path_step(&rest, &step)) {
-        const sph2d__node *child = sph2d__node_step(node, &step);
-        if (!child)
-            break;
-        node = child;
-    }
-    bool whole = node == file->root;
-    sph2d__place place = whole ? (sph2d__place){&file->source, SPH2D__NOWHERE} : sph2d__node_place(node);
-    sph2d__place_describe(place, diagnostic);
+    if (file && diagnostic)
+        sph2d__node_locate(file->root, diagnostic);
 }
 
 /** Whether a fault only follows from values that could not be read and were reported. */
@@ -91,22 +79,6 @@ static void check(sph2d_scene_file *file, sph2d__faults *faults)
     if (faults->report) {
         faults->report->dropped += found.dropped;
         faults->report->errors += without_room;
-    }
-}
-
-/** Puts the diagnostics from `first` on into the order of the file; what has no line comes first. */
-static void sort(sph2d_report *report, size_t first)
-{
-    for (size_t i = first + 1; report && i < report->count; ++i) {
-        sph2d_diagnostic moved = report->items[i];
-        size_t k = i;
-        for (; k > first; --k) {
-            const sph2d_diagnostic *before = &report->items[k - 1];
-            if (before->line < moved.line || (before->line == moved.line && before->column <= moved.column))
-                break;
-            report->items[k] = *before;
-        }
-        report->items[k] = moved;
     }
 }
 
@@ -192,7 +164,7 @@ sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char 
         status = copy_overrides(f, overrides, override_count);
         if (status == SPH2D_OK)
             status = read_scene(f, &faults);
-        sort(report, first);
+        sph2d__faults_sort(report, first);
         sph2d__c_locale_end(&locale);
     }
     if (status == SPH2D_OK)

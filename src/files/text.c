@@ -181,3 +181,18 @@ bool sph2d__faults_touch(const sph2d__faults *faults, const char *path)
             return true;
     return false;
 }
+
+void sph2d__faults_sort(sph2d_report *report, size_t first)
+{
+    for (size_t i = first + 1; report && i < report->count; ++i) {
+        sph2d_diagnostic moved = report->items[i];
+        size_t k = i;
+        for (; k > first; --k) {
+            const sph2d_diagnostic *before = &report->items[k - 1];
+            if (before->line < moved.line || (before->line == moved.line && before->column <= moved.column))
+                break;
+            report->items[k] = *before;
+        }
+        report->items[k] = moved;
+    }
+}

@@ -46,6 +46,9 @@ void sph2d__faults_spoil(sph2d__faults *faults, const char *path);
 /** Whether a path, something above it or something below it was spoiled. */
 bool sph2d__faults_touch(const sph2d__faults *faults, const char *path);
 
+/** Puts the diagnostics from `first` on into the order of the file; what has no line comes first. NULL is fine. */
+void sph2d__faults_sort(sph2d_report *report, size_t first);
+
 /** Fills in file, line, column and source line. */
 void sph2d__place_describe(sph2d__place place, sph2d_diagnostic *diagnostic);
 /** The line of a place, counted from 1; 0 when unknown. */

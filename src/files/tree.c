@@ -38,14 +38,17 @@ sph2d__node *sph2d__node_find(const sph2d__node *mapping, const char *key, size_
     return NULL;
 }
 
-sph2d__node *sph2d__node_item(const sph2d__node *sequence, size_t index)
+static sph2d__node *child_at(const sph2d__node *node, size_t index)
 {
-    if (sequence->kind != SPH2D__NODE_SEQUENCE || index >= sequence->count)
-        return NULL;
-    sph2d__node *child = sequence->first;
-    while (index-- > 0)
+    sph2d__node *child = index < node->count ? node->first : NULL;
+    while (child && index-- > 0)
         child = child->next;
     return child;
+}
+
+sph2d__node *sph2d__node_item(const sph2d__node *sequence, size_t index)
+{
+    return sequence->kind == SPH2D__NODE_SEQUENCE ? child_at(sequence, index) : NULL;
 }
 
 bool sph2d__node_is_null(const sph2d__node *node)
@@ -130,4 +133,26 @@ bool sph2d__path_step(const char **path, sph2d__step *step)
 sph2d__node *sph2d__node_step(const sph2d__node *node, const sph2d__step *step)
 {
     return step->name ? sph2d__node_find(node, step->name, step->length) : sph2d__node_item(node, step->index);
+}
+
+const sph2d__node *sph2d__node_at(const sph2d__node *root, const char *path)
+{
+    const sph2d__node *node = root;
+    sph2d__step step;
+    while (*path && sph2d__path_step(&path, &step)) {
+        const sph2d__node *child = sph2d__node_step(node, &step);
+        if (!child && !step.name && node != root)
+            child = child_at(node, step.index);
+        if (!child)
+            break;
+        node = child;
+    }
+    return node;
+}
+
+void sph2d__node_locate(const sph2d__node *root, sph2d_diagnostic *diagnostic)
+{
+    const sph2d__node *node = sph2d__node_at(root, diagnostic->path);
+    sph2d__place whole = {root->place.source, SPH2D__NOWHERE};
+    sph2d__place_describe(node == root ? whole : sph2d__node_place(node), diagnostic);
 }

@@ -63,4 +63,14 @@ bool sph2d__path_step(const char **path, sph2d__step *step);
 /** The child that a step leads to; NULL when there is none. */
 sph2d__node *sph2d__node_step(const sph2d__node *node, const sph2d__step *step);
 
+/** The node at a path, or the last one on the way to it that there is. Below the root an index counts a
+ *  mapping's children too. */
+const sph2d__node *sph2d__node_at(const sph2d__node *root, const char *path);
+
+/** Completes a diagnostic with the place of its key path. At the root no line is to blame. */
+void sph2d__node_locate(const sph2d__node *root, sph2d_diagnostic *diagnostic);
+
+/** A node as YAML text on one line that reads as the same value again; NULL when memory is short (tree_text.c). */
+const char *sph2d__node_text(const sph2d__node *node, sph2d__pool *pool);
+
 #endif

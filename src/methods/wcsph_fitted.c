@@ -69,8 +69,9 @@ const sph2d__method sph2d__wcsph_fitted = {
              SPH2D__BIT(start_y) | SPH2D__BIT(start_vx) | SPH2D__BIT(start_vy) | SPH2D__BIT(start_density),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(start_x) |
                SPH2D__BIT(start_y) | SPH2D__BIT(start_vx) | SPH2D__BIT(start_vy) | SPH2D__BIT(start_density),
-    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) |
-             SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) | SPH2D__BIT(ax) |
+             SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |
+             SPH2D__BIT(density) | SPH2D__BIT(pressure),
     .prepare = prepare,
     .evaluate = evaluate,
     .stable_step = stable_step,

@@ -138,11 +138,11 @@ typedef struct fit {
 
 /** Derivatives of a linear fit, for a particle whose neighbours cannot carry a quadratic one; none where they are all
  * on one line. */
-static void fit_linear(double sums[SUMS][SPH2D__LANES], int lane, fit *out)
+static void fit_linear(double sums[SUMS][SPH2D__LANES], int lane, int first, int end, fit *out)
 {
     double a = sums[M20][lane], b = sums[M11][lane], c = sums[M02][lane], det = a * c - b * b;
     bool sound = det > 1e-6 * (a + c) * (a + c);
-    for (int v = 0; v < 3; ++v) {
+    for (int v = first; v < end; ++v) {
         double bx = sums[FIELDS + v * FIELD_SUMS + 1][lane], by = sums[FIELDS + v * FIELD_SUMS + 2][lane];
         out->x[v][lane] = sound ? (c * bx - b * by) / det : 0;
         out->y[v][lane] = sound ? (a * by - b * bx) / det : 0;
@@ -153,15 +153,25 @@ static void fit_linear(double sums[SUMS][SPH2D__LANES], int lane, fit *out)
 /* A pivot below this part of its diagonal says that the neighbours do not carry the fit. */
 static const double SINGULAR = 1e-7;
 
-/** Solves the normal equations of all lanes by Cholesky's method. */
-static void solve(double sums[SUMS][SPH2D__LANES], fit *out)
+/** The matrix A of the normal equations, its lower triangle row by row. */
+enum { MATRIX = 15 };
+
+/** A of the neighbours alone. */
+static void fill_matrix(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES])
 {
-    static const unsigned char moment[5][5] = {
-        {M20}, {M11, M02}, {M30, M21, M40}, {M21, M12, M31, M22}, {M12, M03, M22, M13, M04}};
+    static const unsigned char moment[MATRIX] = {M20, M11, M02, M30, M21, M40, M21, M12,
+                                                 M31, M22, M12, M03, M22, M13, M04};
+    for (int n = 0; n < MATRIX; ++n)
+        memcpy(matrix[n], sums[moment[n]], sizeof matrix[n]);
+}
+
+/** Solves the normal equations of all lanes by Cholesky's method, for the fields `first` to `end` - 1. */
+static void solve(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES], int first, int end, fit *out)
+{
     sph2d__lanes l[5][5], weakest = (sph2d__lanes){0} + 1.0;
     for (int a = 0; a < 5; ++a)
         for (int b = 0; b <= a; ++b) {
-            sph2d__lanes whole = sph2d__lanes_load(sums[moment[a][b]]), rest = whole;
+            sph2d__lanes whole = sph2d__lanes_load(matrix[a * (a + 1) / 2 + b]), rest = whole;
             for (int n = 0; n < b; ++n)
                 rest -= l[a][n] * l[b][n];
             if (a == b) {
@@ -174,7 +184,7 @@ static void solve(double sums[SUMS][SPH2D__LANES], fit *out)
         }
     sph2d__lanes scale =
         4 / sph2d__lanes_max(sph2d__lanes_load(sums[M20]) + sph2d__lanes_load(sums[M02]), (sph2d__lanes){0} + 1e-300);
-    for (int v = 0; v < 3; ++v) {
+    for (int v = first; v < end; ++v) {
         double(*b)[SPH2D__LANES] = sums + FIELDS + v * FIELD_SUMS;
         sph2d__lanes c[5], residual = sph2d__lanes_load(b[0]);
         for (int a = 0; a < 5; ++a) {
@@ -196,7 +206,7 @@ static void solve(double sums[SUMS][SPH2D__LANES], fit *out)
     }
     for (int lane = 0; lane < SPH2D__LANES; ++lane)
         if (weakest[lane] < 0.5)
-            fit_linear(sums, lane, out);
+            fit_linear(sums, lane, first, end, out);
 }
 
 /** The rates of one particle from its fit. */
@@ -225,20 +235,120 @@ static void finish(sph2d__system *s, size_t i, const fit *fits, const double cro
     f->density_rate[i] = -rho * (dx[0] + dy[1]) + wx * dx[2] + wy * dy[2] + diffusion;
 }
 
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+/* Boundary particles of the first layer stand for the surface. */
+static const double FIRST_LAYER = 0.75;
+/* Weight of what a wall knows of the slope of density beside what neighbours say. Without it the slope at a wall is an
+ * extrapolation, and a cavity at Re 1000 diverged. */
+static const double SLOPE_WEIGHT = 0.1;
+
+/** Adds a point of a no-slip surface to the velocity's sums of a lane: the wall's velocity is known there. */
+static void add_surface(double sums[SUMS][SPH2D__LANES], int lane, double x, double y, const double known[2])
+{
+    double q2 = x * x + y * y;
+    if (q2 >= 1)
+        return;
+    double t = 1 - sqrt(q2), w = t * t * t;
+    double basis[6] = {1, x, y, x * x, x * y, y * y};
+    double moments[14] = {
+        x,         y,         x * x,         x * y,         y * y,         x * x * x,     x * x * y,
+        x * y * y, y * y * y, x * x * x * x, x * x * x * y, x * x * y * y, x * y * y * y, y * y * y * y};
+    for (int n = 0; n < 14; ++n)
+        sums[M10 + n][lane] += w * moments[n];
+    for (int v = 0; v < 2; ++v)
+        for (int n = 0; n < FIELD_SUMS; ++n)
+            sums[FIELDS + v * FIELD_SUMS + n][lane] += w * basis[n] * known[v];
+}
+
+/** Adds what a wall knows of the slope of density to the equations of a lane: along its normal the pressure balances
+ * the body force and the wall's acceleration. */
+static void add_slope(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES], int lane, double x,
+                      double y, double nx, double ny, double known)
+{
+    double q2 = x * x + y * y;
+    if (q2 >= 1)
+        return;
+    double t = 1 - sqrt(q2), w = SLOPE_WEIGHT * t * t * t;
+    double basis[5] = {nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
+    for (int a = 0, n = 0; a < 5; ++a) {
+        for (int b = 0; b <= a; ++b)
+            matrix[n++][lane] += w * basis[a] * basis[b];
+        sums[FIELDS + 2 * FIELD_SUMS + 1 + a][lane] += w * basis[a] * known;
+    }
+}
+
+/** Adds the walls near particle i: all layers to its crowding, the surface to the sums of its velocity. */
+static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_t i, const constants *k,
+                      double sums[SUMS][SPH2D__LANES], double rough[SUMS][SPH2D__LANES],
+                      double matrix[MATRIX][SPH2D__LANES], int lane)
+{
+    const sph2d__store *w = &s->walls, *f = &s->fluid;
+    SPH2D__FOR_NEIGHBOURS (&cursor->ranges, r, b) {
+        if (w->bounce[b] >= 0)
+            continue;
+        double x = w->x[b] - f->x[i] - cursor->ranges.x[r], y = w->y[b] - f->y[i] - cursor->ranges.y[r];
+        double q = sqrt(x * x + y * y) * k->inverse_support;
+        if (q < 1) {
+            double near = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) * k->near, t = 1 - q;
+            double crowd = t * t * t * (1 + 0.2 * near * near * near * near) * k->inverse_support;
+            sums[CROWD_X][lane] += crowd * x;
+            sums[CROWD_Y][lane] += crowd * y;
+        }
+        if (w->depth[b] > FIRST_LAYER * s->spacing)
+            continue;
+        double known[2] = {w->vx[b] - f->vx[i], w->vy[b] - f->vy[i]};
+        double foot_x = (x + w->depth[b] * w->normal_x[b]) * k->inverse_support;
+        double foot_y = (y + w->depth[b] * w->normal_y[b]) * k->inverse_support;
+        add_surface(rough, lane, foot_x, foot_y, known);
+        double gx = -w->ax[b], gy = -w->ay[b];
+        sph2d__body_add(&s->body, f->x[i], f->y[i], w->vx[b], w->vy[b], &gx, &gy);
+        double slope = f->density[i] / sph2d__sound_speed2_at(s, f->density[i]) * s->support *
+                       (gx * w->normal_x[b] + gy * w->normal_y[b]);
+        add_slope(sums, matrix, lane, foot_x, foot_y, w->normal_x[b], w->normal_y[b], slope);
+    }
+}
+
+/* ---- groups of particles ----------------------------------------------------------------------------------------- */
+
+/** Where a thread is. */
+typedef struct place {
+    sph2d__cursor liquid, walls;
+} place;
+
 /** The rates of particles i to i + LANES - 1, as far as there are any. */
-static void rates_of_group(sph2d__system *s, sph2d__cursor *cursor, size_t i, const constants *k)
+static void rates_of_group(sph2d__system *s, place *at, size_t i, const constants *k)
 {
     const sph2d__store *f = &s->fluid;
     double sums[SUMS][SPH2D__LANES] __attribute__((aligned(64)));
+    double rough[SUMS][SPH2D__LANES] __attribute__((aligned(64)));
     size_t left = f->count - i;
     int lanes = left < SPH2D__LANES ? (int)left : SPH2D__LANES;
     for (int lane = 0; lane < SPH2D__LANES; ++lane) {
         size_t p = i + (size_t)(lane < lanes ? lane : 0);
-        sph2d__cursor_move(cursor, &s->fluid_cells, f->x[p], f->y[p]);
-        sum_neighbours(s, cursor, p, k, sums, lane);
+        sph2d__cursor_move(&at->liquid, &s->fluid_cells, f->x[p], f->y[p]);
+        sum_neighbours(s, &at->liquid, p, k, sums, lane);
+    }
+    double matrix[MATRIX][SPH2D__LANES] __attribute__((aligned(64)));
+    fill_matrix(sums, matrix);
+    bool walled = false;
+    for (int lane = 0; lane < lanes && s->walls_press; ++lane) {
+        size_t p = i + (size_t)lane;
+        if (!sph2d__cursor_move(&at->walls, &s->wall_cells, f->x[p], f->y[p]))
+            continue;
+        if (!walled)
+            memcpy(rough, sums, sizeof rough);
+        walled = true;
+        add_walls(s, &at->walls, p, k, sums, rough, matrix, lane);
     }
     fit fits;
-    solve(sums, &fits);
+    if (walled) {
+        solve(sums, matrix, 2, 3, &fits);
+        fill_matrix(rough, matrix);
+        solve(rough, matrix, 0, 2, &fits);
+    } else {
+        solve(sums, matrix, 0, 3, &fits);
+    }
     for (int lane = 0; lane < lanes; ++lane) {
         double crowd[2] = {k->crowd * sums[CROWD_X][lane], k->crowd * sums[CROWD_Y][lane]};
         finish(s, i + (size_t)lane, &fits, crowd, lane);
@@ -247,6 +357,7 @@ static void rates_of_group(sph2d__system *s, sph2d__cursor *cursor, size_t i, co
 
 static void rates(sph2d__system *s)
 {
+
     size_t groups = (s->fluid.count + SPH2D__LANES - 1) / SPH2D__LANES;
     double ratio = s->support / s->spacing;
     const double pi = 3.14159265358979323846;
@@ -255,10 +366,10 @@ static void rates(sph2d__system *s)
     int threads = sph2d__threads_for(s->threads, s->fluid.count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
-        sph2d__cursor cursor = SPH2D__CURSOR_START;
+        place at = {SPH2D__CURSOR_START, SPH2D__CURSOR_START};
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t g = 0; g < groups; ++g)
-            rates_of_group(s, &cursor, g * SPH2D__LANES, &k);
+            rates_of_group(s, &at, g * SPH2D__LANES, &k);
     }
 }
 

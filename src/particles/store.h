@@ -33,6 +33,9 @@ enum { SPH2D__PADDING = 16 };
     X(shift_y)                                                                                                         \
     X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */         \
     X(image_vy)                                                                                                        \
+    X(normal_x) /* from a boundary particle straight to the wall's surface */                                          \
+    X(normal_y)                                                                                                        \
+    X(depth)   /* the distance to the surface [m] */                                                                   \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
     X(start_x) /* position, velocity and density when the step began */                                                \

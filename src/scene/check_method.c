@@ -88,6 +88,25 @@ static void check_walls(sph2d__checker *c)
     }
 }
 
+/** Fits have no free surface: liquid must fill its room, and stick to its walls. */
+static void check_room(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    const sph2d_side sides[4] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
+                                 scene->boundary.top};
+    static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
+    bool walled = scene->obstacle_count > 0;
+    for (int k = 0; k < 4; ++k) {
+        refuse(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, MULLER | SYMMETRIC,
+               "liquid must fill its room: make the side a wall or periodic, or take `operators: symmetric`");
+        walled |= sides[k] == SPH2D_SIDE_WALL;
+    }
+    refuse(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, MULLER | SYMMETRIC,
+           "take `wall_slip: none`, or `operators: symmetric`");
+    refuse(c, "sources", scene->source_count > 0, MULLER | SYMMETRIC, "take `operators: symmetric`");
+    refuse(c, "drains", scene->drain_count > 0, MULLER | SYMMETRIC, "take `operators: symmetric`");
+}
+
 static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char *path, double length)
 {
     bool periodic = a == SPH2D_SIDE_PERIODIC;
@@ -107,6 +126,7 @@ void sph2d__check_method(sph2d__checker *c)
 {
     check_options(c);
     check_walls(c);
+    check_room(c);
     sph2d_boundary b = c->scene->boundary;
     sph2d_box d = c->scene->domain;
     check_pair(c, b.left, b.right, "boundary.right", d.max.x - d.min.x);

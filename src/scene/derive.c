@@ -10,6 +10,7 @@
 
 /* A liquid that is released at its rest density swings to twice its static compression. */
 static const double OVERSHOOT = 2;
+static const double PI = 3.14159265358979323846;
 
 /** Height of a place above the lowest corner of the domain, measured against gravity. */
 static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
@@ -48,6 +49,22 @@ static double farthest_liquid(const sph2d_scene *scene)
     return distance;
 }
 
+/** Fastest wall. */
+static double wall_speed(const sph2d_scene *scene)
+{
+    const sph2d_side_speeds *s = &scene->wall_speeds;
+    double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        const sph2d_motion *m = &scene->obstacles[i].motion;
+        speed = fmax(speed, 2 * PI * m->frequency * hypot(m->amplitude.x, m->amplitude.y));
+        for (size_t k = 1; k < m->path.count; ++k) {
+            const sph2d_path_point *p = &m->path.items[k - 1], *q = &m->path.items[k];
+            speed = fmax(speed, hypot(q->x - p->x, q->y - p->y) / (q->t - p->t));
+        }
+    }
+    return speed;
+}
+
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
 {
     sph2d__derived d = {0};
@@ -57,9 +74,11 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     double g = hypot(scene->gravity.x, scene->gravity.y);
     d.height = g > 0 ? highest_liquid(scene, g) : 0;
     for (size_t i = 0; i < scene->block_count; ++i)
-        d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y));
+        d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y) +
+                                    fabs(scene->blocks[i].start.speed));
     for (size_t i = 0; i < scene->source_count; ++i)
         d.speed = fmax(d.speed, scene->sources[i].speed);
+    d.speed = fmax(d.speed, wall_speed(scene));
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     double swing = scene->central_force.rate * farthest_liquid(scene);

@@ -35,13 +35,16 @@ static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", NULL};
 
+/* In the order of sph2d_flow_kind. */
+static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
+                                         "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
 static const char *const method_words[] = {"muller", "wcsph", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
-                                          "axes",   "quality", "momentum", NULL};
+                                          "axes",   "quality", "momentum", "error",     NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
 static const sph2d_key box_items[] = {
@@ -79,6 +82,19 @@ KEYS(disc, sph2d_disc, NULL);
             CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself" \
     }
 
+static const sph2d_key start_items[] = {
+    {"flow", SPH2D_KEY_WORD, true, AT(sph2d_flow, kind), .words = flow_words, .unit = "", .text = "which known flow"},
+    {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, speed), ANY, .unit = "m/s", .standard = "0",
+     .text = "its speed U"},
+    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, length), FROM_0, .unit = "m", .standard = "0",
+     .text = "its length L: period, radius, side, distance of walls"},
+    {"depth", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, depth), FROM_0, .unit = "m", .standard = "0",
+     .text = "standing_wave: of the liquid at rest"},
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_flow, center), ANY, .unit = "m", .standard = "[0, 0]",
+     .text = "its centre; still: a point of the surface"},
+};
+KEYS(start, sph2d_flow, NULL);
+
 static const sph2d_key perturb_items[] = {
     {"amplitude", SPH2D_KEY_NUMBER, false, AT(sph2d_perturb, amplitude), BETWEEN(0, 0.5), .unit = "spacings",
      .standard = "0", .text = "largest displacement of a coordinate"},
@@ -93,6 +109,8 @@ static const sph2d_key block_items[] = {
      .text = "at the start"},
     {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .standard = "the scene's",
      .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed"},
+    {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .standard = "none",
+     .text = "a known flow that it starts with"},
     {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "", .standard = "none",
      .text = "random displacement of the particles"},
 };
@@ -297,7 +315,7 @@ static const sph2d_key method_items[] = {
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .standard = "muller 2.0, wcsph 2.6 (symmetric) or 2.5 (fitted)",
+     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted)",
      .text = "support radius over spacing, H/dx"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.5 (fitted)", .text = "step limit: dt <= cfl H / (c0 + v_max)"},

@@ -12,7 +12,7 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
 {
     bool wcsph = m.name == SPH2D_METHOD_WCSPH, fitted = m.operators == SPH2D_OPERATORS_FITTED;
     m.max_compression = or_else(m.max_compression, wcsph ? 0.01 : 0.1);
-    m.support_ratio = or_else(m.support_ratio, !wcsph ? 2.0 : fitted ? 2.5 : 2.6);
+    m.support_ratio = or_else(m.support_ratio, !wcsph ? 2.0 : fitted ? 2.5 : 3.0);
     m.cfl = or_else(m.cfl, !wcsph ? 0.4 : fitted ? 0.5 : 0.3);
     return m;
 }

@@ -158,6 +158,9 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         if (status != SPH2D_OK)
             return status;
         perturb_block(sim, i, first);
+        status = sph2d__sim_start_block(sim, i, first, report);
+        if (status != SPH2D_OK)
+            return status;
     }
     if (fluid->count == 0 && scene->source_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");

@@ -32,16 +32,29 @@ static bool is_crowded(const sph2d_sim *sim, size_t first, sph2d_vec2 p)
     return false;
 }
 
-static sph2d_status add_particle(sph2d_sim *sim, sph2d_vec2 p, double area, sph2d_report *report)
+/** Where a boundary particle is, on whose behalf, and which way and how far the surface is. */
+typedef struct place {
+    sph2d_vec2 at;
+    double area;
+    sph2d_vec2 normal;
+    double depth;
+} place;
+
+static sph2d_status add_particle(sph2d_sim *sim, const place *p, sph2d_report *report)
 {
     sph2d__system *s = &sim->system;
     if (sph2d__sim_too_many(sim, (double)s->walls.count + 1, "obstacles", report))
         return SPH2D_SCENE;
     if (!sph2d__store_reserve(&s->walls, s->memory, s->walls.count + 1))
         return SPH2D_NOMEM;
-    size_t i = sph2d__store_add(&s->walls, s->walls.count, p.x, p.y);
+    size_t i = sph2d__store_add(&s->walls, s->walls.count, p->at.x, p->at.y);
     s->walls.bounce[i] = -1;
-    s->walls.mass[i] = s->rest_density * area;
+    s->walls.mass[i] = s->rest_density * p->area;
+    if (s->walls.depth) {
+        s->walls.normal_x[i] = p->normal.x;
+        s->walls.normal_y[i] = p->normal.y;
+        s->walls.depth[i] = p->depth;
+    }
     s->walls_press = true;
     return SPH2D_OK;
 }
@@ -128,7 +141,9 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
             sph2d_vec2 p = {layer.a.x + t * (layer.b.x - layer.a.x), layer.a.y + t * (layer.b.y - layer.a.y)};
             if (belongs_elsewhere(c, p, d) || is_crowded(sim, first, p))
                 continue;
-            sph2d_status status = add_particle(sim, p, length / count * c->spacing, report);
+            sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+            place here = {p, length / count * c->spacing, {u.y * c->side, -u.x * c->side}, d};
+            sph2d_status status = add_particle(sim, &here, report);
             if (status != SPH2D_OK)
                 return status;
         }
@@ -179,6 +194,20 @@ static long next_column(const extent *x, bool row_behind, long i)
     return !row_behind && i >= 0 && i < x->count ? x->count : i;
 }
 
+/** Normal and depth of a boundary particle of a side; in a corner there is no one surface. */
+static void look_at_surface(place *p, const extent *x, long i, const extent *y, long j)
+{
+    bool beside_x = is_behind(x, i), beside_y = is_behind(y, j);
+    if (beside_x && !beside_y) {
+        p->normal.x = i < 0 ? 1 : -1;
+        p->depth = (i < 0 ? -(double)i - 0.5 : (double)(i - x->count) + 0.5) * x->size;
+    }
+    if (beside_y && !beside_x) {
+        p->normal.y = j < 0 ? 1 : -1;
+        p->depth = (j < 0 ? -(double)j - 0.5 : (double)(j - y->count) + 0.5) * y->size;
+    }
+}
+
 /** Gives the last boundary particle the speed of its side; in corners the walls rest. */
 static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, long j)
 {
@@ -211,7 +240,9 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
             sph2d_vec2 p = {x.origin + ((double)i + 0.5) * x.size, y.origin + ((double)j + 0.5) * y.size};
             if (is_crowded(sim, first, p))
                 continue;
-            sph2d_status status = add_particle(sim, p, x.size * y.size, report);
+            place here = {p, x.size * y.size, {0, 0}, INFINITY};
+            look_at_surface(&here, &x, i, &y, j);
+            sph2d_status status = add_particle(sim, &here, report);
             if (status != SPH2D_OK)
                 return status;
             set_speed(sim, &x, i, &y, j);

@@ -13,6 +13,8 @@
     X(next_step, "NextTimeStep", 0, 0, 1, "length of the step that comes next")                                        \
     X(last_step, "LastTimeStep", 0, 0, 1, "length of the step before; 0 at the start")                                 \
     X(speed, "LargestSpeed", 1, 0, -1, "largest speed of a particle")                                                  \
+    X(mean_density, "MeanDensity", -3, 1, 0,                                                                           \
+      "mean density of the liquid that fills a closed room; 0 for other scenes")                                       \
     X(gravity_x, "GravityX", 1, 0, -2, "gravity")                                                                      \
     X(gravity_y, "GravityY", 1, 0, -2, "gravity")                                                                      \
     X(pointer_x, "PointerX", 1, 0, 0, "place of the steering pointer")                                                 \

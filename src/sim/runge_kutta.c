@@ -55,12 +55,33 @@ static sph2d_status stage(sph2d_sim *sim, double dt, double old)
     return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
 }
 
+/** Mean density of the particles, summed in their order. */
+static double mean_density(const sph2d__store *f)
+{
+    double sum = 0;
+    for (size_t i = 0; i < f->count; ++i)
+        sum += f->density[i];
+    return f->count > 0 ? sum / (double)f->count : 0;
+}
+
+/** Liquid that fills a closed room keeps its mass, so that its mean density is known; fits that are not conservative
+ * let it drift (a cavity at Re 1000 by 0.07 % in a time L/U), and the drift is the same everywhere. */
+static void keep_mass(sph2d_sim *sim)
+{
+    sph2d__store *f = &sim->system.fluid;
+    double drift = mean_density(f) - sim->record.mean_density;
+    for (size_t i = 0; i < f->count; ++i)
+        f->density[i] -= drift;
+}
+
 sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
 {
     static const double old[3] = {0, 3.0 / 4, 1.0 / 3}, moment[4] = {0, 1, 0.5, 1};
     sph2d__system *s = &sim->system;
     double most = SHIFT_LIMIT * s->support / (s->speed * dt);
     s->shift_gain = s->method.shifting * (s->speed > 0 ? fmin(SHIFT_GAIN, most) : SHIFT_GAIN);
+    if (!(sim->record.mean_density > 0))
+        sim->record.mean_density = mean_density(&s->fluid);
     keep_start(&s->fluid);
     for (int k = 0; k < 3; ++k) {
         double time = sim->record.time;
@@ -75,6 +96,7 @@ sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
         if (status != SPH2D_OK)
             return status;
     }
+    keep_mass(sim);
     sph2d__state_equation_apply(s, &s->fluid);
     return SPH2D_OK;
 }

@@ -50,21 +50,19 @@ bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *r
     return true;
 }
 
-/** Weight of particle j in range r, 0 beyond the support, and there its terms. */
+/** Weight of particle j in range r, 0 beyond the support, and its terms. */
 static double weigh(const surroundings *s, int r, size_t j, double terms[TERMS])
 {
     double xi = (s->fluid->x[j] - s->at.x - s->ranges.x[r]) / s->support;
     double eta = (s->fluid->y[j] - s->at.y - s->ranges.y[r]) / s->support;
     double q2 = xi * xi + eta * eta;
-    if (!(q2 < 1))
-        return 0;
     terms[0] = 1;
     terms[1] = xi;
     terms[2] = eta;
     terms[3] = xi * xi;
     terms[4] = xi * eta;
     terms[5] = eta * eta;
-    return sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, sqrt(q2));
+    return q2 < 1 ? sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, sqrt(q2)) : 0;
 }
 
 /** Sums the matrix, and finds the nearest neighbour and the range of values. */

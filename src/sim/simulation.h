@@ -51,6 +51,9 @@ void sph2d__sim_window(sph2d_sim *sim, double from, double to);
  *  compression; from them the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
 
+/** What a known flow needs to know of the scene. */
+sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
+
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
 
@@ -82,6 +85,10 @@ sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_outline *outlin
 sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
 /** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
+
+/** Gives the particles of a block, from `first` on, the velocity and pressure of the flow that it starts with. Errors:
+ *  SPH2D_SCENE. */
+sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
 
 /** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM.
  */

@@ -6,7 +6,7 @@ page=$SPH2D_ROOT/cli/sph2d.1
 bash=$SPH2D_ROOT/cli/completions/sph2d.bash
 zsh=$SPH2D_ROOT/cli/completions/_sph2d
 
-for command in run resume render check info init help; do
+for command in run resume render check study info init help; do
     grep -q "^\.It Cm $command$" "$page" || fail "the man page has no '$command'"
     grep -q "'$command:" "$zsh" || fail "zsh has no '$command'"
     grep -q "commands='.*$command" "$bash" || fail "bash has no '$command'"

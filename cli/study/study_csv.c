@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_csv.c
+ *  What a study writes with -o. The command never calls setlocale, so numbers have points. */
+#include "study_csv.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../exit.h"
+#include "study_table.h"
+
+/* A text that becomes a file. */
+typedef struct sheet {
+    FILE *out;
+    char *text;
+    size_t size;
+} sheet;
+
+static bool sheet_open(sheet *page)
+{
+    *page = (sheet){NULL, NULL, 0};
+    page->out = open_memstream(&page->text, &page->size);
+    return page->out != NULL;
+}
+
+/* Writes the file and frees the sheet. */
+static int sheet_close(cli_study *s, sheet *page, const char *path)
+{
+    bool whole = !ferror(page->out);
+    sph2d_status status = SPH2D_NOMEM;
+    if (fclose(page->out) == 0 && whole && path != NULL)
+        status = sph2d_text_write(path, page->text, page->size, &s->report);
+    free(page->text);
+    return study_told(s, status, NULL, NULL);
+}
+
+/* NaN has no sign, whatever its bits say. */
+static void put_number(FILE *out, double value)
+{
+    if (isnan(value))
+        fputs(",nan", out);
+    else
+        fprintf(out, ",%.17g", value);
+}
+
+/* A text in quotes where it needs them; `more` stands behind it. */
+static void put_text(FILE *out, const char *text, const char *more)
+{
+    if (strpbrk(text, ",\"\n\r") == NULL) {
+        fprintf(out, "%s%s", text, more);
+        return;
+    }
+    putc('"', out);
+    for (; *text != '\0'; ++text) {
+        if (*text == '"')
+            putc('"', out);
+        putc(*text, out);
+    }
+    fprintf(out, "%s\"", more);
+}
+
+/* ---- rows -------------------------------------------------------------------------------------------------------- */
+
+static void put_headings(FILE *out, const sph2d_study *study)
+{
+    fputs("row,name,end,spacing [m],particles,simulated [s],steps,particle-steps,cpu [s],wall [s],particle-steps/s",
+          out);
+    for (size_t i = 0; i < study->measure_count; ++i) {
+        const sph2d_study_measure *m = &study->measures[i];
+        const struct {
+            bool is_there;
+            const char *more;
+        } columns[] = {{study_has_value(m), ""}, {study_has_error(m), " error"}, {m->order != 0, " order"}};
+        for (size_t k = 0; k < sizeof columns / sizeof *columns; ++k) {
+            if (!columns[k].is_there)
+                continue;
+            putc(',', out);
+            put_text(out, m->name, columns[k].more);
+        }
+    }
+    putc('\n', out);
+}
+
+static void put_row(FILE *out, const sph2d_study *study, const study_row *row)
+{
+    fprintf(out, "%zu,", row->number);
+    put_text(out, row->run->name, "");
+    fprintf(out, ",%s", study_end_name(row->end));
+    put_number(out, row->spacing);
+    fprintf(out, ",%" PRIu64, row->particles);
+    put_number(out, row->time);
+    fprintf(out, ",%" PRIu64 ",%" PRIu64, row->steps, row->particle_steps);
+    put_number(out, row->cpu);
+    put_number(out, row->wall);
+    put_number(out, study_rate(row));
+    for (size_t i = 0; i < study->measure_count; ++i) {
+        const sph2d_study_measure *m = &study->measures[i];
+        if (study_has_value(m))
+            put_number(out, row->values[i].value);
+        if (study_has_error(m))
+            put_number(out, row->values[i].error);
+        if (m->order)
+            put_number(out, row->values[i].order);
+    }
+    putc('\n', out);
+}
+
+int study_csv_write_rows(cli_study *s)
+{
+    if (s->options->output == NULL)
+        return CLI_EXIT_SUCCESS;
+    sheet page;
+    if (!sheet_open(&page))
+        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+    put_headings(page.out, s->study);
+    for (size_t r = 0; r < s->row_count; ++r)
+        put_row(page.out, s->study, &s->rows[r]);
+    return sheet_close(s, &page, folder_file(&s->folder, "study.csv"));
+}
+
+/* ---- series ------------------------------------------------------------------------------------------------------ */
+
+static int write_series(cli_study *s, const study_row *row, const sph2d_probe *probe, const study_series *series)
+{
+    sheet page;
+    if (!sheet_open(&page))
+        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+    fprintf(page.out, "time [s],%s\n", sph2d_probe_columns(probe->kind));
+    for (size_t i = 0; i < series->count; ++i) {
+        fprintf(page.out, "%.17g", series->time[i]);
+        for (size_t k = 0; k < series->columns; ++k)
+            put_number(page.out, series->values[i * series->columns + k]);
+        putc('\n', page.out);
+    }
+    return sheet_close(s, &page, folder_file(&s->folder, "series_%zu_%s.csv", row->number, probe->name));
+}
+
+int study_csv_write_series(cli_study *s, const study_row *row, const sph2d_scene *scene, const study_series *series)
+{
+    int code = CLI_EXIT_SUCCESS;
+    for (size_t i = 0; s->options->output != NULL && i < scene->probe_count && code == CLI_EXIT_SUCCESS; ++i)
+        if (series[i].wanted)
+            code = write_series(s, row, &scene->probes[i], &series[i]);
+    return code;
+}

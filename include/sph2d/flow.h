@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/** @file flow.h
+ *  Known flows: velocity and pressure of exact solutions at any point and time. At time 0 they are a start, later what
+ *  a run can be compared with.
+ *
+ *      sph2d_flow flow = sph2d_flow_default();
+ *      flow.kind = SPH2D_FLOW_TAYLOR_GREEN;
+ *      flow.speed = 1;
+ *      flow.length = 1;
+ *      sph2d_flow_context context = {.density = 1000, .dynamic_viscosity = 10};
+ *      double x = 0.2, y = 0.3, vx, vy, p;
+ *      sph2d_flow_values(&flow, &context, 0.5, 1, &x, &y, &vx, &vy, &p, NULL);
+ *
+ *  All are solutions for liquid of constant density. SI units throughout. */
+#ifndef SPH2D_FLOW_H
+#define SPH2D_FLOW_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "sph2d/export.h"
+#include "sph2d/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Which flow. The values are part of the ABI. */
+typedef enum sph2d_flow_kind {
+    SPH2D_FLOW_NONE = 0,
+    SPH2D_FLOW_STILL = 1,         /**< at rest under gravity, with a free surface across it */
+    SPH2D_FLOW_TAYLOR_GREEN = 2,  /**< vortices that viscosity slows, in a periodic square */
+    SPH2D_FLOW_GRESHO = 3,        /**< a steady vortex: turns rigidly inside, rests outside; inviscid */
+    SPH2D_FLOW_POISEUILLE = 4,    /**< gravity along x sets liquid between two resting walls in motion */
+    SPH2D_FLOW_COUETTE = 5,       /**< the upper of two walls sets liquid in motion */
+    SPH2D_FLOW_STANDING_WAVE = 6, /**< a small gravity wave that starts from a flat surface; inviscid */
+    SPH2D_FLOW_STRAIN = 7,   /**< a free disc that becomes an ellipse, and swings under a central force; inviscid */
+    SPH2D_FLOW_ROTATION = 8, /**< a free disc that turns rigidly; any viscosity */
+    SPH2D_FLOW_PATCH = 9,    /**< a free square, starting with the same velocity; inviscid, time 0 alone */
+    SPH2D_FLOW_DROP = 10     /**< a disc at rest under surface tension */
+} sph2d_flow_kind;
+
+/** A flow. What its numbers mean, and the forces under which it is a solution; "-" is not read:
+ *
+ *      kind            speed U [m/s]               length L [m]         center [m]                      forces
+ *      still           -                           -                    a point of the surface          any gravity
+ *      taylor_green    largest velocity component  period               of a vortex, anticlockwise      none
+ *                      at time 0
+ *      gresho          largest, at 0.2 L           vortex ends at 0.4 L of the vortex                   none
+ *      poiseuille      final one in the middle     between the walls    a point of the middle line      gravity (g, 0),
+ *                                                                                                       g = 8 nu U/L^2
+ *      couette         of the upper wall, along x  between the walls    a point of the middle line      none
+ *      standing_wave   of the surface at `center`  wavelength           a point of the mean surface     gravity (0, -g)
+ *                      at time 0, upwards                               that swings most
+ *      strain          U/L: rate dvx/dx at time 0  radius at time 0     of the disc                     central, rate B
+ *      rotation        U/L: angular velocity       radius               of the disc                     none
+ *      patch           U/L: angular velocity       side                 of the square                   none
+ *      drop            -                           radius               of the disc                     tension
+ *
+ *  nu is the kinematic viscosity. A negative speed turns a flow round: positive ones turn anticlockwise (gresho,
+ *  rotation, patch), lengthen along x (strain), flow to the right (poiseuille, couette). taylor_green is
+ *  v = U (-cos kx sin ky, sin kx cos ky) at time 0, with k = 2 pi/L and (x, y) counted from `center`.
+ *
+ *  Pressure is 0 in the air: in still liquid at the free surface, outside the disc, square or ellipse, above the wave.
+ *  The pressure of taylor_green has mean 0, that of gresho is 0 outside the vortex, that of poiseuille and couette 0
+ *  everywhere. Where the air is, velocities go on as in the liquid beside it, but for those of walls: beyond a wall the
+ *  liquid moves as the wall does.
+ *
+ *  The forces are the caller's business: a flow is evaluated whether or not they are those of this table. A central
+ *  force must have the same centre as the flow. */
+typedef struct sph2d_flow {
+    sph2d_flow_kind kind; /**< default none */
+    double speed;         /**< U [m/s], any sign; default 0 */
+    double length;        /**< L [m], > 0; default 0: must be given where it is read */
+    double depth;     /**< standing_wave: of the liquid at rest [m], > 0, may be INFINITY; default 0: must be given */
+    double center[2]; /**< [m]; default (0, 0) */
+} sph2d_flow;
+
+/** What a flow needs to know of the scene. */
+typedef struct sph2d_flow_context {
+    double density;           /**< rest density rho0 [kg/m^3], > 0 */
+    double dynamic_viscosity; /**< rho0 nu [Pa s], >= 0; poiseuille and couette: > 0 */
+    double surface_tension;   /**< sigma [N/m], >= 0: drop */
+    double gravity[2];        /**< [m/s^2]: still and standing_wave, the latter (0, -g) with g > 0 */
+    double central_rate;      /**< B [1/s], >= 0: strain; the acceleration is -B^2 (x - center) */
+} sph2d_flow_context;
+
+/** A flow with every default of this page. */
+SPH2D_API sph2d_flow sph2d_flow_default(void);
+
+/** The name of a kind, "taylor_green"; "unknown" for a value that is none. Static storage. */
+SPH2D_API const char *sph2d_flow_name(sph2d_flow_kind kind);
+
+/** Velocity [m/s] and pressure [Pa] at `count` points (x[i], y[i]) at a time [s], >= 0. Results that are not wanted may
+ *  be NULL, and so may `report`. Errors: SPH2D_INVALID for kind none, numbers out of range and for the patch after time
+ *  0, where no formula is known; the results are then left as they were. */
+SPH2D_API sph2d_status sph2d_flow_values(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
+                                         size_t count, const double *x, const double *y, double *vx, double *vy,
+                                         double *pressure, sph2d_report *report);
+
+/** The ellipse of kind strain at a time [s]: half axes along x and y [m] and the rate dvx/dx [1/s], each to 1e-10 of
+ *  its scale (for ten thousand radians of the swing). Results that are not wanted may be NULL. Errors: SPH2D_INVALID
+ *  for other kinds, numbers out of range, and times above 10000/sqrt((U/L)^2 + B^2). */
+SPH2D_API sph2d_status sph2d_flow_axes(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
+                                       double *a, double *b, double *rate, sph2d_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

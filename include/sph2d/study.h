@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study.h
+ *  Studies: one scene that runs several times with overrides, what is measured of each run, and what is expected of it.
+ *  Library libsph2d-io. Here is what a study file says; running it is up to the program, as `sph2d study` does.
+ *
+ *      scene: scene.yaml
+ *      runs:
+ *        - {name: coarse, set: {spacing: 0.02}}
+ *        - {name: fine, set: {spacing: 0.01}}
+ *      measures:
+ *        - {name: decay rate, probe: energy, column: kinetic, take: last, expect: 0.25, bound: 0.01, order: true}
+ *
+ *  In fields documented with "NaN: none" NaN means that the value is not given; a file cannot say NaN. */
+#ifndef SPH2D_STUDY_H
+#define SPH2D_STUDY_H
+
+#include "sph2d/io.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** One run of the scene: a row of the study's table. */
+typedef struct sph2d_study_run {
+    const char *name;                /**< for people; default: made from the overrides, "spacing=0.02" */
+    const sph2d_override *overrides; /**< on top of the scene, in their order; default none */
+    size_t override_count;
+    int skip; /**< 1: runs on demand alone, because it takes long; default 0 */
+} sph2d_study_run;
+
+/** Where a measure gets its numbers. */
+typedef enum sph2d_measure_source {
+    SPH2D_MEASURE_NONE = 0,
+    SPH2D_MEASURE_PROBE = 1,  /**< a column of a probe's series: time against value */
+    SPH2D_MEASURE_PROFILE = 2 /**< the liquid along a line, at the end of the run */
+} sph2d_measure_source;
+
+/** How a series becomes one number. Samples without a value, which probes give where no particle is near, do not count;
+ *  between samples the series is a straight line. */
+typedef enum sph2d_take {
+    SPH2D_TAKE_DEFAULT = 0, /**< the whole series where a reference is given, else `last` */
+    SPH2D_TAKE_LAST,        /**< the last sample */
+    SPH2D_TAKE_MAX,
+    SPH2D_TAKE_MIN,
+    SPH2D_TAKE_MEAN,     /**< over time */
+    SPH2D_TAKE_RMS,      /**< root of the mean square over time */
+    SPH2D_TAKE_SPREAD,   /**< max - min */
+    SPH2D_TAKE_PERIOD,   /**< mean time [s] from one upward crossing of `level` to the next */
+    SPH2D_TAKE_CROSSING, /**< time [s] when the series first comes to `level`, from either side */
+    SPH2D_TAKE_VALUE     /**< at the time `at` */
+} sph2d_take;
+
+/** How the differences from a reference become one number. */
+typedef enum sph2d_norm {
+    SPH2D_NORM_MAX = 0, /**< the largest absolute difference */
+    SPH2D_NORM_RMS = 1, /**< root of their mean square over the points of the reference */
+    SPH2D_NORM_MEAN = 2 /**< mean of the absolute differences over the points of the reference */
+} sph2d_norm;
+
+/** What a profile shows. */
+typedef enum sph2d_quantity {
+    SPH2D_QUANTITY_VX = 0,       /**< [m/s] */
+    SPH2D_QUANTITY_VY = 1,       /**< [m/s] */
+    SPH2D_QUANTITY_SPEED = 2,    /**< [m/s] */
+    SPH2D_QUANTITY_PRESSURE = 3, /**< [Pa] */
+    SPH2D_QUANTITY_DENSITY = 4   /**< [kg/m^3] */
+} sph2d_quantity;
+
+/** A line across the liquid. */
+typedef struct sph2d_study_profile {
+    sph2d_points line; /**< its two ends [m]; must be given */
+    sph2d_quantity value;
+} sph2d_study_profile;
+
+/** Points to compare with: two columns of a CSV file. Lines that start with # are comments, the first other line names
+ *  the columns. A name matches with and without its unit in brackets; a row with an empty cell or nan there is no
+ * point.
+ */
+typedef struct sph2d_study_reference {
+    const char *file; /**< path; in a study file relative to its folder */
+    const char *x;    /**< column of times [s], or for a profile of places along the line, 0 to 1 from end to end */
+    const char *y;    /**< column of values, in units of `scale` */
+} sph2d_study_reference;
+
+/** What is expected of a measure. */
+typedef enum sph2d_expectation {
+    SPH2D_EXPECT_NOTHING = 0,
+    SPH2D_EXPECT_NUMBER = 1,   /**< `expect` */
+    SPH2D_EXPECT_REFERENCE = 2 /**< `reference` */
+} sph2d_expectation;
+
+/** One thing that is measured of every run. */
+typedef struct sph2d_study_measure {
+    const char *name; /**< heading of its column; must be given */
+    sph2d_measure_source source;
+    const char *probe;           /**< name of a probe of the scene */
+    const char *column;          /**< of that probe, without its unit: sph2d_probe_columns() */
+    sph2d_study_profile profile; /**< needs a reference */
+    sph2d_take take;             /**< default: see there */
+    double level;                /**< period, crossing: in units of the column; NaN: none, for a period the mean */
+    double at;                   /**< value: when [s]; NaN: none */
+    double from, to;             /**< the part of the series that counts [s], both ends included; NaN: all of it */
+    double scale;                /**< the number that is taken is divided by it, > 0; default 1 */
+    sph2d_expectation expectation;
+    double expect; /**< in units of `scale` */
+    sph2d_study_reference reference;
+    sph2d_norm norm; /**< of the differences from the reference; default max */
+    int relative;    /**< 1: the error is |value/expect - 1|; default 0: |value - expect| */
+    double bound;    /**< an error above it makes the study fail, >= 0; NaN: none */
+    int order;       /**< 1: tell the observed order of convergence, log(e1/e2)/log(dx1/dx2); default 0 */
+} sph2d_study_measure;
+
+/** A study. */
+typedef struct sph2d_study {
+    const char *scene; /**< path of the scene file; in a study file relative to its folder */
+    const sph2d_study_run *runs;
+    size_t run_count; /**< 1 or more */
+    const sph2d_study_measure *measures;
+    size_t measure_count;
+} sph2d_study;
+
+/** A study that was read, with all that it points at. */
+typedef struct sph2d_study_file sph2d_study_file;
+
+/** Reads and checks a study file. Every fault is reported at once with file, line, column and source line. The scene
+ *  and the references are not opened: their paths are joined with the study file's folder. Errors: SPH2D_NOINPUT,
+ *  SPH2D_SCENE (rejected), SPH2D_NOMEM. The caller owns *file (NULL after a failure). */
+SPH2D_API sph2d_status sph2d_study_file_read(const char *path, sph2d_study_file **file, sph2d_report *report);
+
+/** The same from memory. `name` stands for the file in messages, and its folder in paths. */
+SPH2D_API sph2d_status sph2d_study_file_parse(const char *text, size_t length, const char *name,
+                                              sph2d_study_file **file, sph2d_report *report);
+
+/** Frees a study file and the study in it; NULL is fine. */
+SPH2D_API void sph2d_study_file_destroy(sph2d_study_file *file);
+
+/** The study, valid as long as the file. */
+SPH2D_API const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file);
+
+/** Completes a diagnostic about a key path of the study with file, line, column and source line: `measures[1].column`,
+ *  `runs[0].set[2]` for the third override of the first run. */
+SPH2D_API void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *diagnostic);
+
+/** The keys of a study file. Static storage. */
+SPH2D_API const sph2d_keys *sph2d_study_keys(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

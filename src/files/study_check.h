@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_check.h
+ *  What is wrong with a study beyond its keys and types. */
+#ifndef SPH2D_FILES_STUDY_CHECK_H
+#define SPH2D_FILES_STUDY_CHECK_H
+
+#include "files/tree.h"
+#include "sph2d/study.h"
+
+/** Reports numbers out of range, keys without a meaning beside others and keys that are missed, each at its place in
+ *  the tree. What could not be read is left alone. */
+void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d__faults *faults);
+
+#endif

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_file.c
+ *  Study files: text to tree, tree to structs, paths joined with the file's folder, names for rows without one. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "files/c_locale.h"
+#include "files/convert.h"
+#include "files/study_check.h"
+#include "files/text.h"
+#include "files/yaml.h"
+
+enum { MOST_BYTES = 64 << 20 };
+
+struct sph2d_study_file {
+    sph2d__pool pool;
+    sph2d__source source;
+    sph2d__node *root;
+    sph2d_study study;
+};
+
+void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *diagnostic)
+{
+    if (file && diagnostic)
+        sph2d__node_locate(file->root, diagnostic);
+}
+
+/* ---- names and paths --------------------------------------------------------------------------------------------- */
+
+/** `path` seen from the folder of the study; NULL when memory is short. */
+static const char *join(sph2d_study_file *file, const char *path)
+{
+    const char *name = file->source.name;
+    const char *slash = strrchr(name, '/');
+    size_t folder = slash && path[0] != '/' ? (size_t)(slash - name) + 1 : 0;
+    size_t size = folder + strlen(path) + 1;
+    char *joined = sph2d__pool_alloc(&file->pool, size, 1);
+    if (joined)
+        snprintf(joined, size, "%.*s%s", (int)folder, name, path);
+    return joined;
+}
+
+/** The last step of a key path: "sound_speed" of "method.sound_speed". */
+static const char *last_step(const char *path)
+{
+    const char *point = strrchr(path, '.');
+    return point && point[1] ? point + 1 : path;
+}
+
+/** "spacing=0.02, sound_speed=10"; NULL when memory is short. */
+static const char *made_name(sph2d_study_file *file, const sph2d_study_run *run)
+{
+    if (run->override_count == 0)
+        return "scene";
+    size_t size = 1, used = 0;
+    for (size_t i = 0; i < run->override_count; ++i)
+        size += strlen(last_step(run->overrides[i].path)) + strlen(run->overrides[i].value) + strlen(", =");
+    char *name = sph2d__pool_alloc(&file->pool, size, 1);
+    for (size_t i = 0; name && i < run->override_count; ++i)
+        used += (size_t)snprintf(name + used, size - used, "%s%s=%s", i > 0 ? ", " : "",
+                                 last_step(run->overrides[i].path), run->overrides[i].value);
+    return name;
+}
+
+/** A copy that fits on one line of any terminal; NULL when memory is short. */
+static const char *clean_name(sph2d_study_file *file, const char *name)
+{
+    char *copy = name ? sph2d__pool_text(&file->pool, name, strlen(name)) : NULL;
+    if (copy)
+        sph2d__text_clean(copy);
+    return copy;
+}
+
+/** Completes what was read. The lists are the pool's, so that they may be written to. False when memory is short. */
+static bool complete(sph2d_study_file *file)
+{
+    sph2d_study *study = &file->study;
+    study->scene = join(file, study->scene);
+    bool fine = study->scene != NULL;
+    sph2d_study_run *runs = sph2d__pool_alloc(&file->pool, study->run_count, sizeof *runs);
+    sph2d_study_measure *measures = sph2d__pool_alloc(&file->pool, study->measure_count, sizeof *measures);
+    if (!runs || !measures)
+        return false;
+    for (size_t i = 0; i < study->run_count; ++i) {
+        runs[i] = study->runs[i];
+        bool named = runs[i].name && runs[i].name[0];
+        runs[i].name = clean_name(file, named ? runs[i].name : made_name(file, &runs[i]));
+        fine = fine && runs[i].name;
+    }
+    for (size_t i = 0; i < study->measure_count; ++i) {
+        measures[i] = study->measures[i];
+        measures[i].name = clean_name(file, measures[i].name);
+        if (measures[i].expectation == SPH2D_EXPECT_REFERENCE)
+            measures[i].reference.file = join(file, measures[i].reference.file);
+        fine = fine && measures[i].name &&
+               (measures[i].expectation != SPH2D_EXPECT_REFERENCE || measures[i].reference.file);
+    }
+    study->runs = runs;
+    study->measures = measures;
+    return fine;
+}
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
+
+/** Whether the text holds a mapping; a fault otherwise. */
+static bool has_keys(const sph2d_study_file *file, sph2d__faults *faults)
+{
+    const sph2d__node *root = file->root;
+    if (root && root->kind == SPH2D__NODE_MAPPING)
+        return true;
+    if (faults->errors > 0)
+        return false;
+    sph2d_diagnostic *d;
+    if (!root || sph2d__node_is_null(root)) {
+        sph2d__place whole = {&file->source, SPH2D__NOWHERE};
+        d = sph2d__fault(faults, SPH2D_CODE_SYNTAX, whole, NULL, "there is no study in this file: it is empty");
+    } else {
+        char got[80];
+        d = sph2d__fault(faults, SPH2D_CODE_SYNTAX, root->place, NULL, "expected the keys of a study, got %s",
+                         sph2d__node_words(root, got, sizeof got));
+    }
+    sph2d_diagnostic_hint(d, "a study is a list of `key: value` lines: scene, runs and measures");
+    return false;
+}
+
+static sph2d_status read_study(sph2d_study_file *file, sph2d__faults *faults)
+{
+    sph2d_status status = sph2d__yaml_parse(&file->source, faults, &file->root);
+    if (status != SPH2D_OK)
+        return status;
+    if (!has_keys(file, faults))
+        return SPH2D_SCENE;
+    sph2d__converter converter = {&file->pool, faults};
+    sph2d__convert_mapping(&converter, sph2d_study_keys(), file->root, "", &file->study);
+    if (!faults->short_of_memory)
+        sph2d__study_check(&file->study, file->root, faults);
+    if (faults->short_of_memory)
+        return SPH2D_NOMEM;
+    if (faults->errors > 0)
+        return SPH2D_SCENE;
+    return complete(file) ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+sph2d_status sph2d_study_file_parse(const char *text, size_t length, const char *name, sph2d_study_file **file,
+                                    sph2d_report *report)
+{
+    if (!file)
+        return SPH2D_INVALID;
+    *file = NULL;
+    if ((!text && length > 0) || !name)
+        return SPH2D_INVALID;
+    sph2d_study_file *f = calloc(1, sizeof *f);
+    if (!f)
+        return SPH2D_NOMEM;
+    f->source = (sph2d__source){.name = sph2d__pool_text(&f->pool, name, strlen(name)),
+                                .text = sph2d__pool_text(&f->pool, text, length),
+                                .length = length,
+                                .has_lines = true};
+    sph2d__c_locale locale;
+    sph2d_status status = SPH2D_NOMEM;
+    if (f->source.name && f->source.text && sph2d__c_locale_begin(&locale)) {
+        sph2d__faults faults = {.report = report, .pool = &f->pool};
+        size_t first = report ? report->count : 0;
+        status = read_study(f, &faults);
+        sph2d__faults_sort(report, first);
+        sph2d__c_locale_end(&locale);
+    }
+    if (status == SPH2D_OK)
+        *file = f;
+    else
+        sph2d_study_file_destroy(f);
+    return status;
+}
+
+sph2d_status sph2d_study_file_read(const char *path, sph2d_study_file **file, sph2d_report *report)
+{
+    if (!file)
+        return SPH2D_INVALID;
+    *file = NULL;
+    if (!path)
+        return SPH2D_INVALID;
+    char *text;
+    size_t length;
+    sph2d_status status = sph2d__text_read(path, MOST_BYTES, &text, &length, report);
+    if (status == SPH2D_OK)
+        status = sph2d_study_file_parse(text, length, path, file, report);
+    free(text);
+    return status;
+}
+
+void sph2d_study_file_destroy(sph2d_study_file *file)
+{
+    if (!file)
+        return;
+    sph2d__pool_free(&file->pool);
+    free(file);
+}
+
+const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file)
+{
+    return &file->study;
+}

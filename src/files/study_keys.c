@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_keys.c
+ *  The table of a study's keys. The reader and the documentation read it. */
+#include <math.h>
+
+#include "sph2d/study.h"
+
+/* Each row: name, kind, required, ...; the columns that a kind needs are set by the macros below. */
+#define AT(type, member) .offset = offsetof(type, member)
+#define ANY .min = -INFINITY, .max = INFINITY
+#define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
+#define FROM_0 .min = 0, .max = INFINITY
+#define LIST_AT(type, member, counter) AT(type, member), .count_offset = offsetof(type, counter)
+#define CHOICE(type, member, value) .choice_offset = offsetof(type, member), .choice = (value)
+#define KEYS(name, type, fill)                                                                                         \
+    static const sph2d_keys name##_keys = {name##_items, sizeof name##_items / sizeof name##_items[0], sizeof(type),   \
+                                           fill}
+
+/* In the order of their enums; a flag is a word. */
+static const char *const flag_words[] = {"false", "true", NULL};
+static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
+                                         "spread",  "period", "crossing", "value", NULL};
+static const char *const norm_words[] = {"max", "rms", "mean", NULL};
+static const char *const quantity_words[] = {"vx", "vy", "speed", "pressure", "density", NULL};
+
+/* ---- runs -------------------------------------------------------------------------------------------------------- */
+
+static const sph2d_key override_items[] = {
+    {"key", SPH2D_KEY_TEXT, true, AT(sph2d_override, path), .unit = "", .text = "a key path of the scene"},
+    {"value", SPH2D_KEY_TEXT, true, AT(sph2d_override, value), .unit = "", .text = "its value"},
+};
+KEYS(override, sph2d_override, NULL);
+
+static const sph2d_key run_items[] = {
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_study_run, name), .unit = "", .standard = "made from set",
+     .text = "of the row"},
+    {"set", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study_run, overrides, override_count), .keys = &override_keys,
+     .as_mapping = true, .unit = "", .standard = "none",
+     .text = "keys of the scene with other values: {spacing: 0.02, method.cfl: 0.2}"},
+    {"skip", SPH2D_KEY_WORD, false, AT(sph2d_study_run, skip), .words = flag_words, .unit = "", .standard = "false",
+     .text = "leaves the row out unless all are asked for"},
+};
+KEYS(run, sph2d_study_run, NULL);
+
+/* ---- measures ---------------------------------------------------------------------------------------------------- */
+
+static const sph2d_key profile_items[] = {
+    {"line", SPH2D_KEY_POINTS, true, LIST_AT(sph2d_study_profile, line.items, line.count), ANY, .unit = "m",
+     .text = "its two ends [[x, y], [x, y]]"},
+    {"value", SPH2D_KEY_WORD, true, AT(sph2d_study_profile, value), .words = quantity_words, .unit = "",
+     .text = "what is compared"},
+};
+KEYS(profile, sph2d_study_profile, NULL);
+
+static const sph2d_key reference_items[] = {
+    {"file", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, file), .unit = "", .text = "a CSV file"},
+    {"x", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, x), .unit = "",
+     .text = "its column of times, or of places along the line from 0 to 1"},
+    {"y", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, y), .unit = "", .text = "its column of values"},
+};
+KEYS(reference, sph2d_study_reference, NULL);
+
+static void set_measure(void *out)
+{
+    *(sph2d_study_measure *)out =
+        (sph2d_study_measure){.level = NAN, .at = NAN, .from = NAN, .to = NAN, .scale = 1, .expect = NAN, .bound = NAN};
+}
+
+static const sph2d_key measure_items[] = {
+    {"name", SPH2D_KEY_TEXT, true, AT(sph2d_study_measure, name), .unit = "", .text = "heading of the column"},
+    {"probe", SPH2D_KEY_TEXT, false, AT(sph2d_study_measure, probe),
+     CHOICE(sph2d_study_measure, source, SPH2D_MEASURE_PROBE), .unit = "", .text = "name of a probe of the scene"},
+    {"profile", SPH2D_KEY_GROUP, false, AT(sph2d_study_measure, profile),
+     CHOICE(sph2d_study_measure, source, SPH2D_MEASURE_PROFILE), .keys = &profile_keys, .unit = "",
+     .text = "the liquid along a line at the end, instead of a probe"},
+    {"column", SPH2D_KEY_TEXT, false, AT(sph2d_study_measure, column), .unit = "",
+     .text = "of the probe, without its unit"},
+    {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
+     .standard = "last, or all for a reference", .text = "how the series becomes a number"},
+    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .standard = "the mean",
+     .text = "what a crossing or period refers to, in units of the column"},
+    {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, .unit = "s", .text = "value: the time"},
+    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, .unit = "s", .standard = "the start",
+     .text = "where the part of the series that counts begins"},
+    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, to), FROM_0, .unit = "s", .standard = "the end",
+     .text = "where it ends"},
+    {"scale", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, scale), ABOVE_0, .unit = "", .standard = "1",
+     .text = "divides what is taken; expect, reference and bound are in units of it"},
+    {"expect", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, expect), ANY,
+     CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_NUMBER), .unit = "", .text = "the right value"},
+    {"reference", SPH2D_KEY_GROUP, false, AT(sph2d_study_measure, reference),
+     CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_REFERENCE), .keys = &reference_keys, .unit = "",
+     .text = "points that the series or profile is compared with, instead of expect"},
+    {"norm", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, norm), .words = norm_words, .unit = "", .standard = "max",
+     .text = "of the differences from the reference"},
+    {"relative", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, relative), .words = flag_words, .unit = "",
+     .standard = "false", .text = "makes the error |value/expect - 1|"},
+    {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .standard = "none",
+     .text = "largest error; above it the study fails"},
+    {"order", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, order), .words = flag_words, .unit = "",
+     .standard = "false", .text = "tells the observed order of convergence between rows, listed from coarse to fine"},
+};
+KEYS(measure, sph2d_study_measure, set_measure);
+
+/* ---- the study --------------------------------------------------------------------------------------------------- */
+
+static const sph2d_key study_items[] = {
+    {"scene", SPH2D_KEY_TEXT, true, AT(sph2d_study, scene), .unit = "", .text = "the scene file, from this folder"},
+    {"runs", SPH2D_KEY_LIST, true, LIST_AT(sph2d_study, runs, run_count), .keys = &run_keys, .unit = "",
+     .text = "one row of the table each"},
+    {"measures", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, measures, measure_count), .keys = &measure_keys,
+     .unit = "", .standard = "none", .text = "one to three columns of the table each"},
+};
+KEYS(study, sph2d_study, NULL);
+
+const sph2d_keys *sph2d_study_keys(void)
+{
+    return &study_keys;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/** @file drops.c
+ *  Free liquid that turns rigidly, as a disc and as a square, and a drop at rest. */
+#include <math.h>
+
+#include "flows/flow.h"
+
+/** Velocity w (-y, x), w = U/L; dp/dr = rho w^2 r and p = 0 at r = L:
+ *
+ *      p = rho w^2/2 (r^2 - L^2)
+ *
+ *  Nothing is sheared, so that viscosity does nothing. All pressures are below 0. */
+sph2d__flow_value sph2d__flow_rotation(const sph2d__flow_moment *m, double x, double y)
+{
+    double w = m->flow->speed / m->flow->length;
+    double from_edge = x * x + y * y - m->flow->length * m->flow->length;
+    return (sph2d__flow_value){-w * y, w * x, m->context->density * w * w / 2 * fmin(0, from_edge)};
+}
+
+/* Where the terms of a patch's pressure end: those that follow come to less than 1e-11 of its largest value. */
+static const double REST = 1e-11;
+
+/** Solution q of laplace q = 2 in the square of side 1 around 0 with q = 0 on its sides. 1/4 - y^2 has the curvature
+ *  and is 0 on two sides; on the other two it is 8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y), which harmonic terms take
+ *  away:
+ *
+ *      q = -(1/4 - y^2) + 8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y) cosh(n pi x)/cosh(n pi/2)
+ *
+ *  They fall like exp(-n pi (1/2 - |x|)), fastest when x is the smaller of the coordinates. This is Saint-Venant's
+ *  function of a square shaft under torsion (Timoshenko & Goodier 1951, art. 94). */
+static double torsion(double x, double y)
+{
+    if (x > y)
+        return torsion(y, x);
+    if (!(y < 0.5))
+        return 0;
+    double sum = 0, sign = 1;
+    for (double n = 1;; n += 2) {
+        double inner = n * SPH2D__FLOW_PI * (0.5 - x), outer = n * SPH2D__FLOW_PI * (0.5 + x);
+        double fall = (exp(-inner) + exp(-outer)) / (1 + exp(-n * SPH2D__FLOW_PI)) / (n * n);
+        sum += sign * fall / n * cos(n * SPH2D__FLOW_PI * y);
+        sign = -sign;
+        if (!(fall >= REST)) /* NaN ends it too */
+            return y * y - 0.25 + 8 / (SPH2D__FLOW_PI * SPH2D__FLOW_PI * SPH2D__FLOW_PI) * sum;
+    }
+}
+
+/** A square of side L with the velocity of the disc (Colagrossi 2005; there it turns clockwise): laplace p = 2 rho w^2,
+ *  p = 0 on the sides. It does not stay a square. */
+sph2d__flow_value sph2d__flow_patch(const sph2d__flow_moment *m, double x, double y)
+{
+    double w = m->flow->speed / m->flow->length, u = m->flow->speed;
+    double q = torsion(fabs(x) / m->flow->length, fabs(y) / m->flow->length);
+    return (sph2d__flow_value){-w * y, w * x, m->context->density * u * u * q};
+}
+
+/** Laplace: surface tension around a disc, curved in one plane alone, presses by sigma/L. */
+sph2d__flow_value sph2d__flow_drop(const sph2d__flow_moment *m, double x, double y)
+{
+    double radius = m->flow->length;
+    return (sph2d__flow_value){0, 0, x * x + y * y <= radius * radius ? m->context->surface_tension / radius : 0};
+}

@@ -1,0 +1,151 @@
+#!/bin/sh
+# Studies: rows with overrides, errors beside speed, bounds that fail, faults with their places, a stop in the middle.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+cp "$TINY" scene.yaml
+printf '# of nobody\nt,u [m/s]\n0,0\n0.2,nan\n0.3,0.5\n9,9\n' >points.csv
+printf 'along,rho\n0.2,1\n0.8,1\n' >line.csv
+cat >study.yaml <<'END'
+scene: scene.yaml
+runs:
+  - {name: coarse, set: {spacing: 0.05, "blocks[0].velocity": [0.1, 0]}}
+  - set:
+      spacing: 0.04
+      run.until: 0.3
+  - {name: "costly, \"fine\"", set: {spacing: 0.03}, skip: true}
+measures:
+  - {name: top, probe: energy, column: kinetic, take: max, scale: 1000, expect: 0.1, order: true}
+  - {name: late, probe: corner, column: speed, from: 0.1}
+  - {name: speed, probe: corner, column: speed, reference: {file: points.csv, x: t, y: u}, norm: rms, bound: 1000}
+  - name: density
+    profile: {line: [[0.1, 0], [0.1, 0.2]], value: density}
+    reference: {file: line.csv, x: along, y: rho}
+    scale: 1000
+END
+
+# The table: a row each, in bars that are Markdown; nothing is written.
+expect 0 "$SPH2D" study study.yaml --progress never
+prints '^| row  *| particles | steps | CPU s | wall s | particle-steps/s | *top | *error | *order | *late | '
+prints '| speed: rms error | density: max error |$'
+prints '^|-*|-*:|' && prints '^| coarse ' && prints '^| spacing=0.04, until=0.3 | '
+prints '^[0-9]* threads* (.*), [a-z0-9]*$' && says 'row 2 of 3: spacing=0.04' && says '1 row left out; --all'
+lines 6
+[ "$(awk -F'|' '/^\|/ { print length($0), NF }' out | sort -u | wc -l)" = 1 ] || fail 'columns do not stand below each other'
+grep '^| coarse' out | awk -F'|' '{ exit !($3 > 0 && $4 > 0 && $8 > 0 && $9 > 0 && $10 ~ /^ *- $/) }' || fail 'no numbers'
+expect 0 "$SPH2D" study study.yaml --quiet && empty && silent
+[ "$(find . -name '*.csv' | wc -l)" = 2 ] || fail 'something was written without -o'
+
+# The same as JSON, with every row; overrides of the command line come last.
+expect 0 "$SPH2D" study study.yaml --json --all --progress never --set run.until=0.1 -j 1 --isa baseline && lines 1
+for key in study scene end passed threads isa rows row name set spacing particles time steps particle_steps \
+    step_cpu_seconds step_seconds particle_steps_per_second measures value expect relative error bound order; do
+    prints "\"$key\": "
+done
+prints '"name": "costly, \\"fine\\""' && prints '"isa": "baseline"' && prints '"blocks\[0\].velocity": "\[0.1, 0\]"'
+if command -v python3 >/dev/null; then
+    python3 -c 'import json; s = json.load(open("out")); assert [r["row"] for r in s["rows"]] == [1, 2, 3]
+assert all(0.1 <= r["time"] < 0.2 for r in s["rows"]) and s["passed"] and s["end"] == "finished"' || fail 'JSON'
+fi
+
+# With -o: the numbers in full, and the series as `run` writes them.
+expect 0 "$SPH2D" study study.yaml -q -o out.study --all && empty && silent
+[ "$(wc -l <out.study/study.csv)" = 4 ] || fail 'study.csv does not have three rows and a header'
+head -n 1 out.study/study.csv | grep -q '^row,name,end,spacing \[m\],.*,top,top error,top order,late,speed error,density' ||
+    fail 'the header of study.csv'
+grep -q '^3,"costly, ""fine""",finished,0.029999999999999999,' out.study/study.csv || fail 'a quoted name'
+[ "$(find out.study -type f | wc -l)" = 7 ] || fail 'not study.csv and two series a row'
+expect 0 "$SPH2D" run scene.yaml -q --no-frames -o plain -s 'blocks[0].velocity=[0.1, 0]'
+same plain/energy.csv out.study/series_1_energy.csv && same plain/corner.csv out.study/series_1_corner.csv
+expect 73 "$SPH2D" study study.yaml -o out.study && says 'F207'
+expect 0 "$SPH2D" study study.yaml -q -o out.study --force && [ "$(wc -l <out.study/study.csv)" = 3 ]
+
+# An error above its bound, and one that cannot be told: 1, with a sentence that names all.
+cat >miss.yaml <<'END'
+scene: scene.yaml
+runs: [{set: {}}, {name: second, set: {spacing: 0.04}}]
+measures:
+  - {name: top, probe: energy, column: kinetic, take: max, expect: 1, relative: true, bound: 0.25}
+  - {name: never, probe: energy, column: kinetic, take: crossing, level: -1, expect: 1, bound: 2}
+  - {name: speed, probe: corner, column: speed, reference: {file: points.csv, x: t, y: u}, bound: 1e-9}
+END
+expect 1 "$SPH2D" study miss.yaml --progress never
+says "row 'scene': 'top' is [0-9.]*, so its relative error [0-9.]* exceeds the bound 0.25" && prints '| relative error |'
+says "row 'second': 'never' has no value" && says "no value of 'never': the series does not come to its level"
+says "row 'second': the error [0-9.]* of 'speed' exceeds the bound 1e-09"
+expect 1 "$SPH2D" study miss.yaml --json -q && prints '"passed": false' && prints '"value": null'
+
+# A guard stops its row alone.
+cat >guard.yaml <<'END'
+scene: scene.yaml
+runs: [{name: bad, set: {method.time_step: 0.2, run.until: 5}}, {name: good, set: {}}]
+measures: [{name: top, probe: energy, column: kinetic, take: max}]
+END
+expect 1 "$SPH2D" study guard.yaml --progress never -o stopped
+says "error\[R30[1-4]\].*row 'bad': " && prints '^| bad  *| guard  *|' && prints '^| good | finished |.* [0-9.]* |$'
+present stopped/series_1_energy.csv && grep -q '^1,bad,guard,.*,nan$' stopped/study.csv
+
+# bad CODE PATTERN: the study on stdin is refused before anything runs.
+bad() {
+    cat >bad.yaml
+    expect "$1" "$SPH2D" study bad.yaml -o refused && says "$2" && empty
+    absent refused
+}
+runs='scene: scene.yaml
+runs: [{set: {}}]
+measures:
+'
+printf '%s  - {name: a, probe: enrgy, column: kinetic}\n' "$runs" |
+    bad 65 "^bad.yaml:4:22: error\[S103\]: measures\[0\].probe: the scene has no probe 'enrgy'" && says "mean 'energy'"
+printf '%s  - {name: a, probe: energy, column: mass}\n' "$runs" | bad 65 "^bad.yaml:4:38: .*no column 'mass'"
+says 'its columns: kinetic, potential'
+printf '%s  - {name: a, probe: energy, column: kinetic, take: value, at: 3}\n' "$runs" | bad 65 '4:64: .*after the end'
+printf '%s  - {name: a, profile: {line: [[0, 0], [0, 3]], value: vx}, reference: {file: line.csv, x: along, y: rho}}\n' \
+    "$runs" | bad 65 '^bad.yaml:4:31: error\[S107\]'
+printf '%s  - {nme: a, probe: energy, column: kinetic}\n' "$runs" | bad 65 "^bad.yaml:4:6: error\[S101\]" && says S105
+printf 'scene: scene.yaml\nruns: [{set: {spacign: 1}}]\n' | bad 65 '^bad.yaml:2:24: error\[S101\].*spacign'
+says "did you mean 'spacing'"
+printf 'scene: scene.yaml\nruns:\n  - {}\n  - set:\n      blocks[7].velocity: [0, 1]\n' | bad 65 '^bad.yaml:5:27: '
+printf 'scene: nothing.yaml\nruns: [{set: {}}]\n' | bad 66 "F201.*nothing.yaml"
+printf '%s  - {name: a, probe: energy, column: kinetic, reference: {file: nothing.csv, x: t, y: u}}\n' "$runs" |
+    bad 66 'F201.*nothing.csv'
+printf '%s  - {name: a, probe: energy, column: kinetic, reference: {file: points.csv, x: t, y: w}}\n' "$runs" |
+    bad 65 "^points.csv:2:1: error\[F204\]: there is no column 'w'"
+printf '' | bad 65 'S100'
+expect 65 "$SPH2D" study study.yaml --set spacign=1 && says '^--set spacign=1: error\[S101\]'
+expect 66 "$SPH2D" study nothing.yaml && says 'F201'
+expect 64 "$SPH2D" study && says 'a study file must be given'
+expect 64 "$SPH2D" study a b
+expect 64 "$SPH2D" run "$TINY" --all && says 'not an option of this command'
+
+# A signal in the second row: the first is in the table, and on disk.
+cat >long.yaml <<'END'
+scene: scene.yaml
+runs: [{name: short, set: {}}, {name: long, set: {run.until: 1e5}}, {name: later, set: {}}]
+measures: [{name: top, probe: energy, column: kinetic, take: max}]
+END
+env --default-signal=INT,TERM "$SPH2D" study long.yaml -o long -j 1 --progress never >out 2>err &
+pid=$!
+tries=0
+until grep -q 'row 2 of 3' err; do
+    tries=$((tries + 1))
+    [ $tries -lt 3000 ] || fail 'no second row within a minute'
+    sleep 0.02
+done
+sleep 0.2
+kill -INT $pid
+code=0
+wait $pid || code=$?
+[ $code = 130 ] || fail "SIGINT: ended with $code"
+says "stopped in row 'long' at t = " && prints '^| short ' && lines 5
+[ "$(wc -l <long/study.csv)" = 2 ] && present long/series_1_energy.csv && absent long/series_2_energy.csv
+[ "$(find long -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
+
+# Nowhere to write.
+code=0
+"$SPH2D" study study.yaml -q --json >/dev/full 2>err || code=$?
+[ $code = 74 ] || fail "a full stdout ended with $code"
+printf '%s  - {name: a, probe: energy, column: kinetic}\n' "$runs" >one.yaml
+(ulimit -f 1 && exec "$SPH2D" study one.yaml -q -o full) 2>err && fail 'a full disk is no success'
+says 'F206.*full/'
+[ "$(find full -type f -name '.*' | wc -l)" = 0 ] || fail 'temporary files are left'
