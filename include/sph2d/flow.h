@@ -15,7 +15,6 @@
 #ifndef SPH2D_FLOW_H
 #define SPH2D_FLOW_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "sph2d/export.h"
@@ -92,15 +91,17 @@ SPH2D_API sph2d_flow sph2d_flow_default(void);
 SPH2D_API const char *sph2d_flow_name(sph2d_flow_kind kind);
 
 /** Velocity [m/s] and pressure [Pa] at `count` points (x[i], y[i]) at a time [s], >= 0. Results that are not wanted may
- *  be NULL, and so may `report`. Errors: SPH2D_INVALID for kind none, numbers out of range and for the patch after time
- *  0, where no formula is known; the results are then left as they were. */
+ *  be NULL, and so may `report`. Kind strain follows its ellipse anew in each call. Errors: SPH2D_INVALID for kind
+ *  none, for numbers out of range, and for the patch after time 0, where no formula is known; the results are then left
+ *  as they were. */
 SPH2D_API sph2d_status sph2d_flow_values(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
                                          size_t count, const double *x, const double *y, double *vx, double *vy,
                                          double *pressure, sph2d_report *report);
 
-/** The ellipse of kind strain at a time [s]: half axes along x and y [m] and the rate dvx/dx [1/s], each to 1e-10 of
- *  its scale (for ten thousand radians of the swing). Results that are not wanted may be NULL. Errors: SPH2D_INVALID
- *  for other kinds, numbers out of range, and times above 10000/sqrt((U/L)^2 + B^2). */
+/** The ellipse of kind strain at a time [s]: half axes along x and y [m] and the rate dvx/dx [1/s], to 1e-10 up to time
+ *  1000 T with T = 1/sqrt((U/L)^2 + B^2), then to 1e-9. It is followed from time 0 on, which takes milliseconds for
+ *  100 T. Results that are not wanted may be NULL. Errors: SPH2D_INVALID for other kinds, numbers out of range, and
+ *  times above 10000 T. */
 SPH2D_API sph2d_status sph2d_flow_axes(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
                                        double *a, double *b, double *rate, sph2d_report *report);
 

@@ -167,6 +167,9 @@ typedef struct sph2d_fluid {
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
 } sph2d_fluid;
 
+/** Off or on. */
+typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_switch;
+
 /** The solver and its numbers. A method refuses what it does not have, but for the default. */
 typedef struct sph2d_method_options {
     sph2d_method name;                   /**< default muller */
@@ -180,6 +183,9 @@ typedef struct sph2d_method_options {
                                               kinematic viscosity alpha h c0 / 8; default 0 */
     double shifting;                     /**< wcsph: strength of particle shifting over the standard one, 0 to 2;
                                               default 1 */
+    sph2d_switch tensile_control; /**< wcsph, symmetric operators: inside liquid under tension particles push each
+                                       other apart all the same (Sun et al. 2018); momentum is then not kept to
+                                       round-off; default on */
     double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
                                  wcsph 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with
                                h the height of the liquid above the lowest side, U its fastest start or source, pull the

@@ -20,28 +20,29 @@ sph2d__flow_value sph2d__flow_rotation(const sph2d__flow_moment *m, double x, do
 /* Where the terms of a patch's pressure end: those that follow come to less than 1e-11 of its largest value. */
 static const double REST = 1e-11;
 
-/** Solution q of laplace q = 2 in the square of side 1 around 0 with q = 0 on its sides. 1/4 - y^2 has the curvature
- *  and is 0 on two sides; on the other two it is 8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y), which harmonic terms take
- *  away:
+/** Solution q of laplace q = 2 in the square of side 1 around 0, with q = 0 on its sides, at (|x|, |y|). y^2 - 1/4 has
+ *  that curvature and is 0 on two sides. On the other two it is -8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y), which
+ *  harmonic terms take away:
  *
- *      q = -(1/4 - y^2) + 8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y) cosh(n pi x)/cosh(n pi/2)
+ *      q = y^2 - 1/4 + 8/pi^3 sum_{n odd} (+-)1/n^3 cos(n pi y) cosh(n pi x)/cosh(n pi/2)
  *
- *  They fall like exp(-n pi (1/2 - |x|)), fastest when x is the smaller of the coordinates. This is Saint-Venant's
- *  function of a square shaft under torsion (Timoshenko & Goodier 1951, art. 94). */
+ *  They fall like exp(-n pi (1/2 - x)), fastest when x is the smaller of the coordinates. This is Saint-Venant's
+ *  function of a square shaft under torsion (Timoshenko & Goodier 1951, rectangular bars). */
 static double torsion(double x, double y)
 {
     if (x > y)
         return torsion(y, x);
     if (!(y < 0.5))
         return 0;
+    const double pi = SPH2D__FLOW_PI;
     double sum = 0, sign = 1;
     for (double n = 1;; n += 2) {
-        double inner = n * SPH2D__FLOW_PI * (0.5 - x), outer = n * SPH2D__FLOW_PI * (0.5 + x);
-        double fall = (exp(-inner) + exp(-outer)) / (1 + exp(-n * SPH2D__FLOW_PI)) / (n * n);
-        sum += sign * fall / n * cos(n * SPH2D__FLOW_PI * y);
+        double inner = exp(-n * pi * (0.5 - x)), outer = exp(-n * pi * (0.5 + x));
+        double fall = (inner + outer) / (1 + exp(-n * pi)) / (n * n);
+        sum += sign * fall / n * cos(n * pi * y);
         sign = -sign;
         if (!(fall >= REST)) /* NaN ends it too */
-            return y * y - 0.25 + 8 / (SPH2D__FLOW_PI * SPH2D__FLOW_PI * SPH2D__FLOW_PI) * sum;
+            return y * y - 0.25 + 8 / (pi * pi * pi) * sum;
     }
 }
 

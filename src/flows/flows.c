@@ -2,6 +2,7 @@
 /** @file flows.c
  *  The table of known flows, and what all share: checks of the numbers and the loop over points. */
 #include <math.h>
+#include <stdbool.h>
 
 #include "flows/flow.h"
 
@@ -57,7 +58,7 @@ static sph2d_status refuse(sph2d_report *report, sph2d_code code, const char *me
 }
 
 /** A fault unless the value is finite. */
-static bool finite(sph2d_report *report, const char *what, double value)
+static bool is_finite(sph2d_report *report, const char *what, double value)
 {
     if (!isfinite(value))
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL, "%s of a flow is %g: must be finite", what,
@@ -66,7 +67,7 @@ static bool finite(sph2d_report *report, const char *what, double value)
 }
 
 /** A fault unless the value is above 0. */
-static bool positive(sph2d_report *report, const char *what, double value)
+static bool is_positive(sph2d_report *report, const char *what, double value)
 {
     if (!(value > 0))
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL, "%s of a flow is %g: must be above 0",
@@ -75,7 +76,7 @@ static bool positive(sph2d_report *report, const char *what, double value)
 }
 
 /** A fault unless the value is 0 or above. */
-static bool not_negative(sph2d_report *report, const char *what, double value)
+static bool is_not_negative(sph2d_report *report, const char *what, double value)
 {
     if (!(value >= 0))
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL, "%s of a flow is %g: must be at least 0",
@@ -86,27 +87,27 @@ static bool not_negative(sph2d_report *report, const char *what, double value)
 /** The scene's numbers. */
 static bool check_context(const sph2d_flow_context *c, sph2d_report *report)
 {
-    bool good = positive(report, "the density", c->density) && finite(report, "the density", c->density);
-    good &= not_negative(report, "the viscosity", c->dynamic_viscosity) &&
-            finite(report, "the viscosity", c->dynamic_viscosity);
-    good &= not_negative(report, "the surface tension", c->surface_tension) &&
-            finite(report, "the surface tension", c->surface_tension);
-    good &= finite(report, "gravity", c->gravity[0]) && finite(report, "gravity", c->gravity[1]);
-    good &= not_negative(report, "the central force's rate", c->central_rate) &&
-            finite(report, "the central force's rate", c->central_rate);
+    bool good = is_positive(report, "the density", c->density) && is_finite(report, "the density", c->density);
+    good &= is_not_negative(report, "the viscosity", c->dynamic_viscosity) &&
+            is_finite(report, "the viscosity", c->dynamic_viscosity);
+    good &= is_not_negative(report, "the surface tension", c->surface_tension) &&
+            is_finite(report, "the surface tension", c->surface_tension);
+    good &= is_finite(report, "gravity", c->gravity[0]) && is_finite(report, "gravity", c->gravity[1]);
+    good &= is_not_negative(report, "the central force's rate", c->central_rate) &&
+            is_finite(report, "the central force's rate", c->central_rate);
     return good;
 }
 
 /** The flow's own numbers, where its kind reads them. */
 static bool check_flow(const sph2d_flow *f, unsigned reads, sph2d_report *report)
 {
-    bool good = finite(report, "the centre", f->center[0]) && finite(report, "the centre", f->center[1]);
+    bool good = is_finite(report, "the centre", f->center[0]) && is_finite(report, "the centre", f->center[1]);
     if (reads & SPEED)
-        good &= finite(report, "the speed", f->speed);
+        good &= is_finite(report, "the speed", f->speed);
     if (reads & LENGTH)
-        good &= positive(report, "the length", f->length) && finite(report, "the length", f->length);
+        good &= is_positive(report, "the length", f->length) && is_finite(report, "the length", f->length);
     if (reads & DEPTH)
-        good &= positive(report, "the depth", f->depth);
+        good &= is_positive(report, "the depth", f->depth);
     return good;
 }
 
@@ -134,7 +135,7 @@ static sph2d_status begin(sph2d__flow_moment *m, const sph2d_flow *flow, const s
     if ((unsigned)flow->kind >= KINDS || !kinds[flow->kind].at)
         return refuse(report, SPH2D_CODE_GENERAL, "the flow is none of the known ones");
     unsigned reads = kinds[flow->kind].reads;
-    bool good = not_negative(report, "the time", time) && finite(report, "the time", time);
+    bool good = is_not_negative(report, "the time", time) && is_finite(report, "the time", time);
     good &= check_flow(flow, reads, report);
     good &= check_context(context, report);
     if (!good)

@@ -49,12 +49,77 @@ SPH2D__INLINE sph2d__lanes flux_of(const pair *p, double vx, double vy, const sp
     return p->g * ((vx - sph2d__lanes_load(from->vx + j)) * p->dx + (vy - sph2d__lanes_load(from->vy + j)) * p->dy);
 }
 
+/** What is summed for the rate of density, and for the way of a shifted particle. */
+typedef struct rate_sums {
+    sph2d__lanes flux, smooth;
+    sph2d__lanes xx, xy, yy;     /* M without its constant */
+    sph2d__lanes ux, uy, vx, vy; /* velocity differences times grad W */
+    sph2d__lanes nearest2;       /* squared distance to the surface */
+} rate_sums;
+
+/* Particles less full than this are the free surface. */
+static const double SURFACE = 0.6;
+
+/** Adds what a shifted particle needs: velocity differences around it, and where the surface is. */
+SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, double vx, double vy, const sph2d__store *f, size_t j,
+                           double left, double far2)
+{
+    sph2d__lanes vg = p->g * sph2d__lanes_load(f->volume + j);
+    sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
+    sph2d__lanes dvx = vx - sph2d__lanes_load(f->vx + j), dvy = vy - sph2d__lanes_load(f->vy + j);
+    sums->xx += gx * p->dx;
+    sums->xy += gx * p->dy;
+    sums->yy += gy * p->dy;
+    sums->ux += gx * dvx;
+    sums->uy += gy * dvx;
+    sums->vx += gx * dvy;
+    sums->vy += gy * dvy;
+    sph2d__lanes far = (sph2d__lanes){0} + far2;
+    sph2d__lanes away = sph2d__lanes_below(sph2d__lanes_load(f->fullness + j), SURFACE, p->r2, far);
+    away = sph2d__lanes_below(sph2d__lanes_first(far, left), 0.5 * far2, far, away);
+    sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -away);
+}
+
+/** The smallest of all lanes. */
+static double least(sph2d__lanes a)
+{
+    double least = a[0];
+    for (int l = 1; l < SPH2D__LANES; ++l)
+        least = a[l] < least ? a[l] : least;
+    return least;
+}
+
+/** Inverts M and gives a gradient from its sums, both without the same constant; zero where neighbours are on a line.
+ */
+static void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
+{
+    double det = xx * yy - xy * xy;
+    bool sound = det > 1e-3 * (xx + yy) * (xx + yy);
+    *gx = sound ? (yy * bx - xy * by) / det : 0;
+    *gy = sound ? (xx * by - xy * bx) / det : 0;
+}
+
+/** Velocity and density change along the shift as the fields around say (Sun et al. 2019); old_ax and old_ay hold that
+ *  of velocity until the step is made. */
+static void finish_way(sph2d__store *f, size_t i, const rate_sums *sums)
+{
+    double xx = sph2d__lanes_total(sums->xx), xy = sph2d__lanes_total(sums->xy), yy = sph2d__lanes_total(sums->yy);
+    double ux, uy, vx, vy;
+    corrected(xx, xy, yy, sph2d__lanes_total(sums->ux), sph2d__lanes_total(sums->uy), &ux, &uy);
+    corrected(xx, xy, yy, sph2d__lanes_total(sums->vx), sph2d__lanes_total(sums->vy), &vx, &vy);
+    f->old_ax[i] = f->shift_x[i] * ux + f->shift_y[i] * uy;
+    f->old_ay[i] = f->shift_x[i] * vx + f->shift_y[i] * vy;
+    f->density_rate[i] += f->shift_x[i] * f->slope_x[i] + f->shift_y[i] * f->slope_y[i];
+    f->surface[i] = f->fullness[i] < SURFACE ? 0 : sqrt(least(sums->nearest2));
+}
+
 SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
     const sph2d__store *walls = &s->walls;
     double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
-    bool diffuse = spread > 0;
+    double far2 = s->support * s->support;
+    bool diffuse = spread > 0, way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
@@ -63,19 +128,21 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
         for (size_t i = 0; i < f->count; ++i) {
             double x = f->x[i], y = f->y[i], vx = f->vx[i], vy = f->vy[i];
             double rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
-            sph2d__lanes flux = {0}, smooth = {0};
+            rate_sums sums = {.nearest2 = (sph2d__lanes){0} + far2};
             sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
             SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
                 pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, f, j, left);
-                flux += flux_of(&p, vx, vy, f, j);
+                sums.flux += flux_of(&p, vx, vy, f, j);
                 if (diffuse) {
                     sph2d__lanes linear = (sx + sph2d__lanes_load(f->slope_x + j)) * p.dx +
                                           (sy + sph2d__lanes_load(f->slope_y + j)) * p.dy;
-                    smooth += p.g * sph2d__lanes_load(f->volume + j) *
-                              (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
+                    sums.smooth += p.g * sph2d__lanes_load(f->volume + j) *
+                                   (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
                 }
+                if (way)
+                    add_way(&sums, &p, vx, vy, f, j, left, far2);
             }
-            double rate = s->mass * sph2d__lanes_total(flux) + spread * sph2d__lanes_total(smooth);
+            double rate = s->mass * sph2d__lanes_total(sums.flux) + spread * sph2d__lanes_total(sums.smooth);
             if (near_walls(s, &wall_cursor, x, y)) {
                 sph2d__lanes wall_flux = {0};
                 SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
@@ -85,6 +152,8 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
                 rate += sph2d__lanes_total(wall_flux);
             }
             f->density_rate[i] = scale * rate;
+            if (way)
+                finish_way(f, i, &sums);
         }
     }
 }
@@ -149,22 +218,43 @@ SPH2D__INLINE void walls_with(sph2d__system *s, sph2d_kernel kernel)
 
 /** What is summed for the force and the slope of density. */
 typedef struct force_sums {
+    sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
     sph2d__lanes press_x, press_y, morris_x, morris_y, monaghan_x, monaghan_y;
     sph2d__lanes xx, xy, yy, slope_x, slope_y;
+    sph2d__lanes crowd_x, crowd_y;
 } force_sums;
 
 /** Terms that a scene may do without. */
 typedef struct terms {
     double morris, monaghan; /**< dynamic viscosity [Pa s] of each form */
     bool slope;              /**< density diffusion needs the slope of density */
+    bool full;               /**< shifting or tensile control needs to know the free surface */
+    bool shift;              /**< particles are shifted */
+    double near;             /**< 1/f(dx/H) */
     bool sticky;             /**< walls are rough */
 } terms;
 
 /** The particle that feels. */
 typedef struct receiver {
     double x, y, vx, vy, density;
-    double push; /**< p V^2 */
 } receiver;
+
+/** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
+SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
+                              sph2d__lanes vg)
+{
+    if (with->shift) {
+        sph2d__lanes q = sph2d__lanes_sqrt(p->r2) * (1 / support);
+        sph2d__lanes near = sph2d__kernel_value(kernel, q) * with->near;
+        near *= near;
+        sph2d__lanes crowd = vg * (1 + 0.2 * near * near);
+        sums->crowd_x += crowd * p->dx;
+        sums->crowd_y += crowd * p->dy;
+    }
+    sums->xx += vg * p->dx * p->dx;
+    sums->xy += vg * p->dx * p->dy;
+    sums->yy += vg * p->dy * p->dy;
+}
 
 SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair *p, sph2d__lanes vg, sph2d__lanes dvx,
                                  sph2d__lanes dvy)
@@ -179,20 +269,21 @@ SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair
     }
 }
 
-SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, const pair *p, const receiver *me,
-                              const sph2d__store *f, size_t j)
+SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
+                              const receiver *me, const sph2d__store *f, size_t j)
 {
     sph2d__lanes volume = sph2d__lanes_load(f->volume + j), vg = volume * p->g;
-    sph2d__lanes press = p->g * (me->push + sph2d__lanes_load(f->pressure + j) * volume * volume);
+    sph2d__lanes press = p->g * sph2d__lanes_load(f->pressure + j) * volume * volume;
+    sums->plain_x += p->g * p->dx;
+    sums->plain_y += p->g * p->dy;
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
     if (with->morris > 0 || with->monaghan > 0)
         add_viscosity(sums, with, p, vg, me->vx - sph2d__lanes_load(f->vx + j), me->vy - sph2d__lanes_load(f->vy + j));
+    if (with->slope || with->full)
+        add_layout(sums, with, kernel, support, p, vg);
     if (with->slope) {
         sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
-        sums->xx += gx * p->dx;
-        sums->xy += gx * p->dy;
-        sums->yy += gy * p->dy;
         sph2d__lanes drho = sph2d__lanes_load(f->density + j) - me->density;
         sums->slope_x += gx * drho;
         sums->slope_y += gy * drho;
@@ -200,14 +291,18 @@ SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, const pair *p
 }
 
 /** Boundary particles have masses of their own. */
-SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, const pair *p, const receiver *me,
-                            const sph2d__store *w, size_t j, double mass)
+SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
+                            const receiver *me, const sph2d__store *w, size_t j, double mass)
 {
     sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * (1 / mass);
     sph2d__lanes own = sph2d__lanes_max(ratio, (sph2d__lanes){0} + 1e-300);
-    sph2d__lanes press = p->g * (ratio * me->push + sph2d__lanes_load(w->pressure + j) * volume * volume / own);
+    sph2d__lanes press = p->g * sph2d__lanes_load(w->pressure + j) * volume * volume / own;
+    sums->plain_x += p->g * ratio * p->dx;
+    sums->plain_y += p->g * ratio * p->dy;
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
+    if (with->full)
+        add_layout(sums, with, kernel, support, p, volume * p->g);
     if (with->sticky)
         add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->image_vx + j),
                       me->vy - sph2d__lanes_load(w->image_vy + j));
@@ -219,17 +314,46 @@ static void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
 {
     double xx = -sph2d__lanes_total(sums->xx), xy = -sph2d__lanes_total(sums->xy), yy = -sph2d__lanes_total(sums->yy);
     double bx = sph2d__lanes_total(sums->slope_x), by = sph2d__lanes_total(sums->slope_y);
-    double det = xx * yy - xy * xy;
-    bool sound = det > 1e-3 * (xx + yy) * (xx + yy);
-    f->slope_x[i] = sound ? (yy * bx - xy * by) / det : 0;
-    f->slope_y[i] = sound ? (xx * by - xy * bx) / det : 0;
+    corrected(xx, xy, yy, bx, by, &f->slope_x[i], &f->slope_y[i]);
 }
 
-/** Adds the acceleration that the sums stand for. */
-static void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double density, double *ax,
-                     double *ay)
+/** How far the neighbourhood is filled: the smaller eigenvalue of M, 1 in the bulk, near 0.5 at a flat surface, less in
+ *  spray (Marrone et al. 2010, eq. 8; there of the inverse). */
+static double fullness_of(const force_sums *sums, double scale)
+{
+    double xx = -scale * sph2d__lanes_total(sums->xx), xy = -scale * sph2d__lanes_total(sums->xy);
+    double yy = -scale * sph2d__lanes_total(sums->yy);
+    double middle = (xx + yy) / 2, half = (xx - yy) / 2;
+    return middle - sqrt(half * half + xy * xy);
+}
+
+/* Below the first, spray: no shift. Up to the second, near a surface: along it alone (Sun et al. 2017). */
+static const double SPRAY = 0.4, BULK = 0.75;
+
+/** The shift velocity from the crowding, which near a free surface has no part across it. */
+static void finish_shift(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
+{
+    sph2d__store *f = &s->fluid;
+    double unit = -s->shift_gain * s->speed * s->support * scale, most = 0.5 * s->speed;
+    double wx = unit * sph2d__lanes_total(sums->crowd_x), wy = unit * sph2d__lanes_total(sums->crowd_y);
+    if (fullness < BULK || f->surface[i] < s->support) {
+        double nx = sph2d__lanes_total(sums->plain_x), ny = sph2d__lanes_total(sums->plain_y), n2 = nx * nx + ny * ny;
+        double across = n2 > 0 ? (wx * nx + wy * ny) / n2 : 0;
+        wx -= across * nx;
+        wy -= across * ny;
+    }
+    double w = sqrt(wx * wx + wy * wy), less = fullness < SPRAY ? 0 : w > most ? most / w : 1;
+    f->shift_x[i] = less * wx;
+    f->shift_y[i] = less * wy;
+}
+
+/** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle. */
+static void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double own, double density,
+                     double *ax, double *ay)
 {
     double scale = slope_scale(s), press = -scale / s->mass;
+    *ax += press * own * sph2d__lanes_total(sums->plain_x);
+    *ay += press * own * sph2d__lanes_total(sums->plain_y);
     double morris = 2 * with->morris * scale / density, monaghan = 8 * with->monaghan * scale / density;
     *ax += press * sph2d__lanes_total(sums->press_x) + morris * sph2d__lanes_total(sums->morris_x) +
            monaghan * sph2d__lanes_total(sums->monaghan_x);
@@ -241,8 +365,12 @@ static terms terms_of(const sph2d__system *s)
 {
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    terms with = {morris ? s->viscosity : 0, artificial + (morris ? 0 : s->viscosity), s->method.density_diffusion > 0,
-                  false};
+    terms with = {.morris = morris ? s->viscosity : 0,
+                  .monaghan = artificial + (morris ? 0 : s->viscosity),
+                  .slope = s->method.density_diffusion > 0,
+                  .shift = s->method.shifting > 0};
+    with.full = with.shift || s->method.tensile_control == SPH2D_SWITCH_ON;
+    with.near = 1 / sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
     with.sticky = s->wall_slip == SPH2D_SLIP_NONE && (with.morris > 0 || with.monaghan > 0);
     return with;
 }
@@ -251,29 +379,38 @@ SPH2D__INLINE void force_with(sph2d__system *s, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
     terms with = terms_of(s);
+    double scale = slope_scale(s);
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
         sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t i = 0; i < f->count; ++i) {
-            receiver me = {f->x[i],  f->y[i],       f->vx[i],
-                           f->vy[i], f->density[i], f->pressure[i] * f->volume[i] * f->volume[i]};
-            double ax = 0, ay = 0;
+            receiver me = {f->x[i], f->y[i], f->vx[i], f->vy[i], f->density[i]};
+            double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
             force_sums sums = {0};
             sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
             SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
                 pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, f, j, left);
-                add_liquid(&sums, &with, &p, &me, f, j);
+                add_liquid(&sums, &with, kernel, s->support, &p, &me, f, j);
             }
             if (with.slope)
                 finish_slope(f, i, &sums);
             if (near_walls(s, &wall_cursor, me.x, me.y))
                 SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
                     pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &s->walls, j, left);
-                    add_wall(&sums, &with, &p, &me, &s->walls, j, s->mass);
+                    add_wall(&sums, &with, kernel, s->support, &p, &me, &s->walls, j, s->mass);
                 }
-            add_sums(s, &sums, &with, me.density, &ax, &ay);
+            if (with.full) {
+                double fullness = fullness_of(&sums, scale);
+                bool inside = fullness > BULK && f->surface[i] >= s->support;
+                f->fullness[i] = fullness;
+                if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
+                    own = -own;
+                if (with.shift)
+                    finish_shift(s, i, &sums, fullness, scale);
+            }
+            add_sums(s, &sums, &with, own, me.density, &ax, &ay);
             sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
             f->ax[i] = ax;
             f->ay[i] = ay;

@@ -35,7 +35,9 @@ enum { SPH2D__PADDING = 16 };
     X(image_vy)                                                                                                        \
     X(normal_x) /* from a boundary particle straight to the wall's surface */                                          \
     X(normal_y)                                                                                                        \
-    X(depth)   /* the distance to the surface [m] */                                                                   \
+    X(depth)    /* the distance to the surface [m] */                                                                  \
+    X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
+    X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
     X(start_x) /* position, velocity and density when the step began */                                                \

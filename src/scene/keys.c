@@ -39,6 +39,7 @@ static const char *const slip_words[] = {"free", "none", NULL};
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
                                          "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
 static const char *const method_words[] = {"muller", "wcsph", NULL};
+static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
@@ -307,6 +308,8 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "0", .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
+    {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
+     .unit = "", .standard = "on", .text = "wcsph, symmetric operators: keeps liquid under tension from tearing"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
      .unit = "", .standard = "muller 0.1, wcsph 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},

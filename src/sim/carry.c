@@ -100,6 +100,15 @@ sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
     return sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory, s->threads) ? SPH2D_OK : SPH2D_NOMEM;
 }
 
+/* Shifting is a diffusion of particles with D = gain U H: explicit steps stand D dt / H^2 of this. */
+static const double SHIFT_LIMIT = 0.1;
+
+void sph2d__limit_shift(sph2d__system *s, double gain, double dt)
+{
+    double most = s->speed > 0 ? SHIFT_LIMIT * s->support / (s->speed * dt) : INFINITY;
+    s->shift_gain = fmin(s->method.shifting * gain, most);
+}
+
 void sph2d__keep_accelerations(sph2d__store *f)
 {
     double *x = f->old_ax, *y = f->old_ay;

@@ -29,6 +29,9 @@ sph2d_status sph2d__count_events(sph2d_sim *sim, const sph2d__events *events);
 /** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
 
+/** Sets the shift velocity's gain for a step: `gain` times the scene's, but no more than moves particles stably. */
+void sph2d__limit_shift(sph2d__system *s, double gain, double dt);
+
 /** Keeps a(n) beside in old_ax and old_ay, so that the second kick can take the prediction back. */
 void sph2d__keep_accelerations(sph2d__store *fluid);
 

@@ -8,15 +8,12 @@
  *      y(n+1) = 1/3 y(n) + 2/3 (y2 + dt f(y2))
  *
  *  Each stage is an average of forward steps: what one forward step keeps bounded, the whole keeps bounded. */
-#include <math.h>
 #include <string.h>
 
 #include "base/threads.h"
 #include "methods/state_equation.h"
 #include "sim/integrators.h"
 
-/* Shift velocities may move particles by a diffusion D with D dt / H^2 of this at most. */
-static const double SHIFT_LIMIT = 0.1;
 /* Shift velocity over the largest speed and the crowding, for shifting: 1. */
 static const double SHIFT_GAIN = 4;
 
@@ -78,8 +75,7 @@ sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
 {
     static const double old[3] = {0, 3.0 / 4, 1.0 / 3}, moment[4] = {0, 1, 0.5, 1};
     sph2d__system *s = &sim->system;
-    double most = SHIFT_LIMIT * s->support / (s->speed * dt);
-    s->shift_gain = s->method.shifting * (s->speed > 0 ? fmin(SHIFT_GAIN, most) : SHIFT_GAIN);
+    sph2d__limit_shift(s, SHIFT_GAIN, dt);
     if (!(sim->record.mean_density > 0))
         sim->record.mean_density = mean_density(&s->fluid);
     keep_start(&s->fluid);
