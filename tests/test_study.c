@@ -114,17 +114,28 @@ END_TEST
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
+START_TEST(a_reference_is_moved_to_fit_best)
+{
+    static const double t[4] = {0, 1, 2, 3}, v[4] = {0, 1, 2, 3}, late_t[2] = {1.5, 2.5}, late_v[2] = {1.25, 2.25};
+    study_curve curve = {t, v, 4}, late = {late_t, late_v, 2};
+    ck_assert_double_eq_tol(study_compare(curve, 1, late, SPH2D_NORM_RMS, 0), 0.25, FINE);
+    ck_assert_double_eq_tol(study_compare(curve, 1, late, SPH2D_NORM_RMS, 0.1), 0.15, FINE);
+    ck_assert_double_eq_tol(study_compare(curve, 1, late, SPH2D_NORM_RMS, 0.5), 0, FINE);
+}
+END_TEST
+
 START_TEST(a_series_is_compared_where_the_reference_has_points)
 {
     static const double x[5] = {2.5, -1, 0.5, 3, 7}, y[5] = {0.5, 100, 1, 0, 100}; /* in any order, some outside */
     study_curve curve = {xs, ys, 4}, points = {x, y, 5};
     /* differences 0, 1, 2 */
-    ck_assert(study_compare(curve, 1, points, SPH2D_NORM_MAX) == 2);
-    ck_assert_double_eq_tol(study_compare(curve, 1, points, SPH2D_NORM_MEAN), 1, FINE);
-    ck_assert_double_eq_tol(study_compare(curve, 1, points, SPH2D_NORM_RMS), sqrt(5. / 3), FINE);
-    ck_assert_double_eq_tol(study_compare(curve, 2, points, SPH2D_NORM_MAX), 1, FINE); /* values halved, points not */
-    ck_assert(isnan(study_compare(curve, 1, (study_curve){x + 4, y + 4, 1}, SPH2D_NORM_MAX)));
-    ck_assert(isnan(study_compare((study_curve){xs, ys, 0}, 1, points, SPH2D_NORM_MAX)));
+    ck_assert(study_compare(curve, 1, points, SPH2D_NORM_MAX, 0) == 2);
+    ck_assert_double_eq_tol(study_compare(curve, 1, points, SPH2D_NORM_MEAN, 0), 1, FINE);
+    ck_assert_double_eq_tol(study_compare(curve, 1, points, SPH2D_NORM_RMS, 0), sqrt(5. / 3), FINE);
+    ck_assert_double_eq_tol(study_compare(curve, 2, points, SPH2D_NORM_MAX, 0), 1,
+                            FINE); /* values halved, points not */
+    ck_assert(isnan(study_compare(curve, 1, (study_curve){x + 4, y + 4, 1}, SPH2D_NORM_MAX, 0)));
+    ck_assert(isnan(study_compare((study_curve){xs, ys, 0}, 1, points, SPH2D_NORM_MAX, 0)));
 }
 END_TEST
 

@@ -42,7 +42,7 @@ static sph2d_status measure_series(const sph2d_study_measure *m, const study_poi
         curve = study_select(series->time, series->values + column, series->columns, series->count, m->from, m->to,
                              room, room + series->count);
     if (m->expectation == SPH2D_EXPECT_REFERENCE) {
-        out->error = study_compare(curve, m->scale, study_points_curve(reference), m->norm);
+        out->error = study_compare(curve, m->scale, study_points_curve(reference), m->norm, m->reference.shift);
     } else {
         out->value = study_reduce(m->take, curve, m->level, m->at) / m->scale;
         if (m->expectation == SPH2D_EXPECT_NUMBER)

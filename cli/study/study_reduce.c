@@ -5,6 +5,9 @@
 
 #include <math.h>
 
+/* Steps to each side in which a reference is moved. */
+enum { SHIFTS = 100 };
+
 /* The clock of a simulation is a sum of steps: a time that it misses by rounding alone is reached. */
 static const double ROUNDING = 1e-12;
 
@@ -179,15 +182,23 @@ double study_norm(sph2d_norm norm, const double *values, size_t count)
     return norm_of(&d, norm);
 }
 
-double study_compare(study_curve curve, double scale, study_curve reference, sph2d_norm norm)
+static double compare_moved(study_curve curve, double scale, study_curve reference, sph2d_norm norm, double by)
 {
     differences d = {0, 0, 0, 0};
     for (size_t i = 0; i < reference.count; ++i) {
-        double value = study_at(curve, reference.x[i]);
+        double value = study_at(curve, reference.x[i] + by);
         if (!isnan(value))
             add(&d, value / scale - reference.y[i]);
     }
     return norm_of(&d, norm);
+}
+
+double study_compare(study_curve curve, double scale, study_curve reference, sph2d_norm norm, double shift)
+{
+    double least = compare_moved(curve, scale, reference, norm, 0);
+    for (int k = -SHIFTS; k <= SHIFTS && shift > 0; ++k)
+        least = fmin(least, compare_moved(curve, scale, reference, norm, shift * k / SHIFTS));
+    return least;
 }
 
 double study_error(double value, double expect, bool relative)

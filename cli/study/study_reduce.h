@@ -28,8 +28,8 @@ double study_reduce(sph2d_take take, study_curve curve, double level, double at)
 double study_at(study_curve curve, double x);
 
 /** A norm of curve / scale - reference over those points of the reference that lie inside the curve; NaN when none
- *  does. The reference need not ascend. */
-double study_compare(study_curve curve, double scale, study_curve reference, sph2d_norm norm);
+ *  does. The reference need not ascend, and may be moved by up to `shift` to where the norm is least. */
+double study_compare(study_curve curve, double scale, study_curve reference, sph2d_norm norm, double shift);
 
 /** The same norm of differences, `count` values; NaN when there is none, or when one is NaN. */
 double study_norm(sph2d_norm norm, const double *values, size_t count);

@@ -205,8 +205,13 @@ typedef struct sph2d_perturb {
     uint64_t seed;    /**< default 1 */
 } sph2d_perturb;
 
-/** A piece of liquid at the start: particles on a square lattice. Places inside or too close to an obstacle stay free.
- */
+/** How a block's particles lie. */
+typedef enum sph2d_arrangement {
+    SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice: boxes fit whole columns, other shapes are cut out of it */
+    SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, for a smooth edge */
+} sph2d_arrangement;
+
+/** A piece of liquid at the start. Places inside or too close to an obstacle stay free. */
 typedef struct sph2d_block {
     sph2d_shape shape;   /**< box, disc or polygon */
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
@@ -214,6 +219,7 @@ typedef struct sph2d_block {
                             none.    That of the first block that has one is what an `error` probe compares with */
     double spacing; /**< between this block's particles [m]; default 0: the scene's. Particle mass is always that of
                          the scene's spacing, so a smaller one starts compressed */
+    sph2d_arrangement arrangement; /**< default lattice; rings only for discs */
     sph2d_perturb perturb;
 } sph2d_block;
 

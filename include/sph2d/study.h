@@ -80,6 +80,8 @@ typedef struct sph2d_study_reference {
     const char *file; /**< path; in a study file relative to its folder */
     const char *x;    /**< column of times [s], or for a profile of places along the line, 0 to 1 from end to end */
     const char *y;    /**< column of values, in units of `scale` */
+    double shift;     /**< how far its times may be moved to fit best [s], >= 0: experiments that begin when a gate has
+                           gone; default 0 */
 } sph2d_study_reference;
 
 /** What is expected of a measure. */

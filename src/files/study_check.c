@@ -115,6 +115,8 @@ static void check_profile(checker *c, const sph2d_study_measure *m)
 {
     static const char *const of_series[] = {"column", "take", "level", "at", "from", "to", "expect", NULL};
     refuse_all(c, of_series, "with a profile");
+    if (m->reference.shift > 0)
+        fault(c, SPH2D_CODE_CONFLICT, "reference.shift", "a profile has no times to move");
     demand(c, "reference", "with a profile");
     const sph2d_points *line = &m->profile.line;
     if (!is_sound(c, "profile.line"))

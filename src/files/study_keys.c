@@ -57,6 +57,8 @@ static const sph2d_key reference_items[] = {
     {"x", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, x), .unit = "",
      .text = "its column of times, or of places along the line from 0 to 1"},
     {"y", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, y), .unit = "", .text = "its column of values"},
+    {"shift", SPH2D_KEY_NUMBER, false, AT(sph2d_study_reference, shift), FROM_0, .unit = "s", .standard = "0",
+     .text = "how far its times may be moved to fit best"},
 };
 KEYS(reference, sph2d_study_reference, NULL);
 

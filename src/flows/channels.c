@@ -8,6 +8,7 @@
  *  Lengths are in L from here on: s = 0 at the lower wall, 1 at the upper, and w = 1/(2 sqrt(tau)). */
 #include <math.h>
 
+#include "base/pi.h"
 #include "flows/flow.h"
 
 /* erfc(6) is 2e-17. */
@@ -31,7 +32,7 @@ static double age(const sph2d__flow_moment *m)
  * integrated twice (Carslaw & Jaeger 1959, appendix II). */
 static double held_back(double z)
 {
-    return (1 + 2 * z * z) * erfc(z) - 2 / sqrt(SPH2D__FLOW_PI) * z * exp(-z * z);
+    return (1 + 2 * z * z) * erfc(z) - 2 / sqrt(SPH2D__PI) * z * exp(-z * z);
 }
 
 /** In the end u = 4 U s (1 - s), which F = 8 nu U/L^2 keeps going. Before,

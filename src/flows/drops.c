@@ -3,6 +3,7 @@
  *  Free liquid that turns rigidly, as a disc and as a square, and a drop at rest. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "flows/flow.h"
 
 /** Velocity w (-y, x), w = U/L; dp/dr = rho w^2 r and p = 0 at r = L:
@@ -34,15 +35,14 @@ static double torsion(double x, double y)
         return torsion(y, x);
     if (!(y < 0.5))
         return 0;
-    const double pi = SPH2D__FLOW_PI;
     double sum = 0, sign = 1;
     for (double n = 1;; n += 2) {
-        double inner = exp(-n * pi * (0.5 - x)), outer = exp(-n * pi * (0.5 + x));
-        double fall = (inner + outer) / (1 + exp(-n * pi)) / (n * n);
-        sum += sign * fall / n * cos(n * pi * y);
+        double inner = exp(-n * SPH2D__PI * (0.5 - x)), outer = exp(-n * SPH2D__PI * (0.5 + x));
+        double fall = (inner + outer) / (1 + exp(-n * SPH2D__PI)) / (n * n);
+        sum += sign * fall / n * cos(n * SPH2D__PI * y);
         sign = -sign;
         if (!(fall >= REST)) /* NaN ends it too */
-            return y * y - 0.25 + 8 / (pi * pi * pi) * sum;
+            return y * y - 0.25 + 8 / (SPH2D__PI * SPH2D__PI * SPH2D__PI) * sum;
     }
 }
 

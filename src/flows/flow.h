@@ -5,9 +5,8 @@
 #ifndef SPH2D_FLOWS_FLOW_H
 #define SPH2D_FLOWS_FLOW_H
 
+#include "base/pi.h"
 #include "sph2d/flow.h"
-
-#define SPH2D__FLOW_PI 3.14159265358979323846
 
 /** A flow at one time, its numbers checked. */
 typedef struct sph2d__flow_moment {

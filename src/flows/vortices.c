@@ -3,6 +3,7 @@
  *  Vortices without a surface. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "flows/flow.h"
 
 /** Taylor 1923; named after Taylor & Green 1937, whose flow is three-dimensional. With k = 2 pi/L and F = exp(-2 nu k^2
@@ -14,7 +15,7 @@
  */
 sph2d__flow_value sph2d__flow_taylor_green(const sph2d__flow_moment *m, double x, double y)
 {
-    double k = 2 * SPH2D__FLOW_PI / m->flow->length;
+    double k = 2 * SPH2D__PI / m->flow->length;
     double speed = m->flow->speed * exp(-2 * m->viscosity * k * k * m->time);
     return (sph2d__flow_value){
         .vx = -speed * cos(k * x) * sin(k * y),

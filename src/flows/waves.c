@@ -3,6 +3,7 @@
  *  Liquid under gravity: at rest, and with a small standing wave. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "flows/flow.h"
 
 /** Hydrostatics: p = rho g . (x - center), 0 above the surface. */
@@ -25,7 +26,7 @@ sph2d__flow_value sph2d__flow_still(const sph2d__flow_moment *m, double x, doubl
 sph2d__flow_value sph2d__flow_standing_wave(const sph2d__flow_moment *m, double x, double y)
 {
     double g = -m->context->gravity[1], speed = m->flow->speed, depth = m->flow->depth;
-    double k = 2 * SPH2D__FLOW_PI / m->flow->length, omega = sqrt(g * k * tanh(k * depth));
+    double k = 2 * SPH2D__PI / m->flow->length, omega = sqrt(g * k * tanh(k * depth));
     double down = exp(k * y), up = exp(-k * (y + 2 * depth)), all = -expm1(-2 * k * depth);
     double cosh_part = (down + up) / all, sinh_part = (down - up) / all; /* over sinh kd */
     double now = speed * cos(omega * m->time);

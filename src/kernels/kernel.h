@@ -19,24 +19,24 @@
 #define SPH2D_KERNELS_KERNEL_H
 
 #include "base/lanes.h"
+#include "base/pi.h"
 #include "sph2d/scene.h"
 
 /** C in W = C/H^2 f(q). */
 SPH2D__INLINE double sph2d__kernel_constant(sph2d_kernel kind)
 {
-    const double pi = 3.14159265358979323846;
     switch (kind) {
     case SPH2D_KERNEL_WENDLAND_C4:
-        return 9 / pi;
+        return 9 / SPH2D__PI;
     case SPH2D_KERNEL_WENDLAND_C6:
-        return 78 / (7 * pi);
+        return 78 / (7 * SPH2D__PI);
     case SPH2D_KERNEL_CUBIC:
-        return 40 / (7 * pi);
+        return 40 / (7 * SPH2D__PI);
     case SPH2D_KERNEL_QUINTIC:
-        return 63 / (478 * pi);
+        return 63 / (478 * SPH2D__PI);
     case SPH2D_KERNEL_WENDLAND_C2:
     default:
-        return 7 / pi;
+        return 7 / SPH2D__PI;
     }
 }
 

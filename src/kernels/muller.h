@@ -9,7 +9,7 @@
 #ifndef SPH2D_KERNELS_MULLER_H
 #define SPH2D_KERNELS_MULLER_H
 
-#define SPH2D__PI 3.14159265358979323846
+#include "base/pi.h"
 
 /** poly6: W(r) = poly6_constant * (H^2 - r^2)^3 [1/m^2], for density. */
 static inline double sph2d__poly6_shape(double support2, double r2)

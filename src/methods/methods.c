@@ -22,10 +22,10 @@ const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
     return options->operators == SPH2D_OPERATORS_FITTED ? &sph2d__wcsph_fitted : &sph2d__wcsph;
 }
 
-double sph2d__shortest_step(const sph2d__system *s, double speed, double acceleration, double nu, double viscous,
-                            double force, sph2d__limit *limit)
+double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,
+                            double viscous, double force, sph2d__limit *limit)
 {
-    double limits[3] = {[SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (s->sound_speed + speed),
+    double limits[3] = {[SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound + speed),
                         [SPH2D__LIMIT_FORCE] = acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY,
                         [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};
     *limit = SPH2D__LIMIT_ACOUSTIC;

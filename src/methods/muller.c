@@ -91,7 +91,8 @@ static void evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    return sph2d__shortest_step(s, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE, limit);
+    return sph2d__shortest_step(s, s->sound_speed, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE,
+                                limit);
 }
 
 const sph2d__method sph2d__muller = {

@@ -29,8 +29,9 @@ typedef struct sph2d__system {
     sph2d_slip wall_slip;
     sph2d__body body;
 
-    double step;  /**< length of the step that is being taken [s] */
-    double speed; /**< largest speed of a particle when the step began [m/s] */
+    double step;    /**< length of the step that is being taken [s] */
+    double speed;   /**< largest speed of a particle when the step began [m/s] */
+    double densest; /**< largest density of a particle then, the rest density at least [kg/m^3] */
 
     sph2d__memory *memory;
     int threads;

@@ -58,7 +58,8 @@ static void evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    return sph2d__shortest_step(s, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE, limit);
+    double sound = sqrt(sph2d__sound_speed2_at(s, s->densest)), nu = s->viscosity / s->rest_density;
+    return sph2d__shortest_step(s, sound, speed, acceleration, nu, VISCOUS, FORCE, limit);
 }
 
 const sph2d__method sph2d__wcsph_fitted = {

@@ -4,6 +4,7 @@
  *
  *  A fit costs so much more than a distance that neighbours are first listed, then summed in full vectors, and the
  *  normal equations of as many particles as there are lanes are solved at once. */
+#include "base/pi.h"
 #include "base/threads.h"
 #include "kernels/kernel.h"
 #include "methods/state_equation.h"
@@ -360,8 +361,7 @@ static void rates(sph2d__system *s)
 
     size_t groups = (s->fluid.count + SPH2D__LANES - 1) / SPH2D__LANES;
     double ratio = s->support / s->spacing;
-    const double pi = 3.14159265358979323846;
-    constants k = {1 / s->support, 140 / (pi * ratio * ratio),
+    constants k = {1 / s->support, 140 / (SPH2D__PI * ratio * ratio),
                    1 / sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio)};
     int threads = sph2d__threads_for(s->threads, s->fluid.count);
 #pragma omp parallel num_threads(threads) if (threads > 1)

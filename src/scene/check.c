@@ -241,6 +241,9 @@ static void check_block(checker *c, size_t i)
     if (block->spacing != 0 && !(block->spacing >= 0.01 * dx && block->spacing <= 2 * dx))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "blocks", i, ".spacing"),
                            "must be between 0.01 and 2 times the scene's spacing");
+    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS && block->shape.kind != SPH2D_SHAPE_DISC)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "blocks", i, ".arrangement"),
+                           "only a disc can be made of rings; leave it out");
 }
 
 static bool near_side(const sph2d_scene *scene, sph2d_vec2 p)

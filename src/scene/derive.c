@@ -2,6 +2,7 @@
 /** @file derive.c
  *  Sound speed, support radius and mass of a scene. */
 #include "scene/derive.h"
+#include "base/pi.h"
 
 #include <math.h>
 
@@ -10,7 +11,6 @@
 
 /* A liquid that is released at its rest density swings to twice its static compression. */
 static const double OVERSHOOT = 2;
-static const double PI = 3.14159265358979323846;
 
 /** Height of a place above the lowest corner of the domain, measured against gravity. */
 static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
@@ -56,7 +56,7 @@ static double wall_speed(const sph2d_scene *scene)
     double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
         const sph2d_motion *m = &scene->obstacles[i].motion;
-        speed = fmax(speed, 2 * PI * m->frequency * hypot(m->amplitude.x, m->amplitude.y));
+        speed = fmax(speed, 2 * SPH2D__PI * m->frequency * hypot(m->amplitude.x, m->amplitude.y));
         for (size_t k = 1; k < m->path.count; ++k) {
             const sph2d_path_point *p = &m->path.items[k - 1], *q = &m->path.items[k];
             speed = fmax(speed, hypot(q->x - p->x, q->y - p->y) / (q->t - p->t));

@@ -39,6 +39,7 @@ static const char *const slip_words[] = {"free", "none", NULL};
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
                                          "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
 static const char *const method_words[] = {"muller", "wcsph", NULL};
+static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
@@ -112,6 +113,8 @@ static const sph2d_key block_items[] = {
      .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .standard = "none",
      .text = "a known flow that it starts with"},
+    {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
+     .standard = "lattice", .text = "how the particles lie; rings, for discs, have a smooth edge"},
     {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "", .standard = "none",
      .text = "random displacement of the particles"},
 };

@@ -2,10 +2,9 @@
 /** @file shape.c
  *  Geometry of shapes and outlines. */
 #include "scene/shape.h"
+#include "base/pi.h"
 
 #include <math.h>
-
-#define PI 3.14159265358979323846
 
 static sph2d_box bounds_of_points(sph2d_points points)
 {
@@ -61,7 +60,7 @@ double sph2d__shape_area(const sph2d_shape *shape)
     case SPH2D_SHAPE_BOX:
         return (shape->box.max.x - shape->box.min.x) * (shape->box.max.y - shape->box.min.y);
     case SPH2D_SHAPE_DISC:
-        return PI * shape->disc.radius * shape->disc.radius;
+        return SPH2D__PI * shape->disc.radius * shape->disc.radius;
     case SPH2D_SHAPE_POLYGON:
         return polygon_area(shape->polygon);
     case SPH2D_SHAPE_NONE:
@@ -140,7 +139,7 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
     case SPH2D_OUTLINE_POLYLINE:
         return outline->polyline.count > 0 ? outline->polyline.count - 1 : 0;
     case SPH2D_OUTLINE_CIRCLE: {
-        double pieces = ceil(2 * PI * outline->circle.radius / spacing);
+        double pieces = ceil(2 * SPH2D__PI * outline->circle.radius / spacing);
         return pieces < 8 ? 8 : pieces > 4e9 ? (size_t)4e9 : (size_t)pieces;
     }
     case SPH2D_OUTLINE_BOX:
@@ -153,7 +152,7 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
 
 static sph2d_vec2 circle_point(sph2d_disc circle, size_t index, size_t pieces)
 {
-    double angle = 2 * PI * (double)(index % pieces) / (double)pieces;
+    double angle = 2 * SPH2D__PI * (double)(index % pieces) / (double)pieces;
     return (sph2d_vec2){circle.center.x + circle.radius * cos(angle), circle.center.y + circle.radius * sin(angle)};
 }
 

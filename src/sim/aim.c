@@ -3,6 +3,7 @@
  *  What acts at a time: interactions, the pointer, moving obstacles. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "sim/simulation.h"
 
 /** Place on a path at a time; false before its start and after its end. */
@@ -26,8 +27,7 @@ static bool on_path(const sph2d_path *path, double time, sph2d_vec2 *at)
 /** Displacement, velocity and acceleration of a motion at a time. */
 static void follow(const sph2d_motion *motion, double time, sph2d_vec2 *at, sph2d_vec2 *v, sph2d_vec2 *a)
 {
-    const double pi = 3.14159265358979323846;
-    double omega = 2 * pi * motion->frequency, angle = omega * time + motion->phase;
+    double omega = 2 * SPH2D__PI * motion->frequency, angle = omega * time + motion->phase;
     double way = sin(angle) - sin(motion->phase), speed = omega * cos(angle), push = -omega * omega * sin(angle);
     *at = (sph2d_vec2){motion->amplitude.x * way, motion->amplitude.y * way};
     *v = (sph2d_vec2){motion->amplitude.x * speed, motion->amplitude.y * speed};

@@ -67,6 +67,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->mass = d.mass;
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
+    s->densest = s->rest_density;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;

@@ -153,6 +153,7 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
     if (compression > sim->record.compression_max)
         sim->record.compression_max = compression;
     sim->record.speed = sqrt(e.speed2);
+    sim->system.densest = fmax(e.density, sim->system.rest_density);
     choose_step(sim, &e);
     return guard_step(sim, &e, report);
 }

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_fluid.c
- *  The particles of a scene's blocks: square lattices, kept free of obstacles, refused where they overlap. */
+ *  The particles of a scene's blocks: square lattices or rings, kept free of obstacles, refused where they overlap. */
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
+#include "base/pi.h"
 #include "base/random.h"
 #include "sim/simulation.h"
 
@@ -73,32 +74,71 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
     return true;
 }
 
+/** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
+static void place(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
+{
+    if (taken_by_obstacle(&sim->scene, p)) {
+        ++sim->plan.places_left_free;
+        return;
+    }
+    sph2d__store *fluid = &sim->system.fluid;
+    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
+    fluid->vx[i] = block->velocity.x;
+    fluid->vy[i] = block->velocity.y;
+    fluid->density[i] = sim->scene.fluid.density;
+}
+
+static void place_lattice(sph2d_sim *sim, const sph2d_block *block, const lattice *l)
+{
+    for (size_t row = 0; row < (size_t)l->ny; ++row)
+        for (size_t column = 0; column < (size_t)l->nx; ++column) {
+            sph2d_vec2 p = {l->first.x + (double)column * l->spacing, l->first.y + (double)row * l->spacing};
+            if (block->shape.kind == SPH2D_SHAPE_BOX || sph2d__shape_contains(&block->shape, p))
+                place(sim, block, p);
+        }
+}
+
+/** Particles of the k-th ring from the middle, at radius (k + 1/2) spacing. */
+static double ring_count(size_t k)
+{
+    return round(2 * SPH2D__PI * ((double)k + 0.5));
+}
+
+/** Rings are turned against each other by the golden angle, which repeats no pattern. */
+static void place_rings(sph2d_sim *sim, const sph2d_block *block, double spacing, size_t rings)
+{
+    const double golden = SPH2D__PI * (3 - sqrt(5));
+    for (size_t k = 0; k < rings; ++k) {
+        double radius = ((double)k + 0.5) * spacing, count = ring_count(k);
+        for (size_t i = 0; i < (size_t)count; ++i) {
+            double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
+            place(sim, block,
+                  (sph2d_vec2){block->shape.disc.center.x + radius * cos(angle),
+                               block->shape.disc.center.y + radius * sin(angle)});
+        }
+    }
+}
+
 static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
 {
     const sph2d_block *block = &sim->scene.blocks[index];
     sph2d__store *fluid = &sim->system.fluid;
     lattice l = lattice_of(sim, block);
+    double count = l.nx * l.ny, rings = 0;
+    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
+        rings = fmax(round(block->shape.disc.radius / l.spacing), 1);
+        count = 2 * SPH2D__PI * rings * rings; /* more than ring_count adds up to */
+    }
     char path[64];
     snprintf(path, sizeof path, "blocks[%zu]", index);
-    if (sph2d__sim_too_many(sim, (double)fluid->count + l.nx * l.ny, path, report))
+    if (sph2d__sim_too_many(sim, (double)fluid->count + count, path, report))
         return SPH2D_SCENE;
-    size_t nx = (size_t)l.nx, ny = (size_t)l.ny;
-    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + nx * ny))
+    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + (size_t)ceil(count)))
         return SPH2D_NOMEM;
-    for (size_t row = 0; row < ny; ++row)
-        for (size_t column = 0; column < nx; ++column) {
-            sph2d_vec2 p = {l.first.x + (double)column * l.spacing, l.first.y + (double)row * l.spacing};
-            if (block->shape.kind != SPH2D_SHAPE_BOX && !sph2d__shape_contains(&block->shape, p))
-                continue;
-            if (taken_by_obstacle(&sim->scene, p)) {
-                ++sim->plan.places_left_free;
-                continue;
-            }
-            size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
-            fluid->vx[i] = block->velocity.x;
-            fluid->vy[i] = block->velocity.y;
-            fluid->density[i] = sim->scene.fluid.density;
-        }
+    if (rings > 0)
+        place_rings(sim, block, l.spacing, (size_t)rings);
+    else
+        place_lattice(sim, block, &l);
     return SPH2D_OK;
 }
 

@@ -50,11 +50,12 @@ static sph2d_status add_particle(sph2d_sim *sim, const place *p, sph2d_report *r
     size_t i = sph2d__store_add(&s->walls, s->walls.count, p->at.x, p->at.y);
     s->walls.bounce[i] = -1;
     s->walls.mass[i] = s->rest_density * p->area;
-    if (s->walls.depth) {
+    if (s->walls.normal_x) {
         s->walls.normal_x[i] = p->normal.x;
         s->walls.normal_y[i] = p->normal.y;
-        s->walls.depth[i] = p->depth;
     }
+    if (s->walls.depth)
+        s->walls.depth[i] = p->depth;
     s->walls_press = true;
     return SPH2D_OK;
 }

@@ -69,6 +69,11 @@ size_t sph2d__probe_extent(const sph2d_sim *sim, const sph2d_probe *probe, doubl
         values[2] = fmin(values[2], f->y[i]);
         values[3] = fmax(values[3], f->y[i]);
     }
+    double half = sim->scene.spacing / 2; /* of the piece of liquid that a particle stands for */
+    values[0] -= half;
+    values[1] += half;
+    values[2] -= half;
+    values[3] += half;
     return 4;
 }
 
@@ -94,5 +99,6 @@ size_t sph2d__probe_axes(const sph2d_sim *sim, const sph2d_probe *probe, double 
     values[4] = f->count > 0 ? atan2(xy, half) / 2 : NAN;
     values[5] = 2 * sqrt(xx / n);
     values[6] = 2 * sqrt(yy / n);
-    return 7;
+    values[7] = values[2] * values[3];
+    return 8;
 }

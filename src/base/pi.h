@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pi.h
+ *  The circle's number: standard C has no name for it. */
+#ifndef SPH2D_BASE_PI_H
+#define SPH2D_BASE_PI_H
+
+static const double SPH2D__PI = 3.14159265358979323846;
+
+#endif
