@@ -374,7 +374,7 @@ static sph2d_status read_points(const char *text, size_t length, bool along)
     ck_assert_uint_eq(fwrite(text, 1, length, stream), length);
     ck_assert_int_eq(fclose(stream), 0);
     study_points_free(&points);
-    sph2d_study_reference reference = {"r.csv", "t", "a"};
+    sph2d_study_reference reference = {"r.csv", "t", "a", 0};
     return study_points_read(&points, &reference, along, &report);
 }
 
@@ -439,7 +439,7 @@ START_TEST(what_is_no_table_is_refused)
     memset(garbage, ',', sizeof garbage);
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);
-    sph2d_study_reference reference = {"missing.csv", "t", "a"};
+    sph2d_study_reference reference = {"missing.csv", "t", "a", 0};
     ck_assert_int_eq(study_points_read(&points, &reference, false, &report), SPH2D_NOINPUT);
     reference.file = ".";
     ck_assert_int_eq(study_points_read(&points, &reference, false, &report), SPH2D_NOINPUT);
@@ -456,6 +456,7 @@ Suite *suite_study(void)
     tcase_add_test(numbers, one_sample_is_its_own_mean);
     tcase_add_test(numbers, periods_are_told_between_samples);
     tcase_add_test(numbers, a_window_and_missing_values_leave_samples_out);
+    tcase_add_test(numbers, a_reference_is_moved_to_fit_best);
     tcase_add_test(numbers, a_series_is_compared_where_the_reference_has_points);
     tcase_add_test(numbers, norms_of_differences_and_orders_of_convergence);
     suite_add_tcase(suite, numbers);

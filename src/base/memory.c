@@ -74,7 +74,7 @@ static void *load_pointer(const void *slot)
 bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
                      size_t new_count)
 {
-    enum { MOST = 32 };
+    enum { MOST = 80 }; /* more than a store with every array has */
     void *fresh[MOST] = {0};
     if (count > MOST)
         return false;

@@ -28,8 +28,8 @@ typedef enum sph2d__integrator {
 typedef struct sph2d__method {
     const char *name;
     sph2d__integrator integrator;
-    uint32_t fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
-    uint32_t walls;          /**< the arrays of the boundary particles' store */
+    sph2d__set fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
+    sph2d__set walls;          /**< the arrays of the boundary particles' store */
     /** Sets what follows from the scene's numbers and the walls. */
     void (*prepare)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The

@@ -77,10 +77,10 @@ const sph2d__method sph2d__wcsph = {
     .integrator = SPH2D__MIDPOINT,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
-             SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) |
+             SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
              SPH2D__BIT(fullness) | SPH2D__BIT(surface),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
-               SPH2D__BIT(slope_y) | SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(fullness) |
+               SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
                SPH2D__BIT(surface),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |

@@ -54,7 +54,7 @@ typedef struct constants {
 
 SPH2D__INLINE sph2d__lanes gather(const double *from, const uint32_t *index)
 {
-    sph2d__lanes a;
+    sph2d__lanes a = {0};
     for (int l = 0; l < SPH2D__LANES; ++l)
         a[l] = from[index[l]];
     return a;

@@ -4,6 +4,7 @@
  *  SPH2D__ISA, and in it once for each kernel. */
 #include "base/threads.h"
 #include "kernels/kernel.h"
+#include "methods/shift.h"
 #include "methods/state_equation.h"
 #include "methods/traverse.h"
 #include "methods/wcsph.h"
@@ -105,15 +106,17 @@ static void corrected(double xx, double xy, double yy, double bx, double by, dou
 
 /** Velocity and density change along the shift as the fields around say (Sun et al. 2019); old_ax and old_ay hold that
  *  of velocity until the step is made. */
-static void finish_way(sph2d__store *f, size_t i, const rate_sums *sums)
+static void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
 {
+    sph2d__store *f = &s->fluid;
+    sph2d_vec2 w = sph2d__shift_velocity(s, i);
     double xx = sph2d__lanes_total(sums->xx), xy = sph2d__lanes_total(sums->xy), yy = sph2d__lanes_total(sums->yy);
     double ux, uy, vx, vy;
     corrected(xx, xy, yy, sph2d__lanes_total(sums->ux), sph2d__lanes_total(sums->uy), &ux, &uy);
     corrected(xx, xy, yy, sph2d__lanes_total(sums->vx), sph2d__lanes_total(sums->vy), &vx, &vy);
-    f->old_ax[i] = f->shift_x[i] * ux + f->shift_y[i] * uy;
-    f->old_ay[i] = f->shift_x[i] * vx + f->shift_y[i] * vy;
-    f->density_rate[i] += f->shift_x[i] * f->slope_x[i] + f->shift_y[i] * f->slope_y[i];
+    f->old_ax[i] = w.x * ux + w.y * uy;
+    f->old_ay[i] = w.x * vx + w.y * vy;
+    f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
     f->surface[i] = f->fullness[i] < SURFACE ? 0 : sqrt(least(sums->nearest2));
 }
 
@@ -159,7 +162,7 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
             }
             f->density_rate[i] = scale * rate;
             if (way)
-                finish_way(f, i, &sums);
+                finish_way(s, i, &sums);
         }
     }
 }
@@ -350,21 +353,20 @@ static double fullness_of(const force_sums *sums, double scale)
 /* Below the first, spray: no shift. Up to the second, near a surface: along it alone (Sun et al. 2017). */
 static const double SPRAY = 0.4, BULK = 0.75;
 
-/** The shift velocity from the crowding, which near a free surface has no part across it. */
-static void finish_shift(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
+/** The crowding that particles are shifted by, which near a free surface has no part across it. */
+static void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
 {
     sph2d__store *f = &s->fluid;
-    double unit = -s->shift_gain * s->speed * s->support * scale, most = 0.5 * s->speed;
-    double wx = unit * sph2d__lanes_total(sums->crowd_x), wy = unit * sph2d__lanes_total(sums->crowd_y);
+    double unit = fullness < SPRAY ? 0 : s->support * scale;
+    double cx = unit * sph2d__lanes_total(sums->crowd_x), cy = unit * sph2d__lanes_total(sums->crowd_y);
     if (fullness < BULK || f->surface[i] < s->support) {
         double nx = sph2d__lanes_total(sums->plain_x), ny = sph2d__lanes_total(sums->plain_y), n2 = nx * nx + ny * ny;
-        double across = n2 > 0 ? (wx * nx + wy * ny) / n2 : 0;
-        wx -= across * nx;
-        wy -= across * ny;
+        double across = n2 > 0 ? (cx * nx + cy * ny) / n2 : 0;
+        cx -= across * nx;
+        cy -= across * ny;
     }
-    double w = sqrt(wx * wx + wy * wy), less = fullness < SPRAY ? 0 : w > most ? most / w : 1;
-    f->shift_x[i] = less * wx;
-    f->shift_y[i] = less * wy;
+    f->crowd_x[i] = cx;
+    f->crowd_y[i] = cy;
 }
 
 /** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle. */
@@ -428,7 +430,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, sph2d_kernel kernel)
                 if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
                     own = -own;
                 if (with.shift)
-                    finish_shift(s, i, &sums, fullness, scale);
+                    finish_crowd(s, i, &sums, fullness, scale);
             }
             add_sums(s, &sums, &with, own, me.density, &ax, &ay);
             sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);

@@ -39,7 +39,7 @@ static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[BLOCKS_MOST]
     return n;
 }
 
-size_t sph2d__store_bytes(uint32_t has)
+size_t sph2d__store_bytes(sph2d__set has)
 {
     size_t arrays = 1;
     for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
@@ -105,7 +105,7 @@ void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int thread
     double **slots[SPH2D__STORE_COUNT];
     list_reals(store, slots);
     for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
-        if (store->has & store->carried & (uint32_t)1 << a)
+        if (store->has & store->carried & (sph2d__set)1 << a)
             gather_reals(slots[a], &store->scratch, order, store->count, threads);
     uint64_t *to = store->scratch_id;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)

@@ -29,13 +29,15 @@ enum { SPH2D__PADDING = 16 };
     X(mass)         /* of a boundary particle [kg/m]; 0 for those that only reflect. All liquid has one mass */        \
     X(bounce)       /* restitution of a boundary particle that reflects; negative: it acts by pressure */              \
     X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
-    X(shift_x)      /* crowding: points where neighbours are too many [1/m] or the shift velocity [m/s] */             \
+    X(shift_x)      /* shift velocity of fitted operators [m/s] */                                                     \
     X(shift_y)                                                                                                         \
     X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */         \
     X(image_vy)                                                                                                        \
     X(normal_x) /* from a boundary particle straight to the wall's surface */                                          \
     X(normal_y)                                                                                                        \
-    X(depth)    /* the distance to the surface [m] */                                                                  \
+    X(depth)   /* the distance to the surface [m] */                                                                   \
+    X(crowd_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                          \
+    X(crowd_y)                                                                                                         \
     X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
@@ -46,22 +48,27 @@ enum { SPH2D__PADDING = 16 };
     X(start_vy)                                                                                                        \
     X(start_density)
 
-/** The index of each array, and its bit in a set of arrays. */
+/** The index of each array. */
 enum sph2d__store_real {
 #define SPH2D__STORE_INDEX(name) SPH2D__STORE_##name,
     SPH2D__STORE_REALS(SPH2D__STORE_INDEX)
 #undef SPH2D__STORE_INDEX
         SPH2D__STORE_COUNT
 };
-#define SPH2D__BIT(name) ((uint32_t)1 << SPH2D__STORE_##name)
+
+/** A set of arrays, a bit each. */
+typedef uint64_t sph2d__set;
+#define SPH2D__BIT(name) ((sph2d__set)1 << SPH2D__STORE_##name)
+_Static_assert(SPH2D__STORE_COUNT <= 64, "a set of arrays has 64 bits");
 
 /** What every store has. */
 #define SPH2D__STORE_BASIC (SPH2D__BIT(x) | SPH2D__BIT(y) | SPH2D__BIT(vx) | SPH2D__BIT(vy))
 
 /** A store; start it with its two sets of arrays and zeros. */
 typedef struct sph2d__store {
-    uint32_t has;     /**< the arrays that it has; never changed once there is room */
-    uint32_t carried; /**< those whose values go along into a new order; the others are computed before they are read */
+    sph2d__set has; /**< the arrays that it has; never changed once there is room */
+    sph2d__set
+        carried; /**< those whose values go along into a new order; the others are computed before they are read */
     size_t count, capacity;
 #define SPH2D__STORE_MEMBER(name) double *name;
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
@@ -72,7 +79,7 @@ typedef struct sph2d__store {
 } sph2d__store;
 
 /** Bytes that a particle takes in a store of these arrays. */
-size_t sph2d__store_bytes(uint32_t has);
+size_t sph2d__store_bytes(sph2d__set has);
 
 /** Room for `capacity` particles at least; counts and values stay. */
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity);

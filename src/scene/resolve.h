@@ -7,7 +7,7 @@
 #include "sph2d/scene.h"
 
 /** The options with every 0 that stands for "the method's" filled in. */
-sph2d_method_options sph2d__method_resolve(sph2d_method_options options);
+sph2d_method_options sph2d__method_resolve(sph2d_method_options m);
 
 /** The form of the domain's sides that are walls. */
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene);

@@ -12,6 +12,7 @@
  *  Without dissipation the rate depends on places and velocities alone: then each line undoes itself when time runs
  *  back, so that energy neither grows nor falls in the long run. */
 #include "base/threads.h"
+#include "methods/shift.h"
 #include "sim/integrators.h"
 
 /* Shift velocity over the largest speed, the support and the gradient of crowding, for shifting: 1 (Sun et al. 2017,
@@ -27,8 +28,9 @@ static sph2d_status drift(sph2d_sim *sim, double kick, double dt)
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
     for (size_t i = 0; i < f->count; ++i) {
         sph2d_vec2 v = {f->vx[i] + kick * f->ax[i], f->vy[i] + kick * f->ay[i]};
+        sph2d_vec2 w = sph2d__shift_velocity(&sim->system, i);
         sph2d__events events = {0};
-        sph2d__carry(sim, i, dt / 2 * (v.x + f->shift_x[i]), dt / 2 * (v.y + f->shift_y[i]), &v, &events);
+        sph2d__carry(sim, i, dt / 2 * (v.x + w.x), dt / 2 * (v.y + w.y), &v, &events);
         hits += events.hits;
         reflections += events.reflections;
         bad += events.bad;

@@ -18,7 +18,7 @@ static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + 2
+    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + 3
 };
 
 static sph2d_array find_field(const sph2d_sim *sim, sph2d_group group, const char *name)
@@ -52,6 +52,16 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
         out[n++] = find_field(sim, SPH2D_GROUP_FLUID, fluid_fields[i]);
     for (size_t i = 0; i < COUNT_OF(wall_fields); ++i)
         out[n++] = find_field(sim, SPH2D_GROUP_WALL, wall_fields[i]);
+    if (sim->method->carried & SPH2D__BIT(surface))
+        out[n++] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
+                                 .name = "SurfaceDistances",
+                                 .description = "distance to the free surface within the last step, up to H",
+                                 .unit = {1, 0, 0},
+                                 .type = SPH2D_F64,
+                                 .components = 1,
+                                 .count = sim->system.fluid.count,
+                                 .stride = 1,
+                                 .data = {sim->system.fluid.surface, NULL}};
 #define REAL(member, label, m, kg, s, text)                                                                            \
     out[n] = run_array(label, text, SPH2D_F64, 1, &r->member);                                                         \
     memcpy(out[n++].unit, (signed char[3]){m, kg, s}, 3);
