@@ -14,10 +14,14 @@
 
 #define SUITES(X)                                                                                                      \
     X(kernels)                                                                                                         \
+    X(smoothing)                                                                                                       \
     X(flows)                                                                                                           \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
+    X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
+    X(wcsph)                                                                                                           \
+    X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \
     X(walls)                                                                                                           \
