@@ -7,10 +7,12 @@
 
 #include "base/pi.h"
 #include "base/random.h"
+#include "scene/resolve.h"
 #include "sim/simulation.h"
 
-/* Places closer to an obstacle than this many spacings stay free. */
-static const double FREE_DISTANCE = 0.7;
+/* Places closer to an obstacle than this many spacings stay free: beside layers of boundary particles, which begin half
+ * a spacing behind the surface, the lattice goes on. */
+static const double FREE_DISTANCE = 0.7, FREE_DISTANCE_OF_LAYERS = 0.49;
 
 /* Cells name particles by 32 bits. */
 static const double MOST_PARTICLES = 4e9;
@@ -35,9 +37,8 @@ static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
 }
 
 /** Whether a place is inside an obstacle or too close to it. */
-static bool taken_by(const sph2d_outline *outline, double spacing, sph2d_vec2 p)
+static bool taken_by(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
 {
-    double distance = FREE_DISTANCE * spacing;
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
         return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) <
                outline->circle.radius + distance;
@@ -54,9 +55,13 @@ static bool taken_by(const sph2d_outline *outline, double spacing, sph2d_vec2 p)
 
 static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
 {
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (taken_by(&scene->obstacles[i].outline, scene->spacing, p))
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        const sph2d_obstacle *obstacle = &scene->obstacles[i];
+        bool layers = sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
+        double distance = (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * scene->spacing;
+        if (taken_by(&obstacle->outline, scene->spacing, distance, p))
             return true;
+    }
     return false;
 }
 
