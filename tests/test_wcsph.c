@@ -489,7 +489,7 @@ START_TEST(a_shift_meets_the_fields_on_its_way)
     s->speed = 1;
     s->shift_gain = 2;
     sph2d__wcsph.evaluate(s);
-    double before[MOST];
+    double before[MOST] = {0};
     s->shift_gain = 0;
     sph2d__wcsph.density_rate(s);
     for (size_t i = 0; i < f->count; ++i)

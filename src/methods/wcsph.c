@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph.c
- *  Method `wcsph` with symmetric operators: step limits. The pair loops are in wcsph_pass.c. */
+ *  Method `wcsph` with symmetric operators: step limits. The pair loops are in wcsph_*_pass.c. */
 #include "methods/wcsph.h"
 
 #include <math.h>
@@ -14,18 +14,15 @@ static const double VISCOUS = 0.03;
 static const double MONAGHAN = 3;
 static const double FORCE = 0.25;
 
-static const sph2d__wcsph_passes *passes(sph2d_isa isa)
-{
+/** The pair loop of one kind for the system's instruction set and kernel. */
 #ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__wcsph_passes_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__wcsph_passes_avx2;
+#define RUN(kind, s)                                                                                                   \
+    ((s)->isa == SPH2D_ISA_AVX512 ? sph2d__wcsph_##kind##_avx512                                                       \
+     : (s)->isa == SPH2D_ISA_AVX2 ? sph2d__wcsph_##kind##_avx2                                                         \
+                                  : sph2d__wcsph_##kind##_baseline)[(s)->method.kernel](s)
 #else
-    (void)isa;
+#define RUN(kind, s) sph2d__wcsph_##kind##_baseline[(s)->method.kernel](s)
 #endif
-    return &sph2d__wcsph_passes_baseline;
-}
 
 static void prepare(sph2d__system *s)
 {
@@ -53,8 +50,8 @@ static void density_rate(sph2d__system *s)
 {
     set_volumes(s);
     if (s->walls_press)
-        passes(s->isa)->walls[s->method.kernel](s);
-    passes(s->isa)->density_rate[s->method.kernel](s);
+        RUN(wall, s);
+    RUN(rate, s);
 }
 
 static void evaluate(sph2d__system *s)
@@ -62,8 +59,8 @@ static void evaluate(sph2d__system *s)
     set_volumes(s);
     sph2d__state_equation_apply(s, &s->fluid);
     if (s->walls_press)
-        passes(s->isa)->walls[s->method.kernel](s);
-    passes(s->isa)->force[s->method.kernel](s);
+        RUN(wall, s);
+    RUN(force, s);
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
