@@ -24,6 +24,7 @@ START_TEST(coordinates_come_back_into_the_period)
     ck_assert(hair == 0);
     ck_assert(sph2d__period_wrap(nextafter(1, 0), 0, 1) == nextafter(1, 0));
     ck_assert(sph2d__period_wrap(17, 0, 0) == 17);
+    ck_assert(sph2d__period_wrap(4, 0.3, 3.7) >= 0.3); /* 4 - 3.7 rounds to less */
 }
 END_TEST
 

@@ -239,6 +239,34 @@ START_TEST(too_many_boundary_particles_are_refused)
 }
 END_TEST
 
+/* An obstacle on a periodic side takes as many places as one inside. */
+START_TEST(obstacles_take_places_across_periodic_sides)
+{
+    size_t counts[2];
+    for (int k = 0; k < 2; ++k) {
+        sph2d_scene room = test_scene(0.05, 0, 0, 1, 1);
+        room.boundary =
+            (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+        room.method = sph2d_scene_default().method;
+        room.method.name = SPH2D_METHOD_WCSPH;
+        room.method.sound_speed = 10;
+        sph2d_obstacle obstacle = sph2d_obstacle_default();
+        obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+        obstacle.outline.circle = (sph2d_disc){{k ? 0 : 0.5, 0.5}, 0.13};
+        sph2d_block block = test_block(0, 0, 1, 1);
+        room.obstacles = &obstacle;
+        room.obstacle_count = 1;
+        room.blocks = &block;
+        room.block_count = 1;
+        sph2d_sim *sim = test_create(&room, NULL);
+        counts[k] = sph2d_sim_fluid(sim).count;
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_uint_lt(counts[0], 400);
+    ck_assert_uint_eq(counts[0], counts[1]);
+}
+END_TEST
+
 Suite *suite_placing(void)
 {
     Suite *suite = suite_create("placing");
@@ -254,6 +282,7 @@ Suite *suite_placing(void)
     tcase_add_test(tests, blocks_may_not_interlock);
     tcase_add_test(tests, a_million_millions_are_refused_with_their_memory);
     tcase_add_loop_test(tests, too_many_boundary_particles_are_refused, 0, 2);
+    tcase_add_test(tests, obstacles_take_places_across_periodic_sides);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -92,7 +92,9 @@ static other other_of(const sph2d__system *s, size_t i, const sph2d__store *from
 {
     const sph2d__store *f = &s->fluid;
     bool liquid = from == f;
-    other o = {.dx = f->x[i] - from->x[j], .dy = f->y[i] - from->y[j]};
+    const sph2d__period *period = &s->fluid_cells.period;
+    other o = {.dx = sph2d__period_nearest(f->x[i] - from->x[j], period->length_x),
+               .dy = sph2d__period_nearest(f->y[i] - from->y[j], period->length_y)};
     o.r = hypot(o.dx, o.dy);
     o.vx = f->vx[i] - (liquid ? from->vx[j] : from->image_vx[j]);
     o.vy = f->vy[i] - (liquid ? from->vy[j] : from->image_vy[j]);
@@ -381,22 +383,61 @@ START_TEST(walls_act_like_liquid)
 }
 END_TEST
 
+/* A room that goes on at its left and right side, and in which the floor does. */
+START_TEST(images_act_across_periodic_sides)
+{
+    scene.domain = (sph2d_box){{0, 0}, {SIDE * DX, SIDE * DX}};
+    sph2d_side floor = _i ? SPH2D_SIDE_WALL : SPH2D_SIDE_PERIODIC, top = _i ? SPH2D_SIDE_OPEN : SPH2D_SIDE_PERIODIC;
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, floor, top};
+    scene.method.artificial_viscosity = 0.05;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    sph2d__wcsph.evaluate(s);
+    check_forces(s);
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    for (size_t b = 0; b < w->count; ++b) {
+        double sum = 0, p = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            double dx = sph2d__period_nearest(w->x[b] - f->x[j], SIDE * DX), dy = w->y[b] - f->y[j];
+            double v = weight(s->method.kernel, s->support, hypot(dx, dy));
+            sum += v;
+            p += v * f->pressure[j];
+        }
+        if (sum > 1e-9)
+            close_to(w->pressure[b], p / sum, RHO0 * C0 * C0, "pressure", b);
+    }
+}
+END_TEST
+
+/** The first boundary particle of the left wall, or of the floor, that the middle of the cloud is near. */
+static size_t wall_particle(const sph2d__store *w, bool left)
+{
+    size_t b = 0;
+    for (;; ++b) {
+        double along = left ? w->y[b] : w->x[b], behind = left ? w->x[b] : w->y[b];
+        if (behind < 0 && behind > -DX && along > 4 * DX && along < 5 * DX)
+            return b;
+    }
+}
+
+/* The image turns with twice the wall's velocity: across a smooth wall, in both directions at a rough one. */
 START_TEST(a_moving_wall_adds_its_own_velocity)
 {
-    sph2d__system *s = make_walled(SPH2D_SLIP_FREE);
+    bool left = _i & 1, rough = _i & 2;
+    sph2d__system *s = make_walled(rough ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE);
     sph2d__store *w = &s->walls;
     sph2d__wcsph.evaluate(s);
-    size_t b = 0;
-    while (!(w->x[b] < 0 && w->y[b] > 4 * DX && w->y[b] < 5 * DX && w->x[b] > -DX))
-        ++b;
+    size_t b = wall_particle(w, left);
     double before_x = w->image_vx[b], before_y = w->image_vy[b], before_p = w->pressure[b];
     w->vx[b] = 0.5;
     w->vy[b] = 0.25;
-    w->ax[b] = 3;
     sph2d__wcsph.evaluate(s);
-    ck_assert_double_eq_tol(w->image_vx[b], before_x + 2 * 0.5, 1e-12); /* the wall's part is across it */
-    ck_assert_double_eq_tol(w->image_vy[b], before_y, 1e-12);
-    ck_assert_double_gt(w->pressure[b], before_p); /* it is pushed into the liquid */
+    ck_assert_double_eq_tol(w->image_vx[b], before_x + (left || rough ? 2 * 0.5 : 0), 1e-12);
+    ck_assert_double_eq_tol(w->image_vy[b], before_y + (!left || rough ? 2 * 0.25 : 0), 1e-12);
+    ck_assert(w->pressure[b] == before_p);
+    *(left ? &w->ax[b] : &w->ay[b]) = 3; /* it is pushed into the liquid */
+    sph2d__wcsph.evaluate(s);
+    ck_assert_double_gt(w->pressure[b], before_p + 3 * 0.9 * RHO0 * 0.4 * DX);
+    ck_assert_double_lt(w->pressure[b], before_p + 3 * 1.1 * RHO0 * 3 * DX);
 }
 END_TEST
 
@@ -441,6 +482,44 @@ START_TEST(the_surface_is_known)
             ck_assert_double_eq_tol(f->surface[i], rows, 1e-12);
         }
     }
+}
+END_TEST
+
+START_TEST(fullness_is_the_smaller_eigenvalue)
+{
+    sph2d__system *s = at_rest(RHO0);
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        double xx = 0, xy = 0, yy = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            other o = other_of(s, i, f, j);
+            double v = o.mass / o.density * o.slope;
+            xx -= v * o.dx * o.dx;
+            xy -= v * o.dx * o.dy;
+            yy -= v * o.dy * o.dy;
+        }
+        /* (M - l)(x) = 0 for some x: the determinant vanishes, and the trace says which root it is */
+        double l = f->fullness[i];
+        ck_assert_double_eq_tol((xx - l) * (yy - l) - xy * xy, 0, 1e-10);
+        ck_assert_double_le(l, (xx + yy) / 2 + 1e-10);
+    }
+}
+END_TEST
+
+/* A film of one row: the slope of a field across it cannot be known, and is not guessed. */
+START_TEST(a_row_of_particles_has_no_slope)
+{
+    block = test_block(0, 0, SIDE * DX, DX);
+    scene.method.density_diffusion = 0.1;
+    scene.method.shifting = 1;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    s->speed = 1;
+    s->shift_gain = 2;
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        s->fluid.y[i] = 0.3;
+    sph2d__wcsph.evaluate(s);
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        ck_assert(s->fluid.slope_x[i] == 0 && s->fluid.slope_y[i] == 0);
 }
 END_TEST
 
@@ -569,8 +648,11 @@ Suite *suite_wcsph(void)
     tcase_add_loop_test(tests, viscosity_is_that_of_the_liquid, 0, 2);
     tcase_add_loop_test(tests, walls_carry_the_pressure_of_the_liquid_on, 0, 2);
     tcase_add_loop_test(tests, walls_act_like_liquid, 0, 2);
-    tcase_add_test(tests, a_moving_wall_adds_its_own_velocity);
+    tcase_add_loop_test(tests, images_act_across_periodic_sides, 0, 2);
+    tcase_add_loop_test(tests, a_moving_wall_adds_its_own_velocity, 0, 4);
     tcase_add_test(tests, the_surface_is_known);
+    tcase_add_test(tests, fullness_is_the_smaller_eigenvalue);
+    tcase_add_test(tests, a_row_of_particles_has_no_slope);
     tcase_add_test(tests, shifts_lead_away_from_the_crowd);
     tcase_add_test(tests, a_shift_meets_the_fields_on_its_way);
     tcase_add_test(tests, tension_pushes_apart_inside_and_pulls_at_the_surface);

@@ -18,7 +18,7 @@ static inline double sph2d__period_wrap(double x, double low, double length)
     if (!(length > 0) || (x >= low && x < low + length))
         return x;
     double wrapped = x - length * floor((x - low) / length);
-    return wrapped < low + length ? wrapped : low; /* rounding may land on the upper end */
+    return wrapped >= low && wrapped < low + length ? wrapped : low; /* rounding may land on an end, or beside it */
 }
 
 /** The shortest of a distance and its images. */

@@ -115,12 +115,15 @@ static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a periodic side needs a periodic side opposite");
         return;
     }
-    double support = sph2d__method_resolve(c->scene->method).support_ratio * c->scene->spacing;
-    if (!periodic || length >= 3.001 * support)
+    const sph2d_method_options *m = &c->scene->method;
+    double reach = sph2d__method_resolve(*m).support_ratio * c->scene->spacing;
+    if (solver_of(m) == FITTED)
+        reach += c->scene->spacing; /* as far as boundary particles are looked for */
+    if (!periodic || length >= 3.001 * reach)
         return;
-    sph2d_diagnostic *d =
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "the period does not hold three support radii");
-    sph2d_diagnostic_hint(d, "make the domain at least %g m long here, or the spacing smaller", 3.001 * support);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                                             "the period does not hold three times the reach of a particle");
+    sph2d_diagnostic_hint(d, "make the domain at least %g m long here, or the spacing smaller", 3.001 * reach);
 }
 
 void sph2d__check_method(sph2d__checker *c)

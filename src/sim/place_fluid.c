@@ -53,14 +53,22 @@ static bool taken_by(const sph2d_outline *outline, double spacing, double distan
     return false;
 }
 
-static bool taken_by_obstacle(const sph2d_scene *scene, sph2d_vec2 p)
+/** Whether an obstacle takes a place, or one of its images beyond periodic sides. */
+static bool taken_by_obstacle(const sph2d_sim *sim, sph2d_vec2 p)
 {
+    const sph2d_scene *scene = &sim->scene;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    int across = period->length_x > 0, along = period->length_y > 0;
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
         const sph2d_obstacle *obstacle = &scene->obstacles[i];
         bool layers = sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
         double distance = (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * scene->spacing;
-        if (taken_by(&obstacle->outline, scene->spacing, distance, p))
-            return true;
+        for (int image_x = -across; image_x <= across; ++image_x)
+            for (int image_y = -along; image_y <= along; ++image_y) {
+                sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
+                if (taken_by(&obstacle->outline, scene->spacing, distance, image))
+                    return true;
+            }
     }
     return false;
 }
@@ -82,7 +90,7 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
 /** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
 static void place(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
 {
-    if (taken_by_obstacle(&sim->scene, p)) {
+    if (taken_by_obstacle(sim, p)) {
         ++sim->plan.places_left_free;
         return;
     }
