@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check.c
- *  Finds the faults of a scene: first every number's range from the key table, then what only the meaning shows. */
+ *  Finds the faults of a scene: first every number's range, then what only the meaning shows. */
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
@@ -29,110 +29,6 @@ const char *sph2d__check_path(char path[PATH_SIZE], const char *list, size_t ind
     snprintf(path, PATH_SIZE, "%s[%zu]%s", list, index, rest);
     return path;
 }
-
-/* ---- ranges ------------------------------------------------------------------------------------------------------ */
-
-static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
-{
-    if (key->zero_is_unset && value == 0)
-        return;
-    if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
-        return;
-    char message[160];
-    if (!isfinite(value))
-        snprintf(message, sizeof message, "%g is not a finite number", value);
-    else if (key->max == INFINITY)
-        snprintf(message, sizeof message, "%g is out of range: must be %s %g", value,
-                 key->min_excluded ? "above" : "at least", key->min);
-    else
-        snprintf(message, sizeof message, "%g is out of range: must be %s %g and at most %g", value,
-                 key->min_excluded ? "above" : "at least", key->min, key->max);
-    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
-    sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
-}
-
-static void check_numbers(checker *c, const sph2d_key *key, const char *path, const double *values, size_t count)
-{
-    for (size_t i = 0; i < count; ++i)
-        check_number(c, key, path, values[i]);
-}
-
-static void check_word(checker *c, const sph2d_key *key, const char *path, int value)
-{
-    int count = 0;
-    while (key->words[count])
-        ++count;
-    if (value < 0 || value >= count)
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "is none of the known values");
-}
-
-static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix);
-
-static void check_key(checker *c, const sph2d_key *key, const char *base, const char *path)
-{
-    const char *slot = base + key->offset;
-    size_t count = key->count_offset ? *(const size_t *)(const void *)(base + key->count_offset) : 0;
-    const void *items = NULL;
-    if (key->count_offset)
-        memcpy(&items, slot, sizeof items);
-    if (count > 0 && !items) {
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
-        c->broken = true;
-        return;
-    }
-    switch (key->kind) {
-    case SPH2D_KEY_NUMBER:
-        check_numbers(c, key, path, (const double *)(const void *)slot, 1);
-        break;
-    case SPH2D_KEY_POINT:
-        check_numbers(c, key, path, (const double *)(const void *)slot, 2);
-        break;
-    case SPH2D_KEY_COUNT:
-        check_number(c, key, path, (double)*(const uint64_t *)(const void *)slot);
-        break;
-    case SPH2D_KEY_COUNTS2:
-        check_number(c, key, path, (double)((const uint64_t *)(const void *)slot)[0]);
-        check_number(c, key, path, (double)((const uint64_t *)(const void *)slot)[1]);
-        break;
-    case SPH2D_KEY_WORD:
-        check_word(c, key, path, *(const int *)(const void *)slot);
-        break;
-    case SPH2D_KEY_POINTS:
-        check_numbers(c, key, path, items, 2 * count);
-        break;
-    case SPH2D_KEY_PATH:
-        check_numbers(c, key, path, items, 3 * count);
-        break;
-    case SPH2D_KEY_NUMBERS:
-        check_numbers(c, key, path, items, count);
-        break;
-    case SPH2D_KEY_GROUP:
-        check_struct(c, key->keys, slot, path);
-        break;
-    case SPH2D_KEY_LIST:
-        for (size_t i = 0; i < count; ++i) {
-            char item[PATH_SIZE];
-            check_struct(c, key->keys, (const char *)items + i * key->keys->size, sph2d__check_path(item, path, i, ""));
-        }
-        break;
-    case SPH2D_KEY_TEXT:
-        break;
-    }
-}
-
-static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix)
-{
-    for (size_t k = 0; k < keys->count; ++k) {
-        const sph2d_key *key = &keys->items[k];
-        if (key->choice && *(const int *)(const void *)(base + key->choice_offset) != key->choice)
-            continue;
-        char path[PATH_SIZE];
-        snprintf(path, sizeof path, "%s%s%s", prefix, prefix[0] ? "." : "", key->name);
-        check_key(c, key, base, path);
-    }
-}
-
-/* ---- meaning ----------------------------------------------------------------------------------------------------- */
 
 static bool check_box(checker *c, sph2d_box box, const char *path)
 {
@@ -450,7 +346,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
                            "the scene was not made by sph2d_scene_default() of this version");
         return SPH2D_SCENE;
     }
-    check_struct(&c, sph2d_scene_keys(), (const char *)scene, "");
+    sph2d__check_ranges(&c);
     if (!check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_frame(&c))
         return SPH2D_SCENE; /* what follows measures against these */
     for (size_t i = 0; i < scene->block_count; ++i)

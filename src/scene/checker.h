@@ -22,6 +22,9 @@ sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const c
 /** "blocks[2].box" from "blocks", 2, ".box". */
 const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
 
+/** Ranges, words and lists, by the key table. */
+void sph2d__check_ranges(sph2d__checker *c);
+
 /** What the method does not have, and periodic sides. */
 void sph2d__check_method(sph2d__checker *c);
 
