@@ -21,7 +21,7 @@ typedef struct force_sums {
 /** Terms that a scene may do without. */
 typedef struct terms {
     double morris, monaghan; /**< dynamic viscosity [Pa s] of each form */
-    bool slope;              /**< density diffusion needs the slope of density */
+    bool slope;              /**< density diffusion and shifting need the slope of density */
     bool full;               /**< shifting or tensile control needs to know the free surface */
     bool shift;              /**< particles are shifted */
     double near;             /**< 1/f(dx/H) */
@@ -160,7 +160,7 @@ static terms terms_of(const sph2d__system *s)
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
     terms with = {.morris = morris ? s->viscosity : 0,
                   .monaghan = artificial + (morris ? 0 : s->viscosity),
-                  .slope = s->method.density_diffusion > 0,
+                  .slope = s->method.density_diffusion > 0 || s->method.shifting > 0,
                   .shift = s->method.shifting > 0};
     with.full = with.shift || s->method.tensile_control == SPH2D_SWITCH_ON;
     with.near = 1 / sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);

@@ -3,14 +3,16 @@
  *  One step of a method whose density has a rate: leapfrog as kick-drift-kick, with density moved at the half step.
  *
  *      v(n+1/2)   = v(n) + dt/2 a(n)
- *      x(n+1/2)   = x(n) + dt/2 v(n+1/2)
+ *      x(n+1/2)   = x(n) + dt/2 (v(n+1/2) + w)
  *      rho(n+1)   = rho(n) + dt rate(x(n+1/2), v(n+1/2))
- *      x(n+1)     = x(n+1/2) + dt/2 v(n+1/2)
+ *      v(n+1/2)  += dt (w . grad) v
+ *      x(n+1)     = x(n+1/2) + dt/2 (v(n+1/2) + w)
  *      a(n+1)     = a(x(n+1), rho(n+1), v(n) + dt a(n))
  *      v(n+1)     = v(n+1/2) + dt/2 a(n+1)
  *
- *  Without dissipation the rate depends on places and velocities alone: then each line undoes itself when time runs
- *  back, so that energy neither grows nor falls in the long run. */
+ *  with the shift velocity w of the step (methods/shift.h), which the rate of density knows too. Without dissipation
+ * and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
+ * that energy neither grows nor falls in the long run. */
 #include "base/threads.h"
 #include "methods/shift.h"
 #include "sim/integrators.h"
