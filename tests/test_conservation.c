@@ -330,6 +330,70 @@ START_TEST(the_order_of_the_particles_changes_nothing)
 }
 END_TEST
 
+/* Where a period begins does not matter: the same particles in a room that begins elsewhere, for both methods. */
+START_TEST(the_origin_of_a_period_changes_nothing)
+{
+    sph2d_sim *sims[2];
+    for (int k = 0; k < 2; ++k) {
+        scene = test_scene(0.05, 0.33 * k, 0.71 * k, 1 + 0.33 * k, 1 + 0.71 * k);
+        scene.boundary =
+            (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+        if (_i)
+            plain_liquid(10);
+        scene.fluid.dynamic_viscosity = 2;
+        blocks[0] = test_block(0.33 * k, 0.71 * k, 1 + 0.33 * k, 1 + 0.71 * k);
+        blocks[0].perturb.amplitude = 0.2;
+        sph2d_obstacle obstacle = sph2d_obstacle_default(); /* across two sides of one room */
+        obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+        obstacle.outline.circle = (sph2d_disc){{k ? 1.3 : 0.3, k ? 0.8 : 0.8}, 0.12};
+        scene.obstacles = &obstacle;
+        scene.obstacle_count = 1;
+        scene.blocks = blocks;
+        scene.block_count = 1;
+        sims[k] = test_create(&scene, NULL);
+    }
+    sph2d__store *f = &sims[0]->system.fluid, *g = &sims[1]->system.fluid;
+    ck_assert_uint_ge(g->capacity, f->count); /* the lattices lie differently around the obstacle */
+    g->count = f->count;
+    for (size_t i = 0; i < f->count; ++i) {
+        g->x[i] = sph2d__period_wrap(f->x[i], 0.33, 1);
+        g->y[i] = sph2d__period_wrap(f->y[i], 0.71, 1);
+        g->vx[i] = f->vx[i];
+        g->vy[i] = f->vy[i];
+        g->ax[i] = f->ax[i];
+        g->ay[i] = f->ay[i];
+        g->density[i] = f->density[i];
+        g->id[i] = f->id[i];
+    }
+    sims[1]->record.next_step = sims[0]->record.next_step;
+    test_steps(sims[0], 20);
+    test_steps(sims[1], 20);
+    sph2d_view a = sph2d_sim_fluid(sims[0]), b = sph2d_sim_fluid(sims[1]);
+    for (size_t i = 0; i < a.count; ++i) {
+        size_t j = test_find(b, a.id[i]);
+        ck_assert_double_eq_tol(sph2d__period_nearest(a.x[i] - b.x[j], 1), 0, 1e-10);
+        ck_assert_double_eq_tol(sph2d__period_nearest(a.y[i] - b.y[j], 1), 0, 1e-10);
+    }
+    sph2d_sim_destroy(sims[0]);
+    sph2d_sim_destroy(sims[1]);
+}
+END_TEST
+
+/* a = g - B^2 (x - center), on a particle alone. */
+START_TEST(a_central_force_pulls)
+{
+    cloud();
+    blocks[0] = test_particle(0.05, 0.3, 0.4, 0, 0);
+    scene.gravity = (sph2d_vec2){0.5, -0.25};
+    scene.central_force.center = (sph2d_vec2){0.1, 0.9};
+    scene.central_force.rate = 2;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_double_eq_tol(sim->system.fluid.ax[0], 0.5 - 4 * 0.2, 1e-12);
+    ck_assert_double_eq_tol(sim->system.fluid.ay[0], -0.25 + 4 * 0.5, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(threads_change_no_bit)
 {
     cloud();
@@ -367,6 +431,8 @@ Suite *suite_conservation(void)
     tcase_add_test(tests, a_moving_frame_changes_nothing);
     tcase_add_test(tests, a_mirrored_run_is_the_mirror_of_the_run);
     tcase_add_test(tests, the_order_of_the_particles_changes_nothing);
+    tcase_add_loop_test(tests, the_origin_of_a_period_changes_nothing, 0, 2);
+    tcase_add_test(tests, a_central_force_pulls);
     tcase_add_test(tests, threads_change_no_bit);
     suite_add_tcase(suite, tests);
     return suite;
