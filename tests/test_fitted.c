@@ -92,6 +92,31 @@ START_TEST(quadratic_fields_are_exact)
 }
 END_TEST
 
+/* Three neighbours are too few for a parabola and enough for a plane; two on a line are too few for that. */
+START_TEST(few_neighbours_give_a_plane_or_nothing)
+{
+    static const double x[4] = {0.5, 0.55, 0.49, 0.44}, y[4] = {0.5, 0.51, 0.56, 0.47};
+    sph2d__store *f = make(SPH2D_ISA_AUTO);
+    f->count = _i ? 3 : 4;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->x[i] = x[i];
+        f->y[i] = _i ? 0.5 : y[i];
+        f->vx[i] = 1 + 2 * f->x[i] - 3 * f->y[i];
+        f->vy[i] = 4 * f->x[i] + 5 * f->y[i];
+        f->density[i] = RHO0 + 6 * f->x[i] - 7 * f->y[i];
+    }
+    sim->system.speed = 0;
+    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, &sim->memory, 1));
+    sph2d__wcsph_fitted.evaluate(&sim->system);
+    for (size_t i = 0; i < f->count; ++i) {
+        double rho = f->density[i];
+        ck_assert_double_eq_tol(f->ax[i], _i ? 0 : -C0 * C0 * 6 / rho, 1e-9);
+        ck_assert_double_eq_tol(f->ay[i], _i ? 0 : C0 * C0 * 7 / rho, 1e-9);
+        ck_assert_double_eq_tol(f->density_rate[i], _i ? 0 : -7 * rho, 1e-6);
+    }
+}
+END_TEST
+
 START_TEST(shifts_lead_away_from_the_crowd)
 {
     sph2d__store *f = make(SPH2D_ISA_AUTO);
@@ -245,6 +270,7 @@ Suite *suite_fitted(void)
     TCase *tests = tcase_create("fitted");
     tcase_add_checked_fixture(tests, start, finish);
     tcase_add_loop_test(tests, quadratic_fields_are_exact, 0, 2);
+    tcase_add_loop_test(tests, few_neighbours_give_a_plane_or_nothing, 0, 2);
     tcase_add_test(tests, shifts_lead_away_from_the_crowd);
     tcase_add_test(tests, the_laplacian_of_a_lattice_is_of_fourth_order);
     tcase_add_test(tests, noise_of_density_decays);
