@@ -21,6 +21,7 @@
     X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
     X(wcsph)                                                                                                           \
+    X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \

@@ -36,7 +36,7 @@ typedef enum sph2d_flow_kind {
     SPH2D_FLOW_STRAIN = 7,   /**< a free disc that becomes an ellipse, and swings under a central force; inviscid */
     SPH2D_FLOW_ROTATION = 8, /**< a free disc that turns rigidly; any viscosity */
     SPH2D_FLOW_PATCH = 9,    /**< a free square, starting with the same velocity; inviscid, time 0 alone */
-    SPH2D_FLOW_DROP = 10     /**< a disc at rest under surface tension */
+    SPH2D_FLOW_DROP = 10     /**< a disc under surface tension, at rest or swinging a little; inviscid */
 } sph2d_flow_kind;
 
 /** A flow. What its numbers mean, and the forces under which it is a solution; "-" is not read:
@@ -54,7 +54,7 @@ typedef enum sph2d_flow_kind {
  *      strain          U/L: rate dvx/dx at time 0  radius at time 0     of the disc                     central, rate B
  *      rotation        U/L: angular velocity       radius               of the disc                     none
  *      patch           U/L: angular velocity       side                 of the square                   none
- *      drop            -                           radius               of the disc                     tension
+ *      drop            U/L: rate dvx/dx at time 0  radius               of the disc                     tension
  *
  *  nu is the kinematic viscosity. A negative speed turns a flow round: positive ones turn anticlockwise (gresho,
  *  rotation, patch), lengthen along x (strain), flow to the right (poiseuille, couette). taylor_green is

@@ -165,6 +165,8 @@ typedef struct sph2d_central_force {
 typedef struct sph2d_fluid {
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
+    double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. Methods muller and wcsph with
+                                 symmetric operators. Surfaces meet layered walls at a right angle */
 } sph2d_fluid;
 
 /** Off or on. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file drops.c
- *  Free liquid that turns rigidly, as a disc and as a square, and a drop at rest. */
+ *  Free liquid that turns rigidly, as a disc and as a square, and a drop under surface tension. */
 #include <math.h>
 
 #include "base/pi.h"
@@ -55,9 +55,19 @@ sph2d__flow_value sph2d__flow_patch(const sph2d__flow_moment *m, double x, doubl
     return (sph2d__flow_value){-w * y, w * x, m->context->density * u * u * q};
 }
 
-/** Laplace: surface tension around a disc, curved in one plane alone, presses by sigma/L. */
+/** Laplace: surface tension around a disc, curved in one plane alone, presses by sigma/L. Rayleigh (1879), Lamb (1932),
+ *  art. 275, for a cylinder's second mode: a small strain at time 0 swings at w = sqrt(6 sigma/(rho L^3)), with
+ *
+ *      v = U/L cos wt (x, -y),   p = sigma/L + rho U w/(2 L) sin wt (x^2 - y^2),   r(theta) = L + U/w sin wt cos 2
+ * theta
+ */
 sph2d__flow_value sph2d__flow_drop(const sph2d__flow_moment *m, double x, double y)
 {
-    double radius = m->flow->length;
-    return (sph2d__flow_value){0, 0, x * x + y * y <= radius * radius ? m->context->surface_tension / radius : 0};
+    double radius = m->flow->length, tension = m->context->surface_tension, density = m->context->density;
+    double pace = sqrt(6 * tension / (density * radius * radius * radius));
+    double rate = m->flow->speed / radius, r2 = x * x + y * y, cos2 = (x * x - y * y) / (r2 > 0 ? r2 : 1);
+    double moved = pace > 0 ? m->flow->speed / pace * sin(pace * m->time) : m->flow->speed * m->time;
+    double inside = tension / radius + density * rate * pace / 2 * sin(pace * m->time) * (x * x - y * y);
+    double v = rate * cos(pace * m->time);
+    return (sph2d__flow_value){v * x, -v * y, sqrt(r2) <= radius + moved * cos2 ? inside : 0};
 }

@@ -32,7 +32,7 @@ static const struct kind {
     [SPH2D_FLOW_STRAIN] = {"strain", sph2d__flow_strain, SPEED | LENGTH | AXES},
     [SPH2D_FLOW_ROTATION] = {"rotation", sph2d__flow_rotation, SPEED | LENGTH},
     [SPH2D_FLOW_PATCH] = {"patch", sph2d__flow_patch, SPEED | LENGTH | START},
-    [SPH2D_FLOW_DROP] = {"drop", sph2d__flow_drop, LENGTH},
+    [SPH2D_FLOW_DROP] = {"drop", sph2d__flow_drop, SPEED | LENGTH},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 

@@ -45,7 +45,7 @@ typedef struct sph2d__method {
 const sph2d__method *sph2d__method_find(const sph2d_method_options *options);
 
 /** The shortest of the acoustic, viscous and force limits, and which it is:
- *      cfl H / (sound + speed),   viscous H^2 / nu,   force sqrt(H / acceleration)
+ *      cfl H / (sound + speed),   viscous H^2 / nu,   force sqrt(H / acceleration), and that of surface tension
  *  with the largest speed of sound [m/s], the kinematic viscosity nu [m^2/s] that acts and two fractions that belong to
  *  the method. */
 double sph2d__shortest_step(const sph2d__system *system, double sound, double speed, double acceleration, double nu,

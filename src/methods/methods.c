@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "methods/muller.h"
+#include "methods/tension.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_fitted.h"
 
@@ -25,9 +26,11 @@ const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
 double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,
                             double viscous, double force, sph2d__limit *limit)
 {
-    double limits[3] = {[SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound + speed),
-                        [SPH2D__LIMIT_FORCE] = acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY,
-                        [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};
+    double limits[3] = {
+        [SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound + speed),
+        [SPH2D__LIMIT_FORCE] =
+            fmin(acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY, sph2d__tension_step(s)),
+        [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};
     *limit = SPH2D__LIMIT_ACOUSTIC;
     for (int k = 0; k < 3; ++k)
         if (limits[k] < limits[*limit])

@@ -2,6 +2,7 @@
 /** @file muller.c
  *  Method `muller`: equation of state, walls, step limits. The pair loops are in muller_pass.c. */
 #include "methods/muller.h"
+#include "methods/tension.h"
 
 #include <math.h>
 
@@ -87,6 +88,7 @@ static void evaluate(sph2d__system *s)
         }
     }
     pass->force(s);
+    sph2d__tension_add(s);
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

@@ -14,17 +14,18 @@ typedef struct sph2d__system {
     bool walls_press;   /**< some boundary particle acts by pressure */
     bool walls_reflect; /**< some boundary particle reflects */
 
-    double spacing;        /**< dx [m] */
-    double support;        /**< support radius H [m] */
-    double wall_reach;     /**< how far off boundary particles must be found [m] */
-    double mass;           /**< of a fluid particle [kg/m] */
-    double rest_density;   /**< [kg/m^3] */
-    double sound_speed;    /**< c0 [m/s] */
-    double viscosity;      /**< dynamic [Pa s] */
-    double wall_viscosity; /**< of fluid on boundary particles [Pa s] */
-    double calibration;    /**< muller: factor on summed density that makes a filled lattice have the rest density */
-    double residual_gain;  /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
-    double shift_gain;     /**< wcsph: shift velocity over U and the crowding; set for each step */
+    double spacing;         /**< dx [m] */
+    double support;         /**< support radius H [m] */
+    double wall_reach;      /**< how far off boundary particles must be found [m] */
+    double mass;            /**< of a fluid particle [kg/m] */
+    double rest_density;    /**< [kg/m^3] */
+    double sound_speed;     /**< c0 [m/s] */
+    double viscosity;       /**< dynamic [Pa s] */
+    double surface_tension; /**< [N/m] */
+    double wall_viscosity;  /**< of fluid on boundary particles [Pa s] */
+    double calibration;     /**< muller: factor on summed density that makes a filled lattice have the rest density */
+    double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
+    double shift_gain;      /**< wcsph: shift velocity over U and the crowding; set for each step */
     sph2d_method_options method; /**< the scene's, every default filled in */
     sph2d_slip wall_slip;
     sph2d__body body;

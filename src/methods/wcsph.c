@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "methods/state_equation.h"
+#include "methods/tension.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice with a jitter of 0.25 dx Morris' operator stands
  * nu dt/H^2 < 0.04 at H/dx = 2 and 0.06 at 4. */
@@ -61,6 +62,7 @@ static void evaluate(sph2d__system *s)
     if (s->walls_press)
         RUN(wall, s);
     RUN(force, s);
+    sph2d__tension_add(s);
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

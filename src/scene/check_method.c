@@ -52,6 +52,7 @@ static void check_options(sph2d__checker *c)
            wcsph);
     refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.tensile_control", m->tensile_control != standard.tensile_control, SYMMETRIC, hint);
+    refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, MULLER | SYMMETRIC, hint);
     refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
     const sph2d_side_speeds *v = &c->scene->wall_speeds;
     bool belts = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;

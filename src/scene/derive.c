@@ -84,8 +84,9 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     double swing = scene->central_force.rate * farthest_liquid(scene);
     d.pull += swing * swing / 2;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
-    d.sound_speed = method.sound_speed;
+    d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
+    d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(method.stiffness);
     if (!(d.sound_speed > 0))
-        d.sound_speed = sqrt(method.stiffness > 0 ? method.stiffness : OVERSHOOT * d.head / method.max_compression);
+        d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / method.max_compression), d.ripple_speed);
     return d;
 }

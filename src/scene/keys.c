@@ -287,6 +287,8 @@ static const sph2d_key fluid_items[] = {
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
      .standard = "0.001", .text = "water 0.001, oil 0.1, honey 10"},
+    {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
+     .standard = "0", .text = "of the free surface"},
 };
 KEYS(fluid, sph2d_fluid, NULL);
 

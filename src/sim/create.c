@@ -71,6 +71,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
+    s->surface_tension = scene->fluid.surface_tension;
     s->fluid.has = sim->method->fluid;
     s->fluid.carried = sim->method->carried;
     s->walls.has = s->walls.carried = sim->method->walls;

@@ -111,18 +111,19 @@ static void place_lattice(sph2d_sim *sim, const sph2d_block *block, const lattic
         }
 }
 
-/** Particles of the k-th ring from the middle, at radius (k + 1/2) spacing. */
+/** Particles of the k-th ring from the middle. */
 static double ring_count(size_t k)
 {
     return round(2 * SPH2D__PI * ((double)k + 0.5));
 }
 
-/** Rings are turned against each other by the golden angle, which repeats no pattern. */
+/** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first keep a spacing from each other,
+ *  without which they collapse. Rings are turned against each other by the golden angle, which repeats no pattern. */
 static void place_rings(sph2d_sim *sim, const sph2d_block *block, double spacing, size_t rings)
 {
     const double golden = SPH2D__PI * (3 - sqrt(5));
     for (size_t k = 0; k < rings; ++k) {
-        double radius = ((double)k + 0.5) * spacing, count = ring_count(k);
+        double radius = (k > 0 ? (double)k + 0.5 : 1 / sqrt(3)) * spacing, count = ring_count(k);
         for (size_t i = 0; i < (size_t)count; ++i) {
             double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
             place(sim, block,

@@ -18,6 +18,10 @@ static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
                  "sqrt(stiffness) = sqrt(%g); head %.4g m^2/s^2 gives compression %.3g %%", scene->method.stiffness,
                  d->head, 100 * d->head / scene->method.stiffness);
+    else if (d->sound_speed <= d->ripple_speed)
+        snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
+                 "sqrt(8 sigma/(rho dx)) = sqrt(8 * %g/(%g * %g)), for ripples", scene->fluid.surface_tension,
+                 scene->fluid.density, scene->spacing);
     else
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
                  "sqrt(2 (g h + U^2/2 + pull) / max_compression) = sqrt(2 (%.4g * %.4g + %.4g^2/2 + %.4g) / %g)", g,
