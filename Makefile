@@ -270,6 +270,9 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(EXAMPLE_BIN) ## the tests (insta
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
 
+test-mutants: packages ## does a wrong formula fail a test? changes each constant and sign once (an hour)
+	$(hush)tests/mutants.sh
+
 # The long tests last, so that their summary closes the output.
 OTHER_CC := $(if $(CLANG),gcc,clang)
 test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
@@ -384,6 +387,6 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test test-sanitize test-full check-headers check-symbols check-install \
+.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full check-headers check-symbols check-install \
     check-lint check-walls format install uninstall dist clean help FORCE
 endif

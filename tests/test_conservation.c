@@ -345,7 +345,7 @@ START_TEST(the_origin_of_a_period_changes_nothing)
         blocks[0].perturb.amplitude = 0.2;
         sph2d_obstacle obstacle = sph2d_obstacle_default(); /* across two sides of one room */
         obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        obstacle.outline.circle = (sph2d_disc){{k ? 1.3 : 0.3, k ? 0.8 : 0.8}, 0.12};
+        obstacle.outline.circle = (sph2d_disc){{k ? 1.3 : 0.3, 0.8}, 0.12};
         scene.obstacles = &obstacle;
         scene.obstacle_count = 1;
         scene.blocks = blocks;

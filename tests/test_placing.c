@@ -132,6 +132,29 @@ START_TEST(sides_of_boundary_particles_are_a_spacing_away)
 }
 END_TEST
 
+START_TEST(single_particles_are_placed_as_they_are)
+{
+    static const sph2d_particle items[2] = {{0.7, 0.5, 1, -2, 1003}, {0.71, 0.5, 3, 4, 999}};
+    scene.particles = (sph2d_particles){NULL, items, 2};
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE); /* no sound speed */
+    ck_assert(test_report_has(&report, SPH2D_CODE_MISSING_KEY, "particles"));
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = 20;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    ck_assert_uint_eq(f.count, 102);
+    for (size_t k = 0; k < 2; ++k) {
+        size_t i = test_find(f, 100 + k);
+        ck_assert(f.x[i] == items[k].x && f.y[i] == items[k].y && f.vx[i] == items[k].vx && f.vy[i] == items[k].vy);
+        ck_assert_double_eq(f.density[i], items[k].density);
+    }
+    sph2d_sim_destroy(sim);
+    scene.particles.items = NULL;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert(test_report_has(&report, SPH2D_CODE_CONFLICT, "particles"));
+}
+END_TEST
+
 START_TEST(no_particle_found_room)
 {
     sph2d_obstacle obstacle = sph2d_obstacle_default();
@@ -278,6 +301,7 @@ Suite *suite_placing(void)
     tcase_add_test(tests, obstacles_keep_their_places_free);
     tcase_add_loop_test(tests, sides_of_boundary_particles_are_a_spacing_away, 0, 2);
     tcase_add_test(tests, no_particle_found_room);
+    tcase_add_test(tests, single_particles_are_placed_as_they_are);
     tcase_add_test(tests, blocks_may_touch_but_not_overlap);
     tcase_add_test(tests, blocks_may_not_interlock);
     tcase_add_test(tests, a_million_millions_are_refused_with_their_memory);

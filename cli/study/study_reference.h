@@ -9,7 +9,7 @@
 /** Points of a reference. Start it with {0}. */
 typedef struct study_points {
     double *x, *y; /**< owned; in the order of the file */
-    size_t count, room;
+    size_t count;
 } study_points;
 
 /** Reads the points that `reference` names, which must be empty. Lines that start with # and empty ones do not count,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file io.h
- *  Files: scene files (YAML, so JSON too), snapshots (HDF5), time series (CSV). Library libsph2d-io.
+ *  Files: scene files (YAML, so JSON too), snapshots (HDF5), time series and tables (CSV). Library libsph2d-io.
  *
  *  Nothing under its final name is ever partial: a file is written beside, synced and renamed. HDF5 is not safe for
  *  several threads, so one thread at a time may be in this library. */
@@ -28,7 +28,8 @@ typedef struct sph2d_override {
 SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                              sph2d_scene_file **file, sph2d_report *report);
 
-/** The same from memory. `name` stands for the file in messages. */
+/** The same from memory. `name` stands for the file in messages; a file of particles that the scene names is not read.
+ */
 SPH2D_API sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name,
                                               const sph2d_override *overrides, size_t override_count,
                                               sph2d_scene_file **file, sph2d_report *report);
@@ -103,6 +104,33 @@ SPH2D_API sph2d_status sph2d_series_append(sph2d_series *series, double time, co
                                            sph2d_report *report);
 /** Closes; NULL is fine. Errors: SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *report);
+
+/* ---- tables ------------------------------------------------------------------------------------------------------ */
+
+/** Columns of numbers from a CSV file. */
+typedef struct sph2d_table sph2d_table;
+
+/** A column that is asked for: by its heading, with or without a unit in brackets. */
+typedef struct sph2d_table_column {
+    const char *name;
+    bool optional; /**< the file need not have it */
+} sph2d_table_column;
+
+/** Reads columns of a CSV file, whatever others it has. Lines that start with # and empty ones do not count, the first
+ *  other line names the columns, empty cells and nan are NaN. At most ten million rows. Errors, with file, line and
+ *  column: SPH2D_NOINPUT, SPH2D_FORMAT, SPH2D_NOMEM. The caller owns *table (NULL after a failure). */
+SPH2D_API sph2d_status sph2d_table_read(const char *path, const sph2d_table_column *columns, size_t column_count,
+                                        sph2d_table **table, sph2d_report *report);
+
+SPH2D_API size_t sph2d_table_rows(const sph2d_table *table);
+/** Whether the file has the column that was asked for as number `column`. */
+SPH2D_API bool sph2d_table_has(const sph2d_table *table, size_t column);
+/** A number; NaN where there is none. `row` and `column` count from 0 and must be in range. */
+SPH2D_API double sph2d_table_value(const sph2d_table *table, size_t row, size_t column);
+/** Completes a diagnostic with the file and the line of a row. NULL is fine. */
+SPH2D_API void sph2d_table_locate(const sph2d_table *table, size_t row, sph2d_diagnostic *diagnostic);
+/** Frees a table; NULL is fine. */
+SPH2D_API void sph2d_table_destroy(sph2d_table *table);
 
 /* ---- text files -------------------------------------------------------------------------------------------------- */
 

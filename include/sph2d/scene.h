@@ -225,6 +225,22 @@ typedef struct sph2d_block {
     sph2d_perturb perturb;
 } sph2d_block;
 
+/** A particle of the liquid at the start. */
+typedef struct sph2d_particle {
+    double x, y;    /**< [m] */
+    double vx, vy;  /**< [m/s] */
+    double density; /**< [kg/m^3], > 0; muller computes its own */
+} sph2d_particle;
+
+/** Particles one by one, besides those of blocks. Their mass is that of the scene's spacing. They do not tell the sound
+ *  speed: the method must name it. */
+typedef struct sph2d_particles {
+    const char *file; /**< a CSV file with columns x, y and perhaps vx, vy, density (defaults 0 and the rest density),
+                           which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none */
+    const sph2d_particle *items;
+    size_t count;
+} sph2d_particles;
+
 /** A nozzle: feeds in rows of particles. A place that is taken stays empty, and is counted. */
 typedef struct sph2d_source {
     sph2d_vec2 at;        /**< centre of the nozzle [m] */
@@ -367,6 +383,7 @@ typedef struct sph2d_scene {
     sph2d_method_options method;
     const sph2d_block *blocks;
     size_t block_count;
+    sph2d_particles particles; /**< default none */
     const sph2d_source *sources;
     size_t source_count;
     const sph2d_drain *drains;

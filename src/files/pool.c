@@ -4,6 +4,7 @@
 #include "files/pool.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,6 +41,17 @@ char *sph2d__pool_text(sph2d__pool *pool, const char *text, size_t length)
     if (copy && length > 0)
         memcpy(copy, text, length);
     return copy;
+}
+
+const char *sph2d__pool_join(sph2d__pool *pool, const char *from, const char *path)
+{
+    const char *slash = strrchr(from, '/');
+    size_t folder = slash && path[0] != '/' ? (size_t)(slash - from) + 1 : 0;
+    size_t size = folder + strlen(path) + 1;
+    char *joined = sph2d__pool_alloc(pool, size, 1);
+    if (joined)
+        snprintf(joined, size, "%.*s%s", (int)folder, from, path);
+    return joined;
 }
 
 void sph2d__pool_free(sph2d__pool *pool)

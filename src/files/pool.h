@@ -18,6 +18,9 @@ void *sph2d__pool_alloc(sph2d__pool *pool, size_t count, size_t size);
 /** A NUL-terminated copy of `length` bytes; NULL when memory is short. */
 char *sph2d__pool_text(sph2d__pool *pool, const char *text, size_t length);
 
+/** `path` seen from the folder of the file `from`; NULL when memory is short. */
+const char *sph2d__pool_join(sph2d__pool *pool, const char *from, const char *path);
+
 void sph2d__pool_free(sph2d__pool *pool);
 
 #endif

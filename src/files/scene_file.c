@@ -8,6 +8,7 @@
 #include "files/c_locale.h"
 #include "files/convert.h"
 #include "files/overrides.h"
+#include "files/particles_file.h"
 #include "files/text.h"
 #include "files/yaml.h"
 #include "sph2d/io.h"
@@ -121,7 +122,17 @@ static bool has_keys(const sph2d_scene_file *file, sph2d__faults *faults)
     return false;
 }
 
-static sph2d_status read_scene(sph2d_scene_file *file, sph2d__faults *faults)
+/** Reads the particles' file where the scene names one. */
+static sph2d_status read_particles(sph2d_scene_file *file, sph2d__faults *faults)
+{
+    if (!file->scene.particles.file || faults->errors > 0)
+        return SPH2D_OK;
+    sph2d_status status = sph2d__particles_read(&file->scene, file->source.name, &file->pool, faults->report);
+    faults->errors += status != SPH2D_OK;
+    return status;
+}
+
+static sph2d_status read_scene(sph2d_scene_file *file, bool with_files, sph2d__faults *faults)
 {
     sph2d_status status = sph2d__yaml_parse(&file->source, faults, &file->root);
     if (status != SPH2D_OK)
@@ -137,12 +148,17 @@ static sph2d_status read_scene(sph2d_scene_file *file, sph2d__faults *faults)
     sph2d__convert_mapping(&converter, keys, file->root, "", &file->scene);
     if (faults->short_of_memory)
         return SPH2D_NOMEM;
+    if (with_files)
+        status = read_particles(file, faults);
+    if (status != SPH2D_OK)
+        return status;
     check(file, faults);
     return faults->errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }
 
-sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
-                                    size_t override_count, sph2d_scene_file **file, sph2d_report *report)
+/** As sph2d_scene_file_parse(), with or without the files that the scene names. */
+static sph2d_status parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
+                          size_t override_count, bool with_files, sph2d_scene_file **file, sph2d_report *report)
 {
     if (!file)
         return SPH2D_INVALID;
@@ -163,7 +179,7 @@ sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char 
         size_t first = report ? report->count : 0;
         status = copy_overrides(f, overrides, override_count);
         if (status == SPH2D_OK)
-            status = read_scene(f, &faults);
+            status = read_scene(f, with_files, &faults);
         sph2d__faults_sort(report, first);
         sph2d__c_locale_end(&locale);
     }
@@ -172,6 +188,12 @@ sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char 
     else
         sph2d_scene_file_destroy(f);
     return status;
+}
+
+sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
+                                    size_t override_count, sph2d_scene_file **file, sph2d_report *report)
+{
+    return parse(text, length, name, overrides, override_count, false, file, report);
 }
 
 sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
@@ -186,7 +208,7 @@ sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overr
     size_t length;
     sph2d_status status = sph2d__text_read(path, MOST_BYTES, &text, &length, report);
     if (status == SPH2D_OK)
-        status = sph2d_scene_file_parse(text, length, path, overrides, override_count, file, report);
+        status = parse(text, length, path, overrides, override_count, true, file, report);
     free(text);
     return status;
 }

@@ -28,19 +28,6 @@ void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *dia
 
 /* ---- names and paths --------------------------------------------------------------------------------------------- */
 
-/** `path` seen from the folder of the study; NULL when memory is short. */
-static const char *join(sph2d_study_file *file, const char *path)
-{
-    const char *name = file->source.name;
-    const char *slash = strrchr(name, '/');
-    size_t folder = slash && path[0] != '/' ? (size_t)(slash - name) + 1 : 0;
-    size_t size = folder + strlen(path) + 1;
-    char *joined = sph2d__pool_alloc(&file->pool, size, 1);
-    if (joined)
-        snprintf(joined, size, "%.*s%s", (int)folder, name, path);
-    return joined;
-}
-
 /** The last step of a key path: "sound_speed" of "method.sound_speed". */
 static const char *last_step(const char *path)
 {
@@ -76,7 +63,7 @@ static const char *clean_name(sph2d_study_file *file, const char *name)
 static bool complete(sph2d_study_file *file)
 {
     sph2d_study *study = &file->study;
-    study->scene = join(file, study->scene);
+    study->scene = sph2d__pool_join(&file->pool, file->source.name, study->scene);
     bool fine = study->scene != NULL;
     sph2d_study_run *runs = sph2d__pool_alloc(&file->pool, study->run_count, sizeof *runs);
     sph2d_study_measure *measures = sph2d__pool_alloc(&file->pool, study->measure_count, sizeof *measures);
@@ -92,7 +79,7 @@ static bool complete(sph2d_study_file *file)
         measures[i] = study->measures[i];
         measures[i].name = clean_name(file, measures[i].name);
         if (measures[i].expectation == SPH2D_EXPECT_REFERENCE)
-            measures[i].reference.file = join(file, measures[i].reference.file);
+            measures[i].reference.file = sph2d__pool_join(&file->pool, file->source.name, measures[i].reference.file);
         fine = fine && measures[i].name &&
                (measures[i].expectation != SPH2D_EXPECT_REFERENCE || measures[i].reference.file);
     }

@@ -53,14 +53,14 @@ static bool check_frame(checker *c)
     return false;
 }
 
-static bool in_domain(const sph2d_scene *scene, sph2d_vec2 p)
+bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p)
 {
     double slack = 1e-9 * scene->spacing;
     sph2d_box d = scene->domain;
     return p.x >= d.min.x - slack && p.x <= d.max.x + slack && p.y >= d.min.y - slack && p.y <= d.max.y + slack;
 }
 
-static void outside(checker *c, const char *path, sph2d_vec2 p)
+void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p)
 {
     sph2d_box b = c->scene->domain;
     char message[160];
@@ -105,10 +105,10 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
     if (!inside)
         return;
     sph2d_box b = sph2d__shape_bounds(shape);
-    if (!in_domain(c->scene, b.min))
-        outside(c, path, b.min);
-    else if (!in_domain(c->scene, b.max))
-        outside(c, path, b.max);
+    if (!sph2d__check_in_domain(c->scene, b.min))
+        sph2d__check_outside(c, path, b.min);
+    else if (!sph2d__check_in_domain(c->scene, b.max))
+        sph2d__check_outside(c, path, b.max);
 }
 
 static void check_times(checker *c, const char *list, size_t index, double start, double stop)
@@ -153,8 +153,8 @@ static void check_source(checker *c, size_t i)
 {
     const sph2d_source *source = &c->scene->sources[i];
     char path[PATH_SIZE];
-    if (!in_domain(c->scene, source->at))
-        outside(c, sph2d__check_path(path, "sources", i, ".at"), source->at);
+    if (!sph2d__check_in_domain(c->scene, source->at))
+        sph2d__check_outside(c, sph2d__check_path(path, "sources", i, ".at"), source->at);
     else if (near_side(c->scene, source->at)) {
         sph2d_diagnostic *w =
             sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "sources", i, ".at"),
@@ -182,8 +182,8 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
     }
     for (size_t i = 0; i < points.count; ++i) {
         sph2d_vec2 p = points.items[i];
-        if (!in_domain(c->scene, p))
-            outside(c, path, p);
+        if (!sph2d__check_in_domain(c->scene, p))
+            sph2d__check_outside(c, path, p);
         if (i > 0 && p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
             sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
     }
@@ -223,8 +223,8 @@ static void check_obstacle(checker *c, size_t i)
         check_outline_points(c, outline->polyline, false, sph2d__check_path(path, "obstacles", i, ".polyline"));
         break;
     case SPH2D_OUTLINE_CIRCLE:
-        if (!in_domain(c->scene, outline->circle.center))
-            outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+        if (!sph2d__check_in_domain(c->scene, outline->circle.center))
+            sph2d__check_outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
         if (outline->circle.radius > domain_diagonal(c->scene))
             sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
                                "is larger than the whole domain");
@@ -232,10 +232,10 @@ static void check_obstacle(checker *c, size_t i)
     case SPH2D_OUTLINE_BOX:
         sph2d__check_path(path, "obstacles", i, ".box");
         if (check_box(c, outline->box, path)) {
-            if (!in_domain(c->scene, outline->box.min))
-                outside(c, path, outline->box.min);
-            if (!in_domain(c->scene, outline->box.max))
-                outside(c, path, outline->box.max);
+            if (!sph2d__check_in_domain(c->scene, outline->box.min))
+                sph2d__check_outside(c, path, outline->box.min);
+            if (!sph2d__check_in_domain(c->scene, outline->box.max))
+                sph2d__check_outside(c, path, outline->box.max);
         }
         break;
     case SPH2D_OUTLINE_NONE:
@@ -272,9 +272,9 @@ static bool place_is_sound(const sph2d_scene *scene, const sph2d_probe *probe)
     switch (probe->kind) {
     case SPH2D_PROBE_SPEED:
     case SPH2D_PROBE_PRESSURE:
-        return in_domain(scene, probe->at);
+        return sph2d__check_in_domain(scene, probe->at);
     case SPH2D_PROBE_ELEVATION:
-        return in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
+        return sph2d__check_in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
     default:
         return true;
     }
@@ -297,7 +297,7 @@ static void check_probe(checker *c, size_t i)
     if (sph2d_rate_interval(probe->rate) <= 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
     if (!place_is_sound(c->scene, probe))
-        outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
+        sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
 }
 
 /** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some
@@ -319,7 +319,7 @@ static void warn_viscosity(checker *c)
 static void check_whole(checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    if (scene->block_count == 0 && scene->source_count == 0) {
+    if (scene->block_count == 0 && scene->source_count == 0 && !scene->particles.file && scene->particles.count == 0) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
@@ -351,6 +351,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         return SPH2D_SCENE; /* what follows measures against these */
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(&c, i);
+    sph2d__check_particles(&c);
     for (size_t i = 0; i < scene->source_count; ++i)
         check_source(&c, i);
     for (size_t i = 0; i < scene->drain_count; ++i) {

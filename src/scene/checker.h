@@ -22,10 +22,19 @@ sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const c
 /** "blocks[2].box" from "blocks", 2, ".box". */
 const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
 
+/** Whether a place is in the domain or within round-off of it. */
+bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p);
+
+/** Counts and reports that a place is not. */
+void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p);
+
 /** Ranges, words and lists, by the key table. */
 void sph2d__check_ranges(sph2d__checker *c);
 
 /** What the method does not have, and periodic sides. */
 void sph2d__check_method(sph2d__checker *c);
+
+/** Single particles, up to the first fault. */
+void sph2d__check_particles(sph2d__checker *c);
 
 #endif

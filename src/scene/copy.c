@@ -82,5 +82,7 @@ sph2d_status sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph
 {
     *to = *from;
     copier c = {arena, memory};
-    return copy_struct(&c, sph2d_scene_keys(), (char *)to) ? SPH2D_OK : SPH2D_NOMEM;
+    bool ok = copy_struct(&c, sph2d_scene_keys(), (char *)to) &&
+              copy_items(&c, &to->particles.items, to->particles.count, sizeof(sph2d_particle));
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
 }

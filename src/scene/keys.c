@@ -361,6 +361,8 @@ static const sph2d_key scene_items[] = {
     {"method", SPH2D_KEY_GROUP, false, AT(sph2d_scene, method), .keys = &method_keys, .unit = "",
      .text = "the solver and its numbers"},
     LIST("blocks", blocks, block, "liquid at the start"),
+    {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .standard = "none",
+     .text = "a CSV file of particles: x, y, and perhaps vx, vy, density"},
     LIST("sources", sources, source, "nozzles that feed liquid in"),
     LIST("drains", drains, drain, "areas where liquid vanishes"),
     LIST("obstacles", obstacles, obstacle, "fixed walls of boundary particles"),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_fluid.c
- *  The particles of a scene's blocks: square lattices or rings, kept free of obstacles, refused where they overlap. */
+ *  The particles of a scene's blocks: square lattices or rings, kept free of obstacles, refused where they overlap; and
+ * single particles. */
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -185,6 +186,44 @@ static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t fir
     return SPH2D_SCENE;
 }
 
+static bool in_obstacle(const sph2d_sim *sim, sph2d_vec2 p)
+{
+    for (size_t i = 0; i < sim->scene.obstacle_count; ++i)
+        if (sph2d__outline_encloses(&sim->scene.obstacles[i].outline, p))
+            return true;
+    return false;
+}
+
+/** The scene's single particles: as they are, or refused. */
+static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
+{
+    const sph2d_particles *particles = &sim->scene.particles;
+    sph2d__store *f = &sim->system.fluid;
+    if (sph2d__sim_too_many(sim, (double)f->count + (double)particles->count, "particles", report))
+        return SPH2D_SCENE;
+    if (!sph2d__store_reserve(f, &sim->memory, f->count + particles->count))
+        return SPH2D_NOMEM;
+    for (size_t k = 0; particles->items && k < particles->count; ++k) {
+        const sph2d_particle *p = &particles->items[k];
+        sph2d_vec2 at = {p->x, p->y};
+        bool taken = in_obstacle(sim, at);
+        for (size_t i = 0; i < sim->scene.block_count; ++i)
+            taken |= sph2d__shape_contains(&sim->scene.blocks[i].shape, at);
+        if (taken) {
+            char path[64];
+            snprintf(path, sizeof path, "particles[%zu]", k);
+            sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
+                             "(%g, %g) lies inside a block or an obstacle", p->x, p->y);
+            return SPH2D_SCENE;
+        }
+        size_t i = sph2d__store_add(f, sim->record.next_id++, p->x, p->y);
+        f->vx[i] = p->vx;
+        f->vy[i] = p->vy;
+        f->density[i] = p->density;
+    }
+    return SPH2D_OK;
+}
+
 /** Displaces the particles of a block, from `first` on, at random; what leaves a periodic side comes in opposite. */
 static void perturb_block(sph2d_sim *sim, size_t index, size_t first)
 {
@@ -216,7 +255,10 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         if (status != SPH2D_OK)
             return status;
     }
-    if (fluid->count == 0 && scene->source_count == 0) {
+    sph2d_status status = place_particles(sim, report);
+    if (status != SPH2D_OK)
+        return status;
+    if (fluid->count == 0 && scene->source_count == 0 && !scene->particles.file) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");
         return SPH2D_SCENE;
     }

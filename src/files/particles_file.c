@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/** @file particles_file.c
+ *  The particles of a scene that stand in a file of their own. */
+#include "files/particles_file.h"
+
+#include <math.h>
+
+#include "sph2d/io.h"
+
+enum { X, Y, VX, VY, DENSITY, COLUMNS };
+static const sph2d_table_column columns[COLUMNS] = {
+    [X] = {"x", false}, [Y] = {"y", false}, [VX] = {"vx", true}, [VY] = {"vy", true}, [DENSITY] = {"density", true}};
+
+/** A number of a row: `standard` where the file has no such column. */
+static double number(const sph2d_table *table, size_t row, size_t column, double standard)
+{
+    return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : standard;
+}
+
+static bool is_whole(const sph2d_particle *p)
+{
+    return !isnan(p->x) && !isnan(p->y) && !isnan(p->vx) && !isnan(p->vy) && p->density > 0;
+}
+
+static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2d__pool *pool, sph2d_report *report)
+{
+    size_t count = sph2d_table_rows(table);
+    sph2d_particle *items = sph2d__pool_alloc(pool, count + 1, sizeof *items);
+    if (!items)
+        return SPH2D_NOMEM;
+    for (size_t row = 0; row < count; ++row) {
+        items[row] = (sph2d_particle){.x = number(table, row, X, 0),
+                                      .y = number(table, row, Y, 0),
+                                      .vx = number(table, row, VX, 0),
+                                      .vy = number(table, row, VY, 0),
+                                      .density = number(table, row, DENSITY, scene->fluid.density)};
+        if (is_whole(&items[row]))
+            continue;
+        sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL,
+                                               "a particle lacks a number, or has a density that is not above 0");
+        sph2d_table_locate(table, row, d);
+        return SPH2D_FORMAT;
+    }
+    scene->particles.items = items;
+    scene->particles.count = count;
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__particles_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report)
+{
+    const char *path = sph2d__pool_join(pool, from, scene->particles.file);
+    if (!path)
+        return SPH2D_NOMEM;
+    sph2d_table *table;
+    sph2d_status status = sph2d_table_read(path, columns, COLUMNS, &table, report);
+    if (status == SPH2D_OK)
+        status = copy_rows(table, scene, pool, report);
+    sph2d_table_destroy(table);
+    return status;
+}

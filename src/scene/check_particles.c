@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_particles.c
+ *  Faults of a scene's single particles. */
+#include <math.h>
+
+#include "scene/checker.h"
+
+/** A particle's fault: where, and what. */
+static void check_particle(sph2d__checker *c, size_t i)
+{
+    const sph2d_particle *p = &c->scene->particles.items[i];
+    char path[SPH2D__PATH_SIZE];
+    sph2d__check_path(path, "particles", i, "");
+    if (!isfinite(p->x) || !isfinite(p->y) || !isfinite(p->vx) || !isfinite(p->vy) || !isfinite(p->density))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a number that is missing or not finite");
+    else if (!(p->density > 0))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a density that is not above 0");
+    else if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){p->x, p->y}))
+        sph2d__check_outside(c, path, (sph2d_vec2){p->x, p->y});
+}
+
+/** Stops at the first fault: a wrong file may have as many as rows. */
+void sph2d__check_particles(sph2d__checker *c)
+{
+    const sph2d_particles *p = &c->scene->particles;
+    if (!p->file && p->count == 0)
+        return;
+    const sph2d_method_options *m = &c->scene->method;
+    if (!(m->sound_speed > 0) && !(m->stiffness > 0)) {
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, "particles",
+                                                 "single particles do not tell what the sound speed must be");
+        sph2d_diagnostic_hint(d, "name method.sound_speed, ten times the fastest speed that will be there [m/s]");
+    }
+    if (!p->items && p->count > 0)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "particles", "a count above 0 with a NULL list");
+    for (size_t before = c->errors, i = 0; p->items && i < p->count && c->errors == before; ++i)
+        check_particle(c, i);
+}

@@ -1,0 +1,55 @@
+#!/bin/sh
+# Particles from a file of their own: read beside the scene, refused with file and line, not needed to resume.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+
+mkdir scenes
+cat >scenes/cloud.yaml <<'EOF'
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.05
+particles: cloud.csv
+method: {name: wcsph, sound_speed: 20}
+probes: [{name: motion, kind: momentum, every: 0.02}]
+run: {until: 0.1, snapshots: {every: 0.05}}
+EOF
+table() { # table HEADING ROW...: writes it as the particles' file
+    printf '%s\n' "$@" >scenes/cloud.csv
+}
+scene() { # scene CODE [SET...]: checks it
+    wanted=$1
+    shift
+    expect "$wanted" "$SPH2D" check scenes/cloud.yaml "$@"
+}
+
+# Extra columns, units, comments; what is left out is 0.
+table '# a cloud' 'id,x [m],y [m],vx [m/s]' '7,0.5,0.5,1.5' '8,0.55,0.5,1.5'
+scene 0 && prints 'particles *2 in the liquid'
+expect 0 "$SPH2D" run scenes/cloud.yaml -o whole -q
+# 2 particles of 1000 * 0.05^2 kg/m at 1.5 m/s
+sed -n 2p whole/motion.csv | grep -q '^0,7.5,0,' || fail "momentum: $(sed -n 2p whole/motion.csv)"
+
+# A stopped run goes on without the file.
+code=0
+"$SPH2D" run scenes/cloud.yaml -o parts -q --max-wall 0.001s >out 2>err || code=$?
+[ $code = 75 ] || fail "stopped run ended with $code"
+mv scenes/cloud.csv away.csv
+expect 0 "$SPH2D" resume parts -q && same whole parts
+scene 66 && says "cannot open 'scenes/cloud.csv'"
+mv away.csv scenes/cloud.csv
+
+# A density is where the pressure starts.
+table 'x,y,density' '0.5,0.5,1010'
+expect 0 "$SPH2D" run scenes/cloud.yaml -o dense -q --set run.until=0
+expect 0 "$SPH2D" info dense/snapshot_000000.h5
+
+# Faults.
+table 'x,vy' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*no column 'y'" && says 'columns here: x, vy'
+table 'x,y' '0.5,up' && scene 65 && says "cloud.csv:2:5: .*expected a number, got 'up'"
+table 'x,y' '0.5,0.5' '0.5,' && scene 65 && says 'cloud.csv:3:1: .*lacks a number'
+table 'x,y,density' '0.5,0.5,0' && scene 65 && says 'cloud.csv:2:1: .*not above 0'
+table 'x,y' '0.5,1.5' && scene 65 && says 'cloud.yaml:3:12: .*particles\[0\]: (0.5, 1.5) lies outside the domain'
+table 'x,y' '0.5,0.5'
+scene 65 --set method.sound_speed=0 && says 'do not tell what the sound speed must be'
+scene 65 --set 'blocks=[{box: {min: [0.2, 0.2], max: [0.6, 0.6]}}]' && says 'particles\[0\]: .*inside a block'
+scene 65 --set 'obstacles=[{circle: {center: [0.5, 0.5], radius: 0.1}}]' && says 'inside a block or an obstacle'
+scene 0 --set 'blocks=[{box: {min: [0.1, 0.1], max: [0.3, 0.3]}}]' && prints 'particles *17 in the liquid'
