@@ -270,7 +270,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(EXAMPLE_BIN) ## the tests (insta
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
 
-test-mutants: packages ## does a wrong formula fail a test? changes each constant and sign once (an hour)
+test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh
 
 # The long tests last, so that their summary closes the output.
