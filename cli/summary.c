@@ -41,11 +41,14 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
 
-static void print_errors(const sph2d_summary *s)
+static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
 {
-    double change = energy_change(s);
+    double change = energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
+    if (excess > 1)
+        text_row("", "above method.max_compression, %.3g %%: %.2g times the sound speed would keep it",
+                 100 * scene->method.max_compression, sqrt(excess));
     if (s->energy_start != 0)
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else
@@ -89,7 +92,7 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
     print_speed(sim, result, threads);
-    print_errors(s);
+    print_errors(scene, s);
     print_particles(s);
     print_steps(s);
 }
