@@ -365,6 +365,21 @@ START_TEST(tension_is_cut_off)
 }
 END_TEST
 
+START_TEST(steps_are_as_long_as_is_stable)
+{
+    sph2d_sim *sim = make(SPH2D_ISA_AUTO, 2.0, 0, false, SIDE, 1);
+    sph2d__system *s = &sim->system;
+    double h = s->support, acoustic = s->method.cfl * h / (s->sound_speed + 2);
+    s->viscosity = _i ? 100 * s->rest_density : 0;
+    double viscous = _i ? 0.04 * h * h / 100 : INFINITY, force = 0.25 * sqrt(h / 1e7);
+    sph2d__limit limit;
+    ck_assert_double_eq_tol(sim->method->stable_step(s, 2, 0, &limit), fmin(acoustic, viscous), 1e-15);
+    ck_assert_int_eq(limit, viscous < acoustic ? SPH2D__LIMIT_VISCOUS : SPH2D__LIMIT_ACOUSTIC);
+    ck_assert_double_eq_tol(sim->method->stable_step(s, 2, 1e7, &limit), fmin(force, viscous), 1e-15);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_muller(void)
 {
     Suite *suite = suite_create("muller");
@@ -379,6 +394,7 @@ Suite *suite_muller(void)
     tcase_add_loop_test(places, particles_on_each_other_stay_finite, SPH2D_ISA_BASELINE, SPH2D_ISA_AVX512 + 1);
     tcase_add_test(places, particles_at_the_support_do_not_meet);
     tcase_add_test(places, tension_is_cut_off);
+    tcase_add_loop_test(places, steps_are_as_long_as_is_stable, 0, 2);
     suite_add_tcase(suite, places);
     return suite;
 }
