@@ -76,6 +76,12 @@ void threads_wait_passively(char **argv)
     /* Once set it is found here again, so that this happens only once. */
     if (getenv("OMP_WAIT_POLICY") != NULL || getenv("GOMP_SPINCOUNT") != NULL)
         return;
-    if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
-        execv("/proc/self/exe", argv);
+    if (setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
+        return;
+    char path[4096]; /* by its own name: pkill and top know the process by that, and "exe" says nothing */
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
+    if (length > 0) {
+        path[length] = '\0';
+        execv(path, argv);
+    }
 }

@@ -20,6 +20,8 @@ interrupt() {
         [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
         sleep 0.02
     done
+    # By the name that pkill and top know, after the command has started itself again.
+    [ ! -r /proc/$pid/comm ] || [ "$(cat /proc/$pid/comm)" = "$(basename "$SPH2D")" ] || fail 'the process has another name'
     kill -"$1" $pid 2>/dev/null || true
     code=0
     wait $pid || code=$?
