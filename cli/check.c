@@ -84,6 +84,8 @@ static void print_terms(const sph2d_scene *scene)
     printf("%-22s pressure", "active");
     if (scene->fluid.dynamic_viscosity > 0)
         printf(", viscosity");
+    if (scene->fluid.surface_tension > 0)
+        printf(", surface tension");
     if (scene->gravity.x != 0 || scene->gravity.y != 0)
         printf(", gravity");
     if (scene->central_force.rate > 0)

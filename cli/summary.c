@@ -47,8 +47,8 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
     if (excess > 1)
-        text_row("", "above method.max_compression, %.3g %%: %.2g times the sound speed would keep it",
-                 100 * scene->method.max_compression, sqrt(excess));
+        text_row("", "above method.max_compression, %.3g %%: about %.3g times the sound speed would keep it",
+                 100 * scene->method.max_compression, fmax(1.01, sqrt(excess)));
     if (s->energy_start != 0)
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else

@@ -44,7 +44,7 @@ static sph2d_status copy_points(study_points *points, const sph2d_table *table, 
 sph2d_status study_points_read(study_points *points, const sph2d_study_reference *reference, bool along,
                                sph2d_report *report)
 {
-    const sph2d_table_column columns[2] = {{reference->x, false}, {reference->y, false}};
+    const sph2d_table_column columns[2] = {{reference->x, NULL, false}, {reference->y, NULL, false}};
     sph2d_table *table;
     sph2d_status status = sph2d_table_read(reference->file, columns, 2, &table, report);
     if (status == SPH2D_OK)

@@ -110,10 +110,11 @@ SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *re
 /** Columns of numbers from a CSV file. */
 typedef struct sph2d_table sph2d_table;
 
-/** A column that is asked for: by its heading, with or without a unit in brackets. */
+/** A column that is asked for. */
 typedef struct sph2d_table_column {
-    const char *name;
-    bool optional; /**< the file need not have it */
+    const char *name; /**< its heading, with or without a unit: "x" finds "x [m]" */
+    const char *unit; /**< the only one that may stand there; NULL: any */
+    bool optional;    /**< the file need not have it */
 } sph2d_table_column;
 
 /** Reads columns of a CSV file, whatever others it has. Lines that start with # and empty ones do not count, the first

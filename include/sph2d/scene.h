@@ -166,7 +166,8 @@ typedef struct sph2d_fluid {
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
     double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. Methods muller and wcsph with
-                                 symmetric operators. Surfaces meet layered walls at a right angle */
+                                 symmetric operators. Surfaces meet layered walls at a right angle; other walls are not
+                                 wetted */
 } sph2d_fluid;
 
 /** Off or on. */
@@ -299,7 +300,8 @@ typedef struct sph2d_interaction {
 
 /** What a probe writes: the columns behind `time`. Values without meaning, as where there is no liquid, are NaN. */
 typedef enum sph2d_probe_kind {
-    SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m]; momentum_x, momentum_y [kg/s]; particles;
+    SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
+                                    central force and surface; momentum_x, momentum_y [kg/s]; particles;
                                     speed_max: of the fastest one [m/s] */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */

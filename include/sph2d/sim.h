@@ -149,7 +149,8 @@ typedef struct sph2d_summary {
     double compression_p99;    /**< 99th percentile over particles, time average outside impacts */
     double compression_mean;   /**< mean over particles, time average outside impacts */
     double compression_max;    /**< over all particles and steps */
-    double kinetic, potential; /**< energy now [J/m]; potential is 0 at the domain's corner min */
+    double kinetic, potential; /**< energy now [J/m]; potential is that of gravity, 0 at the domain's corner
+                                  min, of the central force and of the surface under tension */
     double energy_start;       /**< kinetic + potential at the start [J/m] */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */

@@ -9,7 +9,12 @@
 
 enum { X, Y, VX, VY, DENSITY, COLUMNS };
 static const sph2d_table_column columns[COLUMNS] = {
-    [X] = {"x", false}, [Y] = {"y", false}, [VX] = {"vx", true}, [VY] = {"vy", true}, [DENSITY] = {"density", true}};
+    [X] = {"x", "m", false},
+    [Y] = {"y", "m", false},
+    [VX] = {"vx", "m/s", true},
+    [VY] = {"vy", "m/s", true},
+    [DENSITY] = {"density", "kg/m^3", true},
+};
 
 /** A number of a row: `standard` where the file has no such column. */
 static double number(const sph2d_table *table, size_t row, size_t column, double standard)
@@ -17,14 +22,25 @@ static double number(const sph2d_table *table, size_t row, size_t column, double
     return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : standard;
 }
 
-static bool is_whole(const sph2d_particle *p)
+/** What is wrong with a row, in words; NULL for nothing. */
+static const char *fault_of(const sph2d_particle *p, bool has_density)
 {
-    return !isnan(p->x) && !isnan(p->y) && !isnan(p->vx) && !isnan(p->vy) && p->density > 0;
+    if (isnan(p->x) || isnan(p->y) || isnan(p->vx) || isnan(p->vy) || (has_density && isnan(p->density)))
+        return "a particle lacks a number";
+    return has_density && !(p->density > 0) ? "a density must be above 0" : NULL;
+}
+
+static sph2d_status fault(const sph2d_table *table, size_t row, const char *message, sph2d_report *report)
+{
+    sph2d_table_locate(table, row, sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "%s", message));
+    return SPH2D_FORMAT;
 }
 
 static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2d__pool *pool, sph2d_report *report)
 {
     size_t count = sph2d_table_rows(table);
+    if (count == 0)
+        return fault(table, 0, "there is no particle in this file", report);
     sph2d_particle *items = sph2d__pool_alloc(pool, count + 1, sizeof *items);
     if (!items)
         return SPH2D_NOMEM;
@@ -34,12 +50,9 @@ static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2
                                       .vx = number(table, row, VX, 0),
                                       .vy = number(table, row, VY, 0),
                                       .density = number(table, row, DENSITY, scene->fluid.density)};
-        if (is_whole(&items[row]))
-            continue;
-        sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL,
-                                               "a particle lacks a number, or has a density that is not above 0");
-        sph2d_table_locate(table, row, d);
-        return SPH2D_FORMAT;
+        const char *wrong = fault_of(&items[row], sph2d_table_has(table, DENSITY));
+        if (wrong)
+            return fault(table, row, wrong, report);
     }
     scene->particles.items = items;
     scene->particles.count = count;

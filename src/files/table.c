@@ -68,6 +68,16 @@ static sph2d_status fault_of_file(const reader *r, const char *what)
 
 /* ---- lines and cells --------------------------------------------------------------------------------------------- */
 
+/** Takes \n or \r\n off the end. False when a carriage return is left. */
+static bool cut_line_end(char *line)
+{
+    size_t length = strlen(line);
+    length -= length > 0 && line[length - 1] == '\n';
+    length -= length > 0 && line[length - 1] == '\r';
+    line[length] = '\0';
+    return !strchr(line, '\r');
+}
+
 /** Reads the next line that counts. False at the end, and after a fault in *status. */
 static bool next_line(reader *r, sph2d_status *status)
 {
@@ -79,7 +89,12 @@ static bool next_line(reader *r, sph2d_status *status)
             *status = SPH2D_FORMAT;
             return false;
         }
-        r->line[strcspn(r->line, "\r\n")] = '\0';
+        if (!cut_line_end(r->line)) {
+            fault(r, SPH2D_CODE_FILE_KIND, r->line,
+                  "lines must end with a line feed, not with a carriage return alone");
+            *status = SPH2D_FORMAT;
+            return false;
+        }
         if (r->number == 1 && strncmp(r->line, "\xEF\xBB\xBF", 3) == 0)
             memmove(r->line, r->line + 3, strlen(r->line + 3) + 1);
         if (r->line[0] != '#' && r->line[strspn(r->line, " \t")] != '\0')
@@ -116,6 +131,19 @@ static bool is_named(cell heading, const char *name)
     return heading.length == length || strncmp(heading.text + length, " [", 2) == 0;
 }
 
+/** Whether a heading has no unit or the one that is wanted; a fault otherwise. */
+static bool has_unit(const reader *r, cell heading, const sph2d_table_column *column)
+{
+    size_t name = strlen(column->name), unit = column->unit ? strlen(column->unit) : 0;
+    const char *given = heading.text + name + 2;
+    if (!column->unit || heading.length == name || (strncmp(given, column->unit, unit) == 0 && given[unit] == ']'))
+        return true;
+    char message[120];
+    snprintf(message, sizeof message, "'%.40s' must be in %.20s", column->name, column->unit);
+    fault(r, SPH2D_CODE_FILE_FIELD, heading.text, message);
+    return false;
+}
+
 /** Where a column stands. False after a fault, unless the column may be missing. */
 static bool find_column(reader *r, size_t column)
 {
@@ -126,7 +154,7 @@ static bool find_column(reader *r, size_t column)
         if (is_named(heading, name)) {
             r->places[column] = index;
             r->table->known[column] = true;
-            return true;
+            return has_unit(r, heading, &r->columns[column]);
         }
         size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%.*s", used > 0 ? ", " : "", (int)heading.length, heading.text);

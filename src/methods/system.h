@@ -16,6 +16,7 @@ typedef struct sph2d__system {
 
     double spacing;         /**< dx [m] */
     double support;         /**< support radius H [m] */
+    double reach;           /**< how far off fluid particles must be found [m] */
     double wall_reach;      /**< how far off boundary particles must be found [m] */
     double mass;            /**< of a fluid particle [kg/m] */
     double rest_density;    /**< [kg/m^3] */

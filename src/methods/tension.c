@@ -7,13 +7,11 @@
 
 #include "base/threads.h"
 #include "methods/traverse.h"
+#include "scene/derive.h"
 
-/* Particles that a thread takes at a time, and the most neighbours that one can have before it counts as covered. */
-enum { CHUNK = 256, MOST = 96 };
-
-/* Radius of the discs in spacings. A square lattice is covered from 0.71 on, what flows from 1.1; up to 1.5, half the
- * support radius, drops rest and swing alike. */
-static const double RADIUS = 1.25;
+/* Particles that a thread takes at a time, and the most neighbours that one can have before it counts as covered:
+ * ten times as many as liquid has. */
+enum { CHUNK = 256, MOST = 192 };
 
 /** The particles whose discs can cover a point of a particle's circle. */
 typedef struct crowd {
@@ -21,25 +19,57 @@ typedef struct crowd {
     double x[MOST], y[MOST]; /**< from the particle [m] */
     double normal_x[MOST],
         normal_y[MOST]; /**< of boundary particles, towards the liquid, any length; 0 where unknown */
+    bool has_edges[MOST];
 } crowd;
 
-/** Adds the particles of `from` within `reach` of (x, y), without the one there. False when there is no room. */
-static bool gather(crowd *c, const sph2d__store *from, const sph2d__ranges *ranges, double x, double y, double reach)
+/** Whether a particle of the fluid can have edges. */
+static bool can_have_edges(const sph2d__system *s, size_t i)
 {
-    for (int r = 0; r < ranges->count; ++r)
-        for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j) {
-            double dx = from->x[j] - (x + ranges->x[r]), dy = from->y[j] - (y + ranges->y[r]), r2 = dx * dx + dy * dy;
-            if (!(r2 < reach * reach) || r2 == 0)
-                continue;
-            if (c->count == MOST)
-                return false;
-            c->x[c->count] = dx;
-            c->y[c->count] = dy;
-            c->normal_x[c->count] = from->normal_x ? from->normal_x[j] : 0;
-            c->normal_y[c->count] = from->normal_y ? from->normal_y[j] : 0;
-            ++c->count;
-        }
+    return !s->fluid.surface || s->fluid.surface[i] < s->support;
+}
+
+/** Adds particle j of the fluid or of the walls at (dx, dy). */
+static void add(crowd *c, const sph2d__system *s, const sph2d__store *from, size_t j, double dx, double dy)
+{
+    bool liquid = from == &s->fluid;
+    int k = c->count++;
+    c->x[k] = dx;
+    c->y[k] = dy;
+    c->normal_x[k] = !liquid && from->normal_x ? from->normal_x[j] : 0;
+    c->normal_y[k] = !liquid && from->normal_y ? from->normal_y[j] : 0;
+    c->has_edges[k] = !liquid || can_have_edges(s, j);
+}
+
+/** Adds the particles of `from` within two radii of (x, y), without the one there and without those that only reflect.
+ *  False when there is no room. */
+static bool gather(crowd *c, const sph2d__system *s, const sph2d__store *from, const sph2d__ranges *ranges, double x,
+                   double y)
+{
+    double reach = 2 * SPH2D__DISC_RADIUS * s->spacing;
+    SPH2D__FOR_NEIGHBOURS (ranges, r, j) {
+        double dx = from->x[j] - (x + ranges->x[r]), dy = from->y[j] - (y + ranges->y[r]), r2 = dx * dx + dy * dy;
+        if (!(r2 < reach * reach) || r2 == 0 || (from == &s->walls && from->bounce[j] >= 0))
+            continue;
+        if (c->count == MOST)
+            return false;
+        add(c, s, from, j, dx, dy);
+    }
     return true;
+}
+
+/** Everything around particle i; nothing where it has no edges or no end of neighbours. */
+static void gather_around(crowd *c, const sph2d__system *s, size_t i, sph2d__cursor *liquid, sph2d__cursor *walls)
+{
+    double x = s->fluid.x[i], y = s->fluid.y[i];
+    c->count = c->fluid = 0;
+    if (!can_have_edges(s, i) || !sph2d__cursor_move(liquid, &s->fluid_cells, x, y))
+        return;
+    bool room = gather(c, s, &s->fluid, &liquid->ranges, x, y);
+    c->fluid = c->count;
+    if (s->walls_press && sph2d__cursor_move(walls, &s->wall_cells, x, y))
+        room &= gather(c, s, &s->walls, &walls->ranges, x, y);
+    if (!room)
+        c->count = c->fluid = 0;
 }
 
 /** Whether another disc than that of `but` covers the point. */
@@ -56,6 +86,8 @@ static bool is_covered(const crowd *c, int but, double x, double y, double radiu
 /** How many of the two points where the circle of neighbour k meets the particle's own are bare. */
 static int bare_points(const crowd *c, int k, double radius)
 {
+    if (!c->has_edges[k])
+        return 0;
     double x = c->x[k] / 2, y = c->y[k] / 2, half2 = x * x + y * y;
     double off = sqrt((radius * radius - half2) / half2);
     return !is_covered(c, k, x - off * y, y + off * x, radius) + !is_covered(c, k, x + off * y, y - off * x, radius);
@@ -77,31 +109,35 @@ static sph2d_vec2 pull_on(const crowd *c, double radius)
     return pull;
 }
 
+double sph2d__tension_energy(const sph2d__system *s)
+{
+    double length = 0;
+    sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
+    crowd c;
+    for (size_t i = 0; s->surface_tension > 0 && i < s->fluid.count; ++i) {
+        gather_around(&c, s, i, &liquid, &walls);
+        for (int k = 0; k < c.fluid; ++k)
+            length += bare_points(&c, k, SPH2D__DISC_RADIUS * s->spacing) * hypot(c.x[k], c.y[k]) /
+                      2; /* the other half is k's */
+    }
+    return s->surface_tension * length;
+}
+
 void sph2d__tension_add(sph2d__system *s)
 {
     if (!(s->surface_tension > 0))
         return;
     sph2d__store *f = &s->fluid;
-    double radius = RADIUS * s->spacing, scale = s->surface_tension / s->mass;
+    double scale = s->surface_tension / s->mass;
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
-        sph2d__cursor cursor = SPH2D__CURSOR_START, beside = SPH2D__CURSOR_START;
+        sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
         crowd c;
 #pragma omp for schedule(dynamic, CHUNK)
         for (size_t i = 0; i < f->count; ++i) {
-            double x = f->x[i], y = f->y[i];
-            if (f->surface && !(f->surface[i] < s->support))
-                continue; /* far inside */
-            c.count = 0;
-            sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
-            bool room = gather(&c, f, &cursor.ranges, x, y, 2 * radius);
-            c.fluid = c.count;
-            if (s->walls_press && sph2d__cursor_move(&beside, &s->wall_cells, x, y))
-                room &= gather(&c, &s->walls, &beside.ranges, x, y, 2 * radius);
-            if (!room)
-                continue;
-            sph2d_vec2 pull = pull_on(&c, radius);
+            gather_around(&c, s, i, &liquid, &walls);
+            sph2d_vec2 pull = pull_on(&c, SPH2D__DISC_RADIUS * s->spacing);
             f->ax[i] += scale * pull.x;
             f->ay[i] += scale * pull.y;
         }

@@ -9,14 +9,19 @@
  *
  *  The forces are the gradient of sigma times the length of the edges. They are central and come in opposite pairs:
  *  momentum and angular momentum are kept to round-off. No normal and no curvature is computed; a film of one row has
- *  two surfaces, a particle by itself none.
+ *  two surfaces, a particle by itself none. Where a method knows how far the surface is, particles farther inside than
+ * H have no edges.
  *
- *  Boundary particles cover as liquid does. Where a fluid particle shares a point with one of them, the surface ends on
- *  the wall, and sigma pulls the particle straight at it: the contact angle is a right one. */
+ *  Boundary particles that press cover as liquid does. Where a fluid particle shares a point with one of a layered
+ * wall, the surface ends on the wall, and sigma pulls the particle straight at it: the contact angle is a right one.
+ * Other walls do not pull: they are not wetted. */
 #ifndef SPH2D_METHODS_TENSION_H
 #define SPH2D_METHODS_TENSION_H
 
 #include "methods/system.h"
+
+/** Energy of the surface: sigma times the length of the edges between fluid particles [J/m]. */
+double sph2d__tension_energy(const sph2d__system *system);
 
 /** Adds the acceleration by surface tension to every fluid particle's; nothing where the liquid has none. The cells and
  *  the distances to the surface are up to date. */

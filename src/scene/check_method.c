@@ -116,9 +116,8 @@ static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a periodic side needs a periodic side opposite");
         return;
     }
-    const sph2d_method_options *m = &c->scene->method;
-    double reach = sph2d__method_resolve(*m).support_ratio * c->scene->spacing;
-    if (solver_of(m) == FITTED)
+    double reach = sph2d__scene_derive(c->scene).reach;
+    if (solver_of(&c->scene->method) == FITTED)
         reach += c->scene->spacing; /* as far as boundary particles are looked for */
     if (!periodic || length >= 3.001 * reach)
         return;

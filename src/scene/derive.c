@@ -32,6 +32,9 @@ static double highest_liquid(const sph2d_scene *scene, double g)
     }
     for (size_t i = 0; i < scene->source_count; ++i)
         height = fmax(height, height_of(scene, g, scene->sources[i].at));
+    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
+        height =
+            fmax(height, height_of(scene, g, (sph2d_vec2){scene->particles.items[i].x, scene->particles.items[i].y}));
     return height;
 }
 
@@ -70,6 +73,9 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     sph2d__derived d = {0};
     sph2d_method_options method = sph2d__method_resolve(scene->method);
     d.support_radius = method.support_ratio * scene->spacing;
+    d.reach = d.support_radius;
+    if (scene->fluid.surface_tension > 0)
+        d.reach = fmax(d.reach, 2 * SPH2D__DISC_RADIUS * scene->spacing);
     d.mass = scene->fluid.density * scene->spacing * scene->spacing;
     double g = hypot(scene->gravity.x, scene->gravity.y);
     d.height = g > 0 ? highest_liquid(scene, g) : 0;
@@ -78,6 +84,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
                                     fabs(scene->blocks[i].start.speed));
     for (size_t i = 0; i < scene->source_count; ++i)
         d.speed = fmax(d.speed, scene->sources[i].speed);
+    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
+        d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
     d.speed = fmax(d.speed, wall_speed(scene));
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);

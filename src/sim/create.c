@@ -63,7 +63,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->spacing = scene->spacing;
     s->support = d.support_radius;
     bool fitted = scene->method.name == SPH2D_METHOD_WCSPH && scene->method.operators == SPH2D_OPERATORS_FITTED;
-    s->wall_reach = s->support + (fitted ? s->spacing : 0); /* those behind a surface that is within the support */
+    s->reach = d.reach;
+    s->wall_reach = s->reach + (fitted ? s->spacing : 0); /* those behind a surface that is within the support */
     s->mass = d.mass;
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;

@@ -3,6 +3,7 @@
  *  What a run sums up: compression, energy, momentum, counts. */
 #include <math.h>
 
+#include "methods/tension.h"
 #include "sim/simulation.h"
 
 /* Compression is sampled every so many steps, and not within so many seconds after an impact. */
@@ -104,7 +105,7 @@ void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
         speed2 = v2 > speed2 ? v2 : speed2;
     }
     out->kinetic = m * kinetic;
-    out->potential = total - m * kinetic;
+    out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;
     out->speed_max = sqrt(speed2);

@@ -4,6 +4,7 @@
  * single particles. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "base/pi.h"
@@ -54,8 +55,9 @@ static bool taken_by(const sph2d_outline *outline, double spacing, double distan
     return false;
 }
 
-/** Whether an obstacle takes a place, or one of its images beyond periodic sides. */
-static bool taken_by_obstacle(const sph2d_sim *sim, sph2d_vec2 p)
+/** Whether an obstacle takes a place, or one of its images beyond periodic sides, and `part` of the distance that it
+ * keeps free. */
+static bool taken_by_obstacle(const sph2d_sim *sim, sph2d_vec2 p, double part)
 {
     const sph2d_scene *scene = &sim->scene;
     const sph2d__period *period = &sim->system.fluid_cells.period;
@@ -63,7 +65,7 @@ static bool taken_by_obstacle(const sph2d_sim *sim, sph2d_vec2 p)
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
         const sph2d_obstacle *obstacle = &scene->obstacles[i];
         bool layers = sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
-        double distance = (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * scene->spacing;
+        double distance = part * (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * scene->spacing;
         for (int image_x = -across; image_x <= across; ++image_x)
             for (int image_y = -along; image_y <= along; ++image_y) {
                 sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
@@ -84,14 +86,15 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
         return false;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
                                            "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
-    sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
+    if (strcmp(path, "particles") != 0)
+        sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
     return true;
 }
 
 /** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
 static void place(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
 {
-    if (taken_by_obstacle(sim, p)) {
+    if (taken_by_obstacle(sim, p, 1)) {
         ++sim->plan.places_left_free;
         return;
     }
@@ -186,18 +189,28 @@ static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t fir
     return SPH2D_SCENE;
 }
 
-static bool in_obstacle(const sph2d_sim *sim, sph2d_vec2 p)
+/** Reports that single particle k cannot be where it is. */
+static sph2d_status refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report)
 {
-    for (size_t i = 0; i < sim->scene.obstacle_count; ++i)
-        if (sph2d__outline_encloses(&sim->scene.obstacles[i].outline, p))
+    char path[64];
+    snprintf(path, sizeof path, "particles[%zu]", k);
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path, "(%g, %g) lies %s", p.x, p.y, what);
+    return SPH2D_SCENE;
+}
+
+static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    for (size_t i = 0; i < scene->block_count; ++i)
+        if (sph2d__shape_contains(&scene->blocks[i].shape, p))
             return true;
     return false;
 }
 
-/** The scene's single particles: as they are, or refused. */
+/** The scene's single particles: as they are, wrapped into periodic sides, or refused. */
 static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_particles *particles = &sim->scene.particles;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
     sph2d__store *f = &sim->system.fluid;
     if (sph2d__sim_too_many(sim, (double)f->count + (double)particles->count, "particles", report))
         return SPH2D_SCENE;
@@ -205,21 +218,35 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
         return SPH2D_NOMEM;
     for (size_t k = 0; particles->items && k < particles->count; ++k) {
         const sph2d_particle *p = &particles->items[k];
-        sph2d_vec2 at = {p->x, p->y};
-        bool taken = in_obstacle(sim, at);
-        for (size_t i = 0; i < sim->scene.block_count; ++i)
-            taken |= sph2d__shape_contains(&sim->scene.blocks[i].shape, at);
-        if (taken) {
-            char path[64];
-            snprintf(path, sizeof path, "particles[%zu]", k);
-            sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
-                             "(%g, %g) lies inside a block or an obstacle", p->x, p->y);
-            return SPH2D_SCENE;
-        }
-        size_t i = sph2d__store_add(f, sim->record.next_id++, p->x, p->y);
+        sph2d_vec2 at = {sph2d__period_wrap(p->x, period->low_x, period->length_x),
+                         sph2d__period_wrap(p->y, period->low_y, period->length_y)};
+        if (in_block(&sim->scene, at))
+            return refuse_particle(k, "inside a block", at, report);
+        if (taken_by_obstacle(sim, at, 0))
+            return refuse_particle(k, "inside an obstacle", at, report);
+        size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
         f->density[i] = p->density;
+    }
+    return SPH2D_OK;
+}
+
+/** Two particles in one place never part. Refuses a single particle that is less than a thousandth of a spacing from
+ *  another. The cells are built; ids from `first` on are those of single particles. */
+static sph2d_status check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double near = 1e-3 * sim->scene.spacing;
+    for (size_t i = 0; i < f->count; ++i) {
+        uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
+        if (f->id[i] < first || cell == UINT32_MAX)
+            continue;
+        sph2d__ranges ranges = sph2d__cells_ranges(&sim->system.fluid_cells, cell);
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
+            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
+                return refuse_particle((size_t)(f->id[i] - first), "where another particle is",
+                                       (sph2d_vec2){f->x[i], f->y[i]}, report);
     }
     return SPH2D_OK;
 }
@@ -255,15 +282,17 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         if (status != SPH2D_OK)
             return status;
     }
+    uint64_t first_single = sim->record.next_id;
     sph2d_status status = place_particles(sim, report);
     if (status != SPH2D_OK)
         return status;
-    if (fluid->count == 0 && scene->source_count == 0 && !scene->particles.file) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, "blocks", "the blocks hold no particle");
+    if (fluid->count == 0 && scene->source_count == 0) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, scene->block_count > 0 ? "blocks" : "particles",
+                         "there is no particle");
         return SPH2D_SCENE;
     }
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
-        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.support, &sim->memory, sim->system.threads))
+        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.threads))
         return SPH2D_NOMEM;
-    return SPH2D_OK;
+    return check_distances(sim, first_single, report);
 }

@@ -226,6 +226,9 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
     sph2d_box d = sim->scene.domain;
     sph2d_boundary b = sim->scene.boundary;
     double dx = sim->scene.spacing;
+    if (b.left != SPH2D_SIDE_WALL && b.right != SPH2D_SIDE_WALL && b.bottom != SPH2D_SIDE_WALL &&
+        b.top != SPH2D_SIDE_WALL)
+        return SPH2D_OK;
     int layers = layer_count(sim);
     size_t first = sim->system.walls.count;
     double longest = fmax(d.max.x - d.min.x, d.max.y - d.min.y) / dx;

@@ -37,19 +37,30 @@ expect 0 "$SPH2D" resume parts -q && same whole parts
 scene 66 && says "cannot open 'scenes/cloud.csv'"
 mv away.csv scenes/cloud.csv
 
-# A density is where the pressure starts.
-table 'x,y,density' '0.5,0.5,1010'
-expect 0 "$SPH2D" run scenes/cloud.yaml -o dense -q --set run.until=0
-expect 0 "$SPH2D" info dense/snapshot_000000.h5
+# Velocity and density are those of the file: p = c0^2 (rho - rho0) = 4000 Pa.
+table 'x,y,vy,density' '0.5,0.5,-3,1010'
+expect 0 "$SPH2D" run scenes/cloud.yaml -o dense -q --set run.until=0 \
+    --set 'probes=[{name: p, kind: pressure, at: [0.5, 0.5], every: 1}, {name: motion, kind: momentum, every: 1}]'
+sed -n 2p dense/motion.csv | grep -q '^0,0,-7.5,' || fail "momentum: $(sed -n 2p dense/motion.csv)"
+sed -n 2p dense/p.csv | grep -q ',1010' || fail "density: $(sed -n 2p dense/p.csv)"
 
 # Faults.
 table 'x,vy' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*no column 'y'" && says 'columns here: x, vy'
 table 'x,y' '0.5,up' && scene 65 && says "cloud.csv:2:5: .*expected a number, got 'up'"
 table 'x,y' '0.5,0.5' '0.5,' && scene 65 && says 'cloud.csv:3:1: .*lacks a number'
-table 'x,y,density' '0.5,0.5,0' && scene 65 && says 'cloud.csv:2:1: .*not above 0'
+table 'x,y,density' '0.5,0.5,0' && scene 65 && says 'cloud.csv:2:1: .*a density must be above 0'
+table 'x,y' && scene 65 && says 'no particle in this file'
+table 'x [mm],y' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*'x' must be in m$"
+printf 'x,y\r0.5,0.5\r' >scenes/cloud.csv && scene 65 && says 'line feed'
+table 'x,y' '0.5,0.5' '0.6,0.5' '0.50000001,0.5' && scene 65 && says 'particles\[[02]\]: .*where another particle is'
 table 'x,y' '0.5,1.5' && scene 65 && says 'cloud.yaml:3:12: .*particles\[0\]: (0.5, 1.5) lies outside the domain'
+table 'x,y' '0.97,0.5'
+scene 65 --set 'boundary={left: periodic, right: periodic}' --set walls=default \
+    --set 'obstacles=[{circle: {center: [0.02, 0.5], radius: 0.1}}]' && says 'inside an obstacle'
 table 'x,y' '0.5,0.5'
+scene 65 --set fluid.density=-5 && says 'fluid.density'
+grep -q 'cloud.csv' err && fail 'the file of particles is not at fault'
 scene 65 --set method.sound_speed=0 && says 'do not tell what the sound speed must be'
 scene 65 --set 'blocks=[{box: {min: [0.2, 0.2], max: [0.6, 0.6]}}]' && says 'particles\[0\]: .*inside a block'
-scene 65 --set 'obstacles=[{circle: {center: [0.5, 0.5], radius: 0.1}}]' && says 'inside a block or an obstacle'
+scene 65 --set 'obstacles=[{circle: {center: [0.5, 0.5], radius: 0.1}}]' && says 'inside an obstacle'
 scene 0 --set 'blocks=[{box: {min: [0.1, 0.1], max: [0.3, 0.3]}}]' && prints 'particles *17 in the liquid'
