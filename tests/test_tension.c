@@ -137,6 +137,38 @@ START_TEST(force_is_the_gradient_of_the_surface)
 }
 END_TEST
 
+/** Loose heaps of particles, in which each place of a disc matters, against edges found by arcs. */
+START_TEST(edges_are_those_that_arcs_leave_bare)
+{
+    enum { HEAP = 7 };
+    blocks[0] = test_block(0, 0, HEAP * DX, DX);
+    blocks[0].perturb.amplitude = 0;
+    sph2d__system *s = make();
+    sph2d__store *f = &s->fluid;
+    ck_assert_uint_eq(f->count, HEAP);
+    uint64_t seed = 9;
+    for (int heap = 0; heap < 500; ++heap) {
+        for (size_t i = 0; i < HEAP; ++i) {
+            f->x[i] = test_random(&seed, 0, 4 * DX);
+            f->y[i] = test_random(&seed, 0, 4 * DX);
+        }
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, 1));
+        only_tension(s);
+        for (size_t i = 0; i < HEAP; ++i) {
+            double pull[2] = {0, 0};
+            for (size_t j = 0; j < HEAP; ++j) {
+                double dx = f->x[j] - f->x[i], dy = f->y[j] - f->y[i], r = hypot(dx, dy);
+                int bare = bare_ends(f->x, f->y, HEAP, i, j);
+                pull[0] += r > 0 ? bare * dx / r : 0;
+                pull[1] += r > 0 ? bare * dy / r : 0;
+            }
+            ck_assert_double_eq_tol(f->ax[i] * s->mass, SIGMA * pull[0], 1e-9 * SIGMA);
+            ck_assert_double_eq_tol(f->ay[i] * s->mass, SIGMA * pull[1], 1e-9 * SIGMA);
+        }
+    }
+}
+END_TEST
+
 /** Opposite pairs of central forces. */
 START_TEST(momentum_and_angular_momentum_are_kept)
 {
@@ -291,6 +323,7 @@ Suite *suite_tension(void)
     TCase *tests = tcase_create("strings");
     tcase_add_checked_fixture(tests, start, finish);
     tcase_add_loop_test(tests, force_is_the_gradient_of_the_surface, 0, 3);
+    tcase_add_test(tests, edges_are_those_that_arcs_leave_bare);
     tcase_add_loop_test(tests, momentum_and_angular_momentum_are_kept, 0, 6);
     tcase_add_loop_test(tests, a_film_has_two_surfaces, 0, 3);
     tcase_add_loop_test(tests, a_surface_meets_a_wall_at_a_right_angle, 0, 2);
