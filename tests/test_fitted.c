@@ -392,6 +392,24 @@ START_TEST(steps_are_as_long_as_is_stable)
 }
 END_TEST
 
+START_TEST(the_mean_density_is_kept)
+{
+    scene.fluid.dynamic_viscosity = 0.01 * RHO0;
+    sph2d__store *f = make(SPH2D_ISA_AUTO);
+    uint64_t seed = 2;
+    double before = 0, after = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] = test_random(&seed, -1, 1);
+        f->vy[i] = test_random(&seed, -1, 1);
+        before += f->density[i] / (double)f->count;
+    }
+    test_steps(sim, 20);
+    for (size_t i = 0; i < f->count; ++i)
+        after += f->density[i] / (double)f->count;
+    ck_assert_double_eq_tol(after, before, 1e-10);
+}
+END_TEST
+
 /* The whole scheme: errors of a decaying vortex at two resolutions. */
 static double vortex_error(double dx, double c0)
 {
@@ -439,6 +457,7 @@ Suite *suite_fitted(void)
     tcase_add_loop_test(tests, rates_are_those_of_least_squares, 0, 2);
     tcase_add_test(tests, a_wall_at_another_speed_drags);
     tcase_add_loop_test(tests, steps_are_as_long_as_is_stable, 0, 2);
+    tcase_add_test(tests, the_mean_density_is_kept);
     tcase_add_test(tests, the_scheme_is_of_second_order);
     suite_add_tcase(suite, tests);
     return suite;
