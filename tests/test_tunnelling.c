@@ -223,6 +223,41 @@ START_TEST(a_nozzle_close_to_a_wall_does_not_feed_through_it)
 }
 END_TEST
 
+/** A line that sweeps at 30 m/s through a particle at rest takes it along, in both methods. What it did is counted. */
+START_TEST(a_wall_that_moves_takes_what_rests_along)
+{
+    static const sph2d_vec2 line[2] = {{0.4, 0.9}, {0.4, 0.1}};
+    static const sph2d_path_point way[2] = {{0, 0, 0}, {0.03, 0.9, 0}};
+    sph2d_scene scene = test_open_scene(DX, 0, 0, 2, 1);
+    if (_i == 1) {
+        scene.method = sph2d_scene_default().method;
+        scene.method.name = SPH2D_METHOD_WCSPH;
+        scene.method.sound_speed = 10;
+    }
+    sph2d_block particle = test_particle(DX, 0.5, 0.5, 0, 0);
+    sph2d_obstacle obstacle = sph2d_obstacle_default();
+    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
+    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.form = SPH2D_WALL_REFLECT;
+    obstacle.motion.path = (sph2d_path){way, 2};
+    scene.blocks = &particle;
+    scene.block_count = 1;
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    while (sph2d_sim_time(sim) < 0.03) {
+        test_steps(sim, 1);
+        double wall = 0.4 + 30 * fmin(sph2d_sim_time(sim), 0.03), x = sph2d_sim_fluid(sim).x[0];
+        ck_assert_msg(x >= fmin(0.5, wall), "wall at %g, particle at %g", wall, x);
+    }
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_uint_gt(s.backstop_hits + s.reflections, 0);
+    ck_assert_uint_le(s.backstop_hits, s.steps * 4);
+    ck_assert_uint_le(s.reflections, s.steps * 4);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_tunnelling(void)
 {
     Suite *suite = suite_create("tunnelling");
@@ -230,6 +265,7 @@ Suite *suite_tunnelling(void)
     tcase_add_loop_test(tests, nothing_passes_with_adaptive_steps, 0, 2 * TARGETS);
     tcase_add_loop_test(tests, nothing_passes_with_the_largest_fixed_step, 0, 2 * TARGETS);
     tcase_add_loop_test(tests, a_nozzle_close_to_a_wall_does_not_feed_through_it, 0, 2);
+    tcase_add_loop_test(tests, a_wall_that_moves_takes_what_rests_along, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }
