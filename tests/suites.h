@@ -23,6 +23,7 @@
     X(wcsph)                                                                                                           \
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
+    X(fitted_walls)                                                                                                    \
     X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \
