@@ -15,10 +15,9 @@ enum { CHUNK = 256, MOST = 192 };
 
 /** The particles whose discs can cover a point of a particle's circle. */
 typedef struct crowd {
-    int count, fluid;        /**< those of the fluid come first */
-    double x[MOST], y[MOST]; /**< from the particle [m] */
-    double normal_x[MOST],
-        normal_y[MOST]; /**< of boundary particles, towards the liquid, any length; 0 where unknown */
+    int count, fluid;                      /**< those of the fluid come first */
+    double x[MOST], y[MOST];               /**< from the particle [m] */
+    double normal_x[MOST], normal_y[MOST]; /**< of boundary particles, towards the liquid; 0 where unknown */
     bool has_edges[MOST];
 } crowd;
 
@@ -117,10 +116,9 @@ double sph2d__tension_energy(const sph2d__system *s)
     for (size_t i = 0; s->surface_tension > 0 && i < s->fluid.count; ++i) {
         gather_around(&c, s, i, &liquid, &walls);
         for (int k = 0; k < c.fluid; ++k)
-            length += bare_points(&c, k, SPH2D__DISC_RADIUS * s->spacing) * hypot(c.x[k], c.y[k]) /
-                      2; /* the other half is k's */
+            length += bare_points(&c, k, SPH2D__DISC_RADIUS * s->spacing) * hypot(c.x[k], c.y[k]);
     }
-    return s->surface_tension * length;
+    return s->surface_tension * length / 2; /* each edge was met from both its ends */
 }
 
 void sph2d__tension_add(sph2d__system *s)

@@ -13,14 +13,13 @@ static const double SPH2D__DISC_RADIUS = 1.25;
 /** What follows from a scene. */
 typedef struct sph2d__derived {
     double support_radius; /**< H = support_ratio * spacing [m] */
-    double
-        reach;   /**< how far off particles must be found: H, or two discs of surface tension where there is some [m] */
-    double mass; /**< of a particle, density * spacing^2 [kg/m] */
-    double height; /**< of the highest liquid above the lowest side, along gravity [m] */
-    double speed;  /**< fastest start or source [m/s] */
-    double pull;   /**< depth of the potentials that pull [m^2/s^2]: strongest interaction's acceleration * radius / 2,
-                      and that of the central force at the farthest liquid */
-    double head;   /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
+    double reach;          /**< how far off particles must be found: H, under surface tension two discs at least [m] */
+    double mass;           /**< of a particle, density * spacing^2 [kg/m] */
+    double height;         /**< of the highest liquid above the lowest side, along gravity [m] */
+    double speed;          /**< fastest start or source [m/s] */
+    double pull; /**< depth of the potentials that pull [m^2/s^2]: strongest interaction's acceleration * radius / 2,
+                    and that of the central force at the farthest liquid */
+    double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
     double ripple_speed; /**< least c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
     double sound_speed;  /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
