@@ -26,13 +26,14 @@ PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev check=check $(if $(filter-out
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize report report-full,$(MAKECMDGOALS))),)
 
 define install_packages
 missing() {
     command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
     echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
     test '$(OPENMP)' = 0 || echo '#include <omp.h>' | $(CC) -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
+    test -z '$(filter report report-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
     done
@@ -118,7 +119,7 @@ CORE_FLAGS := -Iinclude -Isrc $(if $(X86),-DSPH2D__ISA_X86)
 IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml)
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
-CLI_FLAGS := -Iinclude $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
+CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
 TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 $(if $(WITH_RENDER),libpng)) \
     $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
 
@@ -140,7 +141,7 @@ buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/r
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh examples/*.sh))
+SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -160,7 +161,7 @@ RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shade
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
-TESTED_CLI_OBJ := $(call objects,cli/parse.c cli/study/study_reduce.c cli/study/study_reference.c)
+TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,record.c reduce.c reference.c))
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
 EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
 
@@ -231,6 +232,14 @@ $(BUILD)/variant: $(if $(filter $(VARIANT),$(file <$(BUILD)/variant)),,FORCE)
 	@mkdir -p $(@D) && echo '$(VARIANT)' >$@
 FORCE:
 
+# What the times of a study were taken with: told by --version, and a new commit compiles one file.
+COMMIT = $(or $(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null),none)
+TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
+$(BUILD)/gen/build_info.h: FORCE
+	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
+	    COMMIT '$(COMMIT)' >$@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+$(OBJ)/cli/build.o: | $(BUILD)/gen/build_info.h
+
 # The shaders become arrays of numbers, since ISO C promises string literals of 4095 characters only.
 $(BUILD)/gen/shaders.h: Makefile
 	$(call say,GEN,$@)mkdir -p $(@D) && printf '%s\n' '#include <stddef.h>' '' \
@@ -275,6 +284,12 @@ test-mutants: ## does a wrong formula fail a test? changes each constant and sig
 
 # The long tests last, so that their summary closes the output.
 OTHER_CC := $(if $(CLANG),gcc,clang)
+report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (20 minutes)
+	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report --jobs "$$(nproc)"
+
+report-full: $(BUILD)/sph2d ## the same with the rows that take long (hours)
+	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report-full --jobs "$$(nproc)" --all
+
 test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
 	$(hush)$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test
 	$(hush)$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test
@@ -387,6 +402,6 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full check-headers check-symbols check-install \
+.PHONY: all lib cli examples packages demo report report-full test test-sanitize test-mutants test-full check-headers check-symbols check-install \
     check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -33,11 +33,19 @@ bool folder_numbered(const char *name, const char *prefix, const char *suffix, u
     return true;
 }
 
+static bool ends_with(const char *name, const char *end)
+{
+    size_t length = strlen(name), tail = strlen(end);
+    return length > tail && strcmp(name + length - tail, end) == 0;
+}
+
 static bool is_cleared(const char *name, folder_clearing clearing)
 {
     uint64_t number;
     if (clearing == FOLDER_KEEP)
         return false;
+    if (clearing == FOLDER_CLEAR_STUDY)
+        return strncmp(name, "series_", 7) == 0 && isdigit((unsigned char)name[7]) && ends_with(name, ".csv");
     if (folder_numbered(name, "frame_", ".png", &number))
         return true;
     return clearing == FOLDER_CLEAR_RUN && (folder_numbered(name, "snapshot_", ".h5", &number) ||
@@ -196,8 +204,10 @@ static int take(cli_folder *f, const char *path, folder_clearing clearing)
     int code = take_lock(f);
     if (code == CLI_EXIT_SUCCESS)
         code = clean(f, "", clearing);
-    /* A run's frames have a folder of their own. */
-    if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
+    /* A run's frames have a folder of their own, and a study's rows. */
+    if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_STUDY)
+        code = clean(f, "rows/", FOLDER_KEEP);
+    else if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
         code = clean(f, "frames/", clearing);
     return code;
 }
@@ -226,6 +236,18 @@ int folder_open_again(cli_folder *f, const char *path)
         return CLI_EXIT_NOINPUT;
     }
     return take(f, path, FOLDER_KEEP);
+}
+
+bool folder_holds(const char *path, const char *name)
+{
+    size_t size = strlen(path) + strlen(name) + 2;
+    char *inside = malloc(size);
+    if (inside == NULL)
+        return false;
+    snprintf(inside, size, "%s/%s", path, name);
+    bool holds = access(inside, F_OK) == 0;
+    free(inside);
+    return holds;
 }
 
 int folder_make_inside(cli_folder *f, const char *name)

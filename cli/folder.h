@@ -18,6 +18,7 @@ typedef struct cli_folder {
 typedef enum folder_clearing {
     FOLDER_KEEP,
     FOLDER_CLEAR_RUN,   /**< all that a run writes but its probes, which it overwrites */
+    FOLDER_CLEAR_STUDY, /**< series, plots and pages of a study; not its rows */
     FOLDER_CLEAR_FRAMES /**< frames alone: the snapshots beside them may be the ones being drawn */
 } folder_clearing;
 
@@ -37,6 +38,9 @@ int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing);
 
 /** Locks a folder that an earlier run wrote, and removes its temporary files. Returns an exit code. */
 int folder_open_again(cli_folder *f, const char *path);
+
+/** Whether a folder holds something called `name`. */
+bool folder_holds(const char *path, const char *name);
 
 /** Makes a folder inside, if it is not there. Returns an exit code. */
 int folder_make_inside(cli_folder *f, const char *name);

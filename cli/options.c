@@ -31,7 +31,8 @@ enum {
     OPTION_RANGE,
     OPTION_PREVIEW,
     OPTION_TEMPLATE,
-    OPTION_ALL
+    OPTION_ALL,
+    OPTION_TARGET
 };
 
 enum {
@@ -50,7 +51,7 @@ typedef struct option_row {
 static const option_row rows[] = {
     {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; must be empty or new"},
     {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
-     "replace what an earlier run left there (only files of ours)"},
+     "replace what an earlier run left there (only files of ours); a study runs all rows anew"},
     {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY,
      "change a key of the scene: fluid.density=800"},
     {'n', "dry-run", NULL, CLI_RUN, "only check the scene, as 'sph2d check' does"},
@@ -59,6 +60,8 @@ static const option_row rows[] = {
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK | CLI_STUDY, "instruction set: auto, baseline, avx2 or avx512"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
+    {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, in processes of their own; default 1"},
+    {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "the error that the cheapest row is named for: 1%, 0.01"},
     {OPTION_ALL, "all", NULL, CLI_STUDY, "run the rows too that the study skips"},
     {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "what to start from; 'sph2d help init' lists them"},
     {OPTION_SIZE, "size", "WxH", CLI_RENDER, "size of the frames in pixels"},
@@ -206,6 +209,15 @@ static bool take_threads(cli_options *options, const char *name, const char *val
     return true;
 }
 
+static bool take_jobs(cli_options *options, const char *name, const char *value)
+{
+    long jobs;
+    if (!parse_count(value, 1, 1024, &jobs))
+        return bad_value(name, "jobs", value, "a number from 1 to 1024");
+    options->jobs = (int)jobs;
+    return true;
+}
+
 static bool take_color(cli_options *options, const char *name, const char *value)
 {
     if (!picture_color_known(value)) {
@@ -239,6 +251,8 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
         return true;
     case 'j':
         return take_threads(options, name, value);
+    case 'J':
+        return take_jobs(options, name, value);
     case 'q':
         options->quiet = true;
         return true;
@@ -264,6 +278,9 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
     case OPTION_NO_FRAMES:
         options->no_frames = true;
         return true;
+    case OPTION_TARGET:
+        return parse_fraction(value, &options->target) ||
+               bad_value(name, "target", value, "an error above 0, such as 1% or 0.01");
     case OPTION_ALL:
         options->all = true;
         return true;

@@ -24,7 +24,8 @@ typedef struct cli_options {
 
     const char *output;
     bool force;
-    int threads;
+    int threads, jobs;
+    double target; /**< an error, > 0 */
     sph2d_isa isa;
     double max_wall; /**< [s] */
     bool no_frames, dry_run, all;

@@ -29,6 +29,16 @@ bool parse_number(const char *text, double *value)
     return leading_number(text, value, &end) && *end == '\0';
 }
 
+bool parse_fraction(const char *text, double *value)
+{
+    const char *end;
+    if (!leading_number(text, value, &end) || *value <= 0)
+        return false;
+    if (strcmp(end, "%") == 0)
+        *value /= 100;
+    return *end == '\0' || strcmp(end, "%") == 0;
+}
+
 bool parse_count(const char *text, long min, long max, long *value)
 {
     if (!isdigit((unsigned char)text[0]))

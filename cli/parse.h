@@ -8,6 +8,8 @@
 
 /** A finite number. */
 bool parse_number(const char *text, double *value);
+/** A number above 0, or per cent of one: "0.01", "1%". */
+bool parse_fraction(const char *text, double *value);
 /** A whole number from `min` to `max`. */
 bool parse_count(const char *text, long min, long max, long *value);
 /** A duration in seconds: "90", "90s", "1.5h", "1h30m"; units d, h, m, s. Above 0. */

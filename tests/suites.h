@@ -36,6 +36,7 @@
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
+    X(scene_text)                                                                                                      \
     X(plan)                                                                                                            \
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
@@ -49,6 +50,8 @@
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \
+    X(study_rows)                                                                                                      \
+    X(study_record)                                                                                                    \
     X(report)                                                                                                          \
     RENDER_SUITES(X)
 

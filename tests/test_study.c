@@ -175,7 +175,6 @@ static const struct fault {
 } faults[] = {
     /* keys and types */
     {"runs: [{}]\n", SPH2D_CODE_MISSING_KEY, "scene", 0, 0, "'scene' must be given", "the scene file"},
-    {"scene: a\n", SPH2D_CODE_MISSING_KEY, "runs", 0, 0, "'runs' must be given", ""},
     {"scene: a\nruns: []\n", SPH2D_CODE_MISSING_KEY, "runs", 2, 7, "there is no run", "set: {}"},
     {RUNS "mesures: []\n", SPH2D_CODE_UNKNOWN_KEY, "mesures", 4, 1, "'mesures'", "did you mean 'measures'?"},
     {RUNS "  - sett: {}\n", SPH2D_CODE_UNKNOWN_KEY, "runs[1].sett", 4, 5, "'sett'", "did you mean 'set'?"},
@@ -205,7 +204,8 @@ static const struct fault {
     {MEASURE "    level: 3\n", SPH2D_CODE_CONFLICT, "measures[0].level", 8, 12, "neither period nor crossing", ""},
     {MEASURE "    at: 3\n", SPH2D_CODE_CONFLICT, "measures[0].at", 8, 9, "'take' is not value", ""},
     {MEASURE "    from: 3\n    to: 2\n", SPH2D_CODE_CONFLICT, "measures[0].to", 9, 9, "'to' lies before 'from'", ""},
-    {MEASURE "    bound: 3\n", SPH2D_CODE_CONFLICT, "measures[0].bound", 8, 12, "without 'expect' or 'reference'", ""},
+    {MEASURE "    bound: 3\n", SPH2D_CODE_CONFLICT, "measures[0].bound", 8, 12,
+     "without 'expect', 'reference' or 'finest'", ""},
     {MEASURE "    order: true\n", SPH2D_CODE_CONFLICT, "measures[0].order", 8, 12, "without 'expect'", ""},
     {MEASURE "    expect: 1\n    norm: rms\n", SPH2D_CODE_CONFLICT, "measures[0].norm", 9, 11, "without 'reference'",
      ""},
@@ -224,6 +224,10 @@ static const struct fault {
      "measures[0].profile.line", 6, 21, "two ends", ""},
     {RUNS "measures:\n  - name: a\n    profile: {line: [[0, 1], [0, 1]], value: vx}\n" REFERENCE, SPH2D_CODE_CONFLICT,
      "measures[0].profile.line", 6, 21, "the same point", ""},
+    {RUNS "measures: [{name: a, summary: compression, take: max}]\n", SPH2D_CODE_CONFLICT, "measures[0].take", 4, 50,
+     "with a summary", ""},
+    {RUNS "measures: [{name: a, summary: pressure}]\n", SPH2D_CODE_WRONG_TYPE, "measures[0].summary", 4, 31,
+     "'pressure'", "compression_mean"},
     /* what is no study */
     {"", SPH2D_CODE_SYNTAX, "", 0, 0, "it is empty", "scene, runs and measures"},
     {"- a\n", SPH2D_CODE_SYNTAX, "", 1, 1, "expected the keys of a study, got a list of 1", ""},

@@ -5,13 +5,19 @@
 
 #include <signal.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "../command.h"
 #include "../exit.h"
 #include "../message.h"
 #include "../signals.h"
 #include "study_csv.h"
+#include "study_front.h"
 #include "study_measure.h"
+#include "study_open.h"
+#include "study_page.h"
+#include "study_plot.h"
+#include "study_pool.h"
 #include "study_scene.h"
 #include "study_table.h"
 
@@ -39,70 +45,122 @@ static bool is_wanted(const cli_study *s, const sph2d_study_run *run)
     return !run->skip || s->options->all;
 }
 
-/* Everything that may be refused comes before the first run and before the folder is touched. */
-static int prepare(cli_study *s)
-{
-    int code = study_told(s, sph2d_study_file_read(s->path, &s->file, &s->report), NULL, NULL);
-    if (code != CLI_EXIT_SUCCESS)
-        return code;
-    s->study = sph2d_study_file_study(s->file);
-    code = read_references(s);
-    for (size_t i = 0; i < s->study->run_count && code == CLI_EXIT_SUCCESS; ++i)
-        code = study_scene_check(s, &s->study->runs[i], is_wanted(s, &s->study->runs[i]));
-    if (code == CLI_EXIT_SUCCESS && s->options->output != NULL)
-        code = folder_refuse(s->options->output, s->options->force);
-    if (code == CLI_EXIT_SUCCESS && s->options->output != NULL)
-        code = folder_open_new(&s->folder, s->options->output, FOLDER_KEEP);
-    return code;
-}
-
-/* Room for all rows, so that a long study does not fail for it in the end. */
+/* A row for each run, with room for its values, so that a long study does not fail for it in the end. */
 static int make_rows(cli_study *s)
 {
     s->rows = calloc(s->study->run_count, sizeof *s->rows);
     if (s->rows == NULL)
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
-    for (size_t i = 0; i < s->study->run_count; ++i) {
-        s->rows[i].values = malloc((s->study->measure_count + 1) * sizeof *s->rows[i].values);
-        if (s->rows[i].values == NULL)
+    for (; s->row_count < s->study->run_count; ++s->row_count) {
+        study_row *row = &s->rows[s->row_count];
+        *row = (study_row){.number = s->row_count + 1, .run = s->study->runs[s->row_count]};
+        row->wanted = is_wanted(s, &row->run);
+        row->values = malloc((s->study->measure_count + 1) * sizeof *row->values);
+        if (row->values == NULL)
             return study_told(s, SPH2D_NOMEM, NULL, NULL);
     }
     return CLI_EXIT_SUCCESS;
 }
 
+/* The scene of each row, and what the refinements change of the first. */
+static int check_scenes(cli_study *s)
+{
+    int code = CLI_EXIT_SUCCESS;
+    for (size_t i = 0; i < s->study->run_count && code == CLI_EXIT_SUCCESS; ++i)
+        code = study_scene_check(s, &s->study->runs[i], is_wanted(s, &s->study->runs[i]));
+    for (size_t i = 0; i < s->study->refinement_count && code == CLI_EXIT_SUCCESS; ++i)
+        code = study_scene_check(s, &s->study->refinements[i], false);
+    return code;
+}
+
+/* Takes the folder: a new one, or one that an earlier session of the study left. */
+static int open_folder(cli_study *s)
+{
+    const char *path = s->options->output;
+    bool again = folder_holds(path, "rows");
+    int code = again ? CLI_EXIT_SUCCESS : folder_refuse(path, s->options->force);
+    if (code == CLI_EXIT_SUCCESS)
+        code = folder_open_new(&s->folder, path, FOLDER_CLEAR_STUDY);
+    if (code == CLI_EXIT_SUCCESS)
+        code = folder_make_inside(&s->folder, "rows");
+    return code;
+}
+
+/* Everything that may be refused comes before the first run and before the folder is touched. */
+static int prepare(cli_study *s)
+{
+    int code = study_open(s);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    s->judge = study_front_judge(s->study);
+    s->target = s->options->target > 0 ? s->options->target : s->study->target;
+    code = read_references(s);
+    if (code == CLI_EXIT_SUCCESS)
+        code = check_scenes(s);
+    if (code == CLI_EXIT_SUCCESS && s->options->output != NULL)
+        code = open_folder(s);
+    return code == CLI_EXIT_SUCCESS ? make_rows(s) : code;
+}
+
 /* ---- the rows ---------------------------------------------------------------------------------------------------- */
+
+/* The steps that build on the front of what is there, up to the first that is to be left out. */
+static int refine(cli_study *s)
+{
+    int code = CLI_EXIT_SUCCESS;
+    for (size_t step = 0; step < s->study->refinement_count && !s->stopped; ++step) {
+        if (!is_wanted(s, &s->study->refinements[step])) {
+            message_note("the study stops before '%s'; --all goes on", s->study->refinements[step].name);
+            break;
+        }
+        size_t first = s->row_count;
+        int told = study_told(s, study_measure_all(s), NULL, NULL);
+        if (told == CLI_EXIT_SUCCESS)
+            told = study_told(s, study_front_refine(s, step), NULL, NULL);
+        if (told != CLI_EXIT_SUCCESS)
+            return told;
+        told = study_pool_run(s, first);
+        code = code == CLI_EXIT_SUCCESS ? told : code;
+    }
+    return code;
+}
+
+static void tell_left_out(const cli_study *s)
+{
+    size_t skipped = 0, missing = 0;
+    for (size_t r = 0; r < s->row_count; ++r) {
+        skipped += !s->rows[r].wanted;
+        missing += s->rows[r].wanted && !s->rows[r].there;
+    }
+    if (s->kept > 0)
+        message_note("%zu row%s of an earlier session %s unchanged and not run again; --force runs all anew", s->kept,
+                     s->kept == 1 ? "" : "s", s->kept == 1 ? "is" : "are");
+    if (s->stopped)
+        message_note("%zu row%s missing%s", missing, missing == 1 ? " is" : "s are",
+                     s->options->output != NULL ? "; the same command goes on" : "");
+    else if (skipped > 0)
+        message_note("%zu row%s left out; --all runs %s too", skipped, skipped == 1 ? "" : "s",
+                     skipped == 1 ? "it" : "them");
+}
 
 /* Runs row after row; one that fails does not keep the others from running. Returns the first exit code that is none of
  * success. */
 static int run_rows(cli_study *s)
 {
-    int code = CLI_EXIT_SUCCESS;
-    size_t skipped = 0;
-    for (size_t i = 0; i < s->study->run_count; ++i) {
-        const sph2d_study_run *run = &s->study->runs[i];
-        if (!is_wanted(s, run)) {
-            ++skipped;
-            continue;
-        }
-        study_row *row = &s->rows[s->row_count];
-        row->run = run;
-        row->number = i + 1;
-        message_note("row %zu of %zu: %s", i + 1, s->study->run_count, run->name);
-        study_run(s, row);
-        if (row->end == STUDY_STOPPED) {
-            s->stopped = true;
-            message_note("stopped in row '%s' at t = %g s; the table has the rows before it", run->name, row->time);
-            return code;
-        }
-        ++s->row_count;
-        study_measure_orders(s);
-        int written = study_csv_write_rows(s);
-        code = code != CLI_EXIT_SUCCESS ? code : row->code != CLI_EXIT_SUCCESS ? row->code : written;
-    }
-    if (skipped > 0)
-        message_note("%zu row%s left out; --all runs %s too", skipped, skipped == 1 ? "" : "s",
-                     skipped == 1 ? "it" : "them");
-    return code;
+    int code = study_pool_run(s, 0);
+    int refined = refine(s);
+    tell_left_out(s);
+    int told = study_told(s, study_measure_all(s), NULL, NULL);
+    study_front_mark(s);
+    code = code != CLI_EXIT_SUCCESS ? code : refined != CLI_EXIT_SUCCESS ? refined : told;
+    int written = study_csv_write(s);
+    if (written == CLI_EXIT_SUCCESS)
+        written = study_open_write(s);
+    if (written == CLI_EXIT_SUCCESS)
+        written = study_plot(s);
+    if (written == CLI_EXIT_SUCCESS)
+        written = study_page_write(s);
+    return code != CLI_EXIT_SUCCESS ? code : written;
 }
 
 static int finish(const cli_study *s, int code)
@@ -118,16 +176,38 @@ static int finish(const cli_study *s, int code)
     return signal != 0 ? 128 + signal : code;
 }
 
+/* What a refinement's row points at is its own. */
+static void free_row(study_row *row)
+{
+    if (row->owned) {
+        free((void *)(uintptr_t)row->run.name);
+        free((void *)(uintptr_t)row->run.overrides);
+        free((void *)(uintptr_t)row->run.places);
+    }
+    study_record_free(&row->record);
+    free(row->values);
+}
+
 static void end(cli_study *s)
 {
-    for (size_t i = 0; s->rows != NULL && i < s->study->run_count; ++i)
-        free(s->rows[i].values);
+    for (size_t i = 0; i < s->row_count; ++i)
+        free_row(&s->rows[i]);
     free(s->rows);
     for (size_t i = 0; s->references != NULL && i < s->study->measure_count; ++i)
         study_points_free(&s->references[i]);
     free(s->references);
+    free(s->made);
     sph2d_study_file_destroy(s->file);
     folder_close(&s->folder);
+}
+
+/* Rows that run beside each other have one thread each, unless -j says otherwise. */
+static thread_choice choose_threads(const cli_options *options)
+{
+    thread_choice choice = threads_choose(options);
+    if (options->jobs > 1 && options->threads == 0)
+        choice = (thread_choice){1, "one a row, with --jobs"};
+    return choice;
 }
 
 int command_study(const cli_options *options)
@@ -136,12 +216,11 @@ int command_study(const cli_options *options)
         message_usage("study", options->operand_count == 0 ? "a study file must be given" : "one study at a time");
         return CLI_EXIT_USAGE;
     }
-    cli_study s = {.options = options, .path = options->operands[0], .folder = FOLDER_CLOSED};
-    s.threads = threads_choose(options);
+    cli_study s = {.options = options, .path = options->operands[0], .folder = FOLDER_CLOSED, .process = getpid()};
+    s.threads = choose_threads(options);
+    s.jobs = options->jobs > 0 ? (size_t)options->jobs : 1;
     signals_install();
     int code = prepare(&s);
-    if (code == CLI_EXIT_SUCCESS)
-        code = make_rows(&s);
     if (code == CLI_EXIT_SUCCESS)
         code = finish(&s, run_rows(&s));
     end(&s);

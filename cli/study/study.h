@@ -4,54 +4,52 @@
 #ifndef SPH2D_CLI_STUDY_H
 #define SPH2D_CLI_STUDY_H
 
+#include <sys/types.h>
+
 #include <sph2d/study.h>
 
 #include "../folder.h"
 #include "../options.h"
 #include "../threads.h"
+#include "study_record.h"
 #include "study_reference.h"
 
 /** What one measure says of one run. NaN where it says nothing. */
 typedef struct study_value {
     double value; /**< in units of the measure's scale */
     double error; /**< from what is expected */
-    double order; /**< of convergence, from the coarser row before */
+    double order; /**< of convergence, from a coarser row before */
 } study_value;
-
-/** How a row ended. */
-typedef enum study_end {
-    STUDY_FINISHED,
-    STUDY_GUARD,  /**< a guard stopped the run */
-    STUDY_FAILED, /**< it could not be made, or memory is gone */
-    STUDY_STOPPED /**< a signal asked to stop */
-} study_end;
 
 /** A run and what came out of it. */
 typedef struct study_row {
-    size_t number; /**< from 1, in the order of the study file */
-    const sph2d_study_run *run;
-    study_end end;
-    int code;         /**< the exit code that the row alone would have */
-    char reason[320]; /**< why it did not finish */
-    double spacing;   /**< [m] */
-    uint64_t particles, steps, particle_steps;
-    double time;         /**< simulated [s] */
-    double cpu, wall;    /**< of stepping alone [s] */
+    size_t number;       /**< from 1: runs in the order of the study file, then refinements */
+    sph2d_study_run run; /**< what it points at is the study file's, or the row's own */
+    bool owned;          /**< name and lists of the run are the row's own: it is a refinement */
+    bool wanted;         /**< it is to be run */
+    bool there;          /**< the record is */
+    study_record record;
     study_value *values; /**< one a measure; owned */
+    bool on_front;       /**< no other row has both a smaller error and less time */
 } study_row;
 
 typedef struct cli_study {
     const cli_options *options;
     const char *path; /**< of the study file */
+    pid_t process;    /**< that the rows are started from */
     thread_choice threads;
+    size_t jobs; /**< rows that run at a time */
     sph2d_study_file *file;
+    char *made; /**< the text of a study that was made for a scene; owned, NULL otherwise */
     const sph2d_study *study;
     study_points *references; /**< one a measure, empty where it has none */
     cli_folder folder;        /**< where -o is given */
-    study_row *rows;          /**< those that were run, in their order */
+    study_row *rows;
     size_t row_count;
-    bool stopped;    /**< by a signal, before all rows were there */
-    const char *isa; /**< that the rows ran with; NULL before the first */
+    size_t judge;  /**< the measure whose error is weighed against the time; measure_count: none */
+    double target; /**< the error that the cheapest row is named for */
+    size_t kept;   /**< rows that an earlier session of this study ran */
+    bool stopped;  /**< by a signal, before all rows were there */
     sph2d_report report;
 } cli_study;
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../exit.h"
-#include "study_table.h"
+#include "study_cells.h"
 
 /* A text that becomes a file. */
 typedef struct sheet {
@@ -66,7 +66,8 @@ static void put_text(FILE *out, const char *text, const char *more)
 
 static void put_headings(FILE *out, const sph2d_study *study)
 {
-    fputs("row,name,end,spacing [m],particles,simulated [s],steps,particle-steps,cpu [s],wall [s],particle-steps/s",
+    fputs("row,name,end,front,spacing [m],particles,left,simulated [s],steps,particle-steps,repeats,cpu [s],wall [s],"
+          "start [s],probes [s],particle-steps/s",
           out);
     for (size_t i = 0; i < study->measure_count; ++i) {
         const sph2d_study_measure *m = &study->measures[i];
@@ -86,15 +87,18 @@ static void put_headings(FILE *out, const sph2d_study *study)
 
 static void put_row(FILE *out, const sph2d_study *study, const study_row *row)
 {
+    const study_record *record = &row->record;
     fprintf(out, "%zu,", row->number);
-    put_text(out, row->run->name, "");
-    fprintf(out, ",%s", study_end_name(row->end));
-    put_number(out, row->spacing);
-    fprintf(out, ",%" PRIu64, row->particles);
-    put_number(out, row->time);
-    fprintf(out, ",%" PRIu64 ",%" PRIu64, row->steps, row->particle_steps);
-    put_number(out, row->cpu);
-    put_number(out, row->wall);
+    put_text(out, row->run.name, "");
+    fprintf(out, ",%s,%d", study_end_name(record->end), row->on_front);
+    put_number(out, record->spacing);
+    fprintf(out, ",%" PRIu64 ",%" PRIu64, record->particles, record->left);
+    put_number(out, record->time);
+    fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%" PRIu64, record->steps, record->particle_steps, record->repeats);
+    put_number(out, record->cpu);
+    put_number(out, record->wall);
+    put_number(out, record->start);
+    put_number(out, record->probes);
     put_number(out, study_rate(row));
     for (size_t i = 0; i < study->measure_count; ++i) {
         const sph2d_study_measure *m = &study->measures[i];
@@ -108,41 +112,42 @@ static void put_row(FILE *out, const sph2d_study *study, const study_row *row)
     putc('\n', out);
 }
 
-int study_csv_write_rows(cli_study *s)
+static int write_rows(cli_study *s)
 {
-    if (s->options->output == NULL)
-        return CLI_EXIT_SUCCESS;
     sheet page;
     if (!sheet_open(&page))
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
     put_headings(page.out, s->study);
     for (size_t r = 0; r < s->row_count; ++r)
-        put_row(page.out, s->study, &s->rows[r]);
+        if (s->rows[r].there)
+            put_row(page.out, s->study, &s->rows[r]);
     return sheet_close(s, &page, folder_file(&s->folder, "study.csv"));
 }
 
 /* ---- series ------------------------------------------------------------------------------------------------------ */
 
-static int write_series(cli_study *s, const study_row *row, const sph2d_probe *probe, const study_series *series)
+static int write_series(cli_study *s, const study_row *row, const study_series *series)
 {
     sheet page;
     if (!sheet_open(&page))
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
-    fprintf(page.out, "time [s],%s\n", sph2d_probe_columns(probe->kind));
+    fprintf(page.out, "time [s],%s\n", series->headings);
     for (size_t i = 0; i < series->count; ++i) {
         fprintf(page.out, "%.17g", series->time[i]);
         for (size_t k = 0; k < series->columns; ++k)
             put_number(page.out, series->values[i * series->columns + k]);
         putc('\n', page.out);
     }
-    return sheet_close(s, &page, folder_file(&s->folder, "series_%zu_%s.csv", row->number, probe->name));
+    return sheet_close(s, &page, folder_file(&s->folder, "series_%zu_%s.csv", row->number, series->probe));
 }
 
-int study_csv_write_series(cli_study *s, const study_row *row, const sph2d_scene *scene, const study_series *series)
+int study_csv_write(cli_study *s)
 {
-    int code = CLI_EXIT_SUCCESS;
-    for (size_t i = 0; s->options->output != NULL && i < scene->probe_count && code == CLI_EXIT_SUCCESS; ++i)
-        if (series[i].wanted)
-            code = write_series(s, row, &scene->probes[i], &series[i]);
+    if (s->options->output == NULL)
+        return CLI_EXIT_SUCCESS;
+    int code = write_rows(s);
+    for (size_t r = 0; r < s->row_count; ++r)
+        for (size_t i = 0; i < s->rows[r].record.series_count && code == CLI_EXIT_SUCCESS; ++i)
+            code = write_series(s, &s->rows[r], &s->rows[r].record.series[i]);
     return code;
 }

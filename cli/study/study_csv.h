@@ -6,11 +6,8 @@
 
 #include "study_run.h"
 
-/** Writes study.csv with the rows that there are, every digit of them. Does nothing without -o. Tells what goes wrong
- *  and returns an exit code. */
-int study_csv_write_rows(cli_study *s);
-
-/** Writes series_ROW_PROBE.csv, as `run` would write PROBE.csv, for each probe that is measured. The same otherwise. */
-int study_csv_write_series(cli_study *s, const study_row *row, const sph2d_scene *scene, const study_series *series);
+/** Writes study.csv with the rows that there are, every digit of them, and series_ROW_PROBE.csv, as `run` would write
+ *  PROBE.csv, for each probe of each row. Does nothing without -o. Tells what goes wrong and returns an exit code. */
+int study_csv_write(cli_study *s);
 
 #endif

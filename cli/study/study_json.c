@@ -4,6 +4,8 @@
 #include <math.h>
 
 #include "../json.h"
+#include "study_cells.h"
+#include "study_front.h"
 #include "study_table.h"
 
 static void add_measure(cli_json *line, const sph2d_study_measure *m, const study_value *v)
@@ -37,24 +39,41 @@ static void add_row(cli_json *line, const cli_study *s, const study_row *row)
 {
     json_open_object(line, NULL);
     json_count(line, "row", row->number);
-    json_text(line, "name", row->run->name);
-    add_overrides(line, row->run);
-    json_text(line, "end", study_end_name(row->end));
-    if (row->end != STUDY_FINISHED)
-        json_text(line, "reason", row->reason);
-    json_number(line, "spacing", row->spacing);
-    json_count(line, "particles", row->particles);
-    json_number(line, "time", row->time);
-    json_count(line, "steps", row->steps);
-    json_count(line, "particle_steps", row->particle_steps);
-    json_number(line, "step_cpu_seconds", row->cpu);
-    json_number(line, "step_seconds", row->wall);
+    const study_record *record = &row->record;
+    json_text(line, "name", row->run.name);
+    add_overrides(line, &row->run);
+    json_text(line, "end", study_end_name(record->end));
+    if (record->end != STUDY_FINISHED)
+        json_text(line, "reason", record->reason);
+    json_flag(line, "front", row->on_front);
+    json_number(line, "spacing", record->spacing);
+    json_count(line, "particles", record->particles);
+    json_count(line, "left", record->left);
+    json_number(line, "time", record->time);
+    json_count(line, "steps", record->steps);
+    json_count(line, "particle_steps", record->particle_steps);
+    json_count(line, "repeats", record->repeats);
+    json_number(line, "step_cpu_seconds", record->cpu);
+    json_number(line, "step_seconds", record->wall);
+    json_number(line, "start_cpu_seconds", record->start);
+    json_number(line, "probes_cpu_seconds", record->probes);
+    json_text(line, "isa", record->isa);
     json_number(line, "particle_steps_per_second", study_rate(row));
     json_open_array(line, "measures");
     for (size_t i = 0; i < s->study->measure_count; ++i)
         add_measure(line, &s->study->measures[i], &row->values[i]);
     json_close_array(line);
     json_close_object(line);
+}
+
+/* The cheapest row for the wanted error, null when none is good enough. */
+static void add_verdict(cli_json *line, const cli_study *s)
+{
+    const study_row *row = study_front_cheapest(s, s->target);
+    bool judged = s->judge < s->study->measure_count;
+    json_text(line, "judge", judged ? s->study->measures[s->judge].name : NULL);
+    json_number(line, "target", s->target);
+    json_text(line, "cheapest", row != NULL ? row->run.name : NULL);
 }
 
 void study_json_print(const cli_study *s, const char *end, bool passed)
@@ -66,10 +85,12 @@ void study_json_print(const cli_study *s, const char *end, bool passed)
     json_flag(&line, "passed", passed);
     json_count(&line, "threads", (uint64_t)s->threads.count);
     json_text(&line, "threads_from", s->threads.source);
-    json_text(&line, "isa", s->isa);
+    json_count(&line, "jobs", s->jobs);
     json_open_array(&line, "rows");
     for (size_t r = 0; r < s->row_count; ++r)
-        add_row(&line, s, &s->rows[r]);
+        if (s->rows[r].there)
+            add_row(&line, s, &s->rows[r]);
     json_close_array(&line);
+    add_verdict(&line, s);
     json_end(&line);
 }

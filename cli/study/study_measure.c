@@ -1,13 +1,188 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_measure.c
- *  From series and simulation to the numbers of the table. */
+ *  From records to the numbers of the table. */
 #include "study_measure.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../message.h"
 #include "study_scene.h"
+
+/* Places along the line of a profile that the finest run is compared at. */
+enum { PLACES = 101 };
+
+/* ---- what a record must hold ------------------------------------------------------------------------------------- */
+
+size_t study_measure_places(const cli_study *s, size_t measure)
+{
+    const study_points *points = &s->references[measure];
+    return s->study->measures[measure].expectation == SPH2D_EXPECT_REFERENCE ? points->count : PLACES;
+}
+
+double study_measure_place(const cli_study *s, size_t measure, size_t place)
+{
+    const study_points *points = &s->references[measure];
+    bool given = s->study->measures[measure].expectation == SPH2D_EXPECT_REFERENCE;
+    return given ? points->x[place] : (double)place / (PLACES - 1);
+}
+
+/* The samples that a profile is measured with; NULL when the record has others. */
+static const study_samples *find_samples(const cli_study *s, size_t measure, const study_record *record)
+{
+    const sph2d_study_profile *profile = &s->study->measures[measure].profile;
+    size_t count = study_measure_places(s, measure);
+    for (size_t i = 0; i < record->samples_count; ++i) {
+        const study_samples *samples = &record->samples[i];
+        bool same = samples->count == count && samples->quantity == profile->value &&
+                    memcmp(samples->ends, profile->line.items, sizeof samples->ends) == 0;
+        for (size_t k = 0; k < count && same; ++k)
+            same = samples->along[k] == study_measure_place(s, measure, k);
+        if (same)
+            return samples;
+    }
+    return NULL;
+}
+
+static const study_series *find_series(const sph2d_study_measure *m, const study_record *record, size_t *column)
+{
+    for (size_t i = 0; i < record->series_count; ++i)
+        if (strcmp(record->series[i].probe, m->probe) == 0)
+            return study_column_find(record->series[i].headings, m->column, column) ? &record->series[i] : NULL;
+    return NULL;
+}
+
+bool study_measure_possible(const cli_study *s, const study_record *record)
+{
+    size_t column;
+    for (size_t i = 0; i < s->study->measure_count; ++i) {
+        const sph2d_study_measure *m = &s->study->measures[i];
+        bool missing = (m->source == SPH2D_MEASURE_PROFILE && find_samples(s, i, record) == NULL) ||
+                       (m->source == SPH2D_MEASURE_PROBE && find_series(m, record, &column) == NULL);
+        if (missing)
+            return false;
+    }
+    return true;
+}
+
+/* ---- curves ------------------------------------------------------------------------------------------------------ */
+
+/* A curve that owns its numbers. */
+typedef struct owned_curve {
+    study_curve curve;
+    double *room;
+} owned_curve;
+
+/* What a measure looks at in a record: the part of the series that counts, or the samples with a value. */
+static bool take_curve(const cli_study *s, size_t measure, const study_record *record, owned_curve *out)
+{
+    const sph2d_study_measure *m = &s->study->measures[measure];
+    const double *x = NULL, *y = NULL;
+    size_t column = 0, stride = 1, count = 0;
+    double from = NAN, to = NAN;
+    if (m->source == SPH2D_MEASURE_PROFILE) {
+        const study_samples *samples = find_samples(s, measure, record);
+        if (samples != NULL) {
+            x = samples->along;
+            y = samples->values;
+            count = samples->count;
+        }
+    } else if (m->source == SPH2D_MEASURE_PROBE) {
+        const study_series *series = find_series(m, record, &column);
+        if (series != NULL && series->count > 0) {
+            x = series->time;
+            y = series->values + column;
+            stride = series->columns;
+            count = series->count;
+        }
+        from = m->from;
+        to = m->to;
+    }
+    out->room = malloc((2 * count + 1) * sizeof *out->room);
+    if (out->room == NULL)
+        return false;
+    out->curve = (study_curve){out->room, out->room, 0};
+    if (count > 0)
+        out->curve = study_select(x, y, stride, count, from, to, out->room, out->room + count);
+    return true;
+}
+
+static double largest_size(study_curve curve)
+{
+    double largest = 0;
+    for (size_t i = 0; i < curve.count; ++i)
+        largest = fmax(largest, fabs(curve.y[i]));
+    return largest;
+}
+
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
+
+/* Whether the finest run's series is compared with, not a number made of it. */
+static bool compares_series(const sph2d_study_measure *m)
+{
+    return m->source == SPH2D_MEASURE_PROFILE || (m->source == SPH2D_MEASURE_PROBE && m->take == SPH2D_TAKE_DEFAULT);
+}
+
+/* Differences at the points of the reference; a profile has a sample at each, or has no error. */
+static double compare_profile(const cli_study *s, size_t measure, const study_record *record)
+{
+    const sph2d_study_measure *m = &s->study->measures[measure];
+    const study_samples *samples = find_samples(s, measure, record);
+    const study_points *reference = &s->references[measure];
+    double *differences = samples != NULL ? malloc((samples->count + 1) * sizeof *differences) : NULL;
+    if (differences == NULL)
+        return NAN;
+    for (size_t i = 0; i < samples->count; ++i)
+        differences[i] = samples->values[i] / m->scale - reference->y[i];
+    double error = study_norm(m->norm, differences, samples->count);
+    free(differences);
+    return error;
+}
+
+/* The number that a measure makes of a record. */
+static double number(const sph2d_study_measure *m, const study_record *record, study_curve curve)
+{
+    if (m->source == SPH2D_MEASURE_PROFILE)
+        return NAN;
+    double value = m->source == SPH2D_MEASURE_SUMMARY ? record->summary[m->summary]
+                                                      : study_reduce(m->take, curve, m->level, m->at);
+    return value / m->scale;
+}
+
+/* The error where the finest run's series is expected. */
+static double compare_curves(const sph2d_study_measure *m, study_curve curve, study_curve finest)
+{
+    /* Both curves are divided by the scale, or by what the errors shall be relative to. */
+    double unit = m->relative ? largest_size(finest) : m->scale;
+    return study_compare(curve, 1, finest, m->norm, 0) / unit;
+}
+
+static bool measure_one(cli_study *s, size_t measure, study_row *row, const study_row *finest)
+{
+    const sph2d_study_measure *m = &s->study->measures[measure];
+    study_value *out = &row->values[measure];
+    owned_curve mine = {{NULL, NULL, 0}, NULL}, best = {{NULL, NULL, 0}, NULL};
+    bool fine = take_curve(s, measure, &row->record, &mine);
+    out->value = fine ? number(m, &row->record, mine.curve) : NAN;
+    if (m->expectation == SPH2D_EXPECT_NUMBER)
+        out->error = study_error(out->value, m->expect, m->relative != 0);
+    if (fine && m->expectation == SPH2D_EXPECT_REFERENCE)
+        out->error = m->source == SPH2D_MEASURE_PROFILE
+                         ? compare_profile(s, measure, &row->record)
+                         : study_compare(mine.curve, m->scale, study_points_curve(&s->references[measure]), m->norm,
+                                         m->reference.shift);
+    if (fine && m->expectation == SPH2D_EXPECT_FINEST && finest != NULL && finest != row) {
+        fine = take_curve(s, measure, &finest->record, &best);
+        if (fine && compares_series(m))
+            out->error = compare_curves(m, mine.curve, best.curve);
+        else if (fine)
+            out->error = study_error(out->value, number(m, &finest->record, best.curve), m->relative != 0);
+    }
+    free(mine.room);
+    free(best.room);
+    return fine;
+}
 
 /* ---- a number without a value ------------------------------------------------------------------------------------ */
 
@@ -29,102 +204,98 @@ static const char *why_no_value(const sph2d_study_measure *m)
     }
 }
 
-/* ---- probes ------------------------------------------------------------------------------------------------------ */
-
-static sph2d_status measure_series(const sph2d_study_measure *m, const study_points *reference,
-                                   const study_series *series, size_t column, study_value *out)
-{
-    double *room = malloc((2 * series->count + 1) * sizeof *room);
-    if (room == NULL)
-        return SPH2D_NOMEM;
-    study_curve curve = {room, room, 0};
-    if (series->count > 0)
-        curve = study_select(series->time, series->values + column, series->columns, series->count, m->from, m->to,
-                             room, room + series->count);
-    if (m->expectation == SPH2D_EXPECT_REFERENCE) {
-        out->error = study_compare(curve, m->scale, study_points_curve(reference), m->norm, m->reference.shift);
-    } else {
-        out->value = study_reduce(m->take, curve, m->level, m->at) / m->scale;
-        if (m->expectation == SPH2D_EXPECT_NUMBER)
-            out->error = study_error(out->value, m->expect, m->relative != 0);
-    }
-    free(room);
-    return SPH2D_OK;
-}
-
-/* ---- profiles ---------------------------------------------------------------------------------------------------- */
-
-static double quantity(const sph2d_sample *sample, sph2d_quantity what)
-{
-    switch (what) {
-    case SPH2D_QUANTITY_VX:
-        return sample->velocity[0];
-    case SPH2D_QUANTITY_VY:
-        return sample->velocity[1];
-    case SPH2D_QUANTITY_SPEED:
-        return hypot(sample->velocity[0], sample->velocity[1]);
-    case SPH2D_QUANTITY_PRESSURE:
-        return sample->pressure;
-    case SPH2D_QUANTITY_DENSITY:
-        return sample->density;
-    }
-    return NAN;
-}
-
-static sph2d_status measure_profile(const sph2d_study_measure *m, const study_points *reference, const sph2d_sim *sim,
-                                    study_value *out)
-{
-    double *differences = malloc((reference->count + 1) * sizeof *differences);
-    if (differences == NULL)
-        return SPH2D_NOMEM;
-    sph2d_vec2 a = m->profile.line.items[0], b = m->profile.line.items[1];
-    for (size_t i = 0; i < reference->count; ++i) {
-        double part = reference->x[i];
-        sph2d_vec2 at = {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
-        sph2d_sample sample;
-        bool near = sph2d_sim_sample(sim, at, &sample);
-        differences[i] = near ? quantity(&sample, m->profile.value) / m->scale - reference->y[i] : NAN;
-    }
-    out->error = study_norm(m->norm, differences, reference->count);
-    free(differences);
-    return SPH2D_OK;
-}
-
-/* ---- a row ------------------------------------------------------------------------------------------------------- */
-
-sph2d_status study_measure(cli_study *s, study_row *row, const sph2d_sim *sim, const study_series *series)
+static void measure_row(cli_study *s, study_row *row, const study_row *finest, bool *fine)
 {
     for (size_t i = 0; i < s->study->measure_count; ++i) {
         const sph2d_study_measure *m = &s->study->measures[i];
         study_value *out = &row->values[i];
-        study_column found;
-        sph2d_status status = SPH2D_OK;
-        if (m->source == SPH2D_MEASURE_PROFILE)
-            status = measure_profile(m, &s->references[i], sim, out);
-        else if (study_column_find(sph2d_sim_scene(sim), m, &found))
-            status = measure_series(m, &s->references[i], &series[found.probe], found.column, out);
-        if (status != SPH2D_OK)
-            return status;
-        if (!isfinite(m->expectation == SPH2D_EXPECT_REFERENCE ? out->error : out->value))
-            message_warning(SPH2D_CODE_GENERAL, "row '%s': no value of '%s': %s", row->run->name, m->name,
+        *fine = measure_one(s, i, row, finest) && *fine;
+        bool of_series =
+            m->expectation == SPH2D_EXPECT_REFERENCE || (m->expectation == SPH2D_EXPECT_FINEST && compares_series(m));
+        bool needless = of_series && row == finest && m->expectation == SPH2D_EXPECT_FINEST;
+        if (!needless && !isfinite(of_series ? out->error : out->value))
+            message_warning(SPH2D_CODE_GENERAL, "row '%s': no value of '%s': %s", row->run.name, m->name,
                             why_no_value(m));
     }
-    return SPH2D_OK;
 }
 
-void study_measure_orders(cli_study *s)
+/* ---- orders ------------------------------------------------------------------------------------------------------ */
+
+const char *study_setting(const sph2d_study_run *run, const char *path)
 {
-    const study_row *fine = &s->rows[s->row_count - 1];
-    size_t before = s->row_count - 1;
-    while (before > 0 && !(s->rows[before - 1].end == STUDY_FINISHED && s->rows[before - 1].spacing > fine->spacing))
-        --before;
-    if (before == 0 || fine->end != STUDY_FINISHED)
-        return;
-    const study_row *coarse = &s->rows[before - 1];
-    for (size_t i = 0; i < s->study->measure_count; ++i)
+    const char *value = NULL;
+    for (size_t i = 0; i < run->override_count; ++i)
+        if (strcmp(run->overrides[i].path, path) == 0)
+            value = run->overrides[i].value;
+    return value;
+}
+
+static bool settings_within(const sph2d_study_run *a, const sph2d_study_run *b, const char *but)
+{
+    for (size_t i = 0; i < a->override_count; ++i) {
+        const char *path = a->overrides[i].path, *other = study_setting(b, path);
+        if (strcmp(path, but) != 0 && (other == NULL || strcmp(study_setting(a, path), other) != 0))
+            return false;
+    }
+    return true;
+}
+
+bool study_same_but(const char *key, const sph2d_study_run *a, const sph2d_study_run *b)
+{
+    return settings_within(a, b, key) && settings_within(b, a, key);
+}
+
+/* The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
+ * among rows that are written one by one, else the nearest that is coarser. */
+static const study_row *coarser(const cli_study *s, const study_row *fine)
+{
+    const study_row *found = NULL;
+    for (const study_row *row = s->rows; row < fine; ++row) {
+        if (!study_row_counts(row) || !(row->record.spacing > fine->record.spacing))
+            continue;
+        bool same = study_same_but("spacing", &row->run, &fine->run);
+        bool better = found != NULL && study_same_but("spacing", &found->run, &fine->run);
+        if (same || (s->study->vary_count == 0 && !better))
+            found = row;
+    }
+    return found;
+}
+
+static void tell_orders(cli_study *s, study_row *fine)
+{
+    const study_row *coarse = coarser(s, fine);
+    for (size_t i = 0; i < s->study->measure_count && coarse != NULL; ++i)
         if (s->study->measures[i].order)
-            fine->values[i].order =
-                study_order(coarse->values[i].error, fine->values[i].error, coarse->spacing, fine->spacing);
+            fine->values[i].order = study_order(coarse->values[i].error, fine->values[i].error, coarse->record.spacing,
+                                                fine->record.spacing);
+}
+
+/* ---- all rows ---------------------------------------------------------------------------------------------------- */
+
+size_t study_finest(const cli_study *s)
+{
+    size_t finest = s->row_count;
+    for (size_t r = 0; r < s->row_count; ++r)
+        if (study_row_counts(&s->rows[r]) &&
+            (finest == s->row_count || s->rows[r].record.spacing <= s->rows[finest].record.spacing))
+            finest = r;
+    return finest;
+}
+
+sph2d_status study_measure_all(cli_study *s)
+{
+    bool fine = true;
+    size_t finest = study_finest(s);
+    for (size_t r = 0; r < s->row_count; ++r) {
+        for (size_t i = 0; i < s->study->measure_count; ++i)
+            s->rows[r].values[i] = (study_value){NAN, NAN, NAN};
+        if (study_row_counts(&s->rows[r]))
+            measure_row(s, &s->rows[r], finest < s->row_count ? &s->rows[finest] : NULL, &fine);
+    }
+    for (size_t r = 0; r < s->row_count; ++r)
+        if (study_row_counts(&s->rows[r]))
+            tell_orders(s, &s->rows[r]);
+    return fine ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 static bool misses(const sph2d_study_measure *m, const study_value *v)
@@ -132,26 +303,32 @@ static bool misses(const sph2d_study_measure *m, const study_value *v)
     return !isnan(m->bound) && !(v->error <= m->bound);
 }
 
+/* What is expected of the finest run is what it gives. */
+static bool is_own_reference(const cli_study *s, const sph2d_study_measure *m, size_t row)
+{
+    return m->expectation == SPH2D_EXPECT_FINEST && row == study_finest(s);
+}
+
 size_t study_measure_misses(const cli_study *s)
 {
     size_t count = 0;
     for (size_t r = 0; r < s->row_count; ++r) {
         const study_row *row = &s->rows[r];
-        for (size_t i = 0; row->end == STUDY_FINISHED && i < s->study->measure_count; ++i) {
+        for (size_t i = 0; study_row_counts(row) && i < s->study->measure_count; ++i) {
             const sph2d_study_measure *m = &s->study->measures[i];
             const study_value *v = &row->values[i];
-            if (!misses(m, v))
+            if (!misses(m, v) || is_own_reference(s, m, r))
                 continue;
             ++count;
             if (isnan(v->error))
                 message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': '%s' has no value, where its error may be %g",
-                              row->run->name, m->name, m->bound);
+                              row->run.name, m->name, m->bound);
             else if (m->expectation == SPH2D_EXPECT_NUMBER)
                 message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': '%s' is %g, so its %serror %g exceeds the bound %g",
-                              row->run->name, m->name, v->value, m->relative ? "relative " : "", v->error, m->bound);
+                              row->run.name, m->name, v->value, m->relative ? "relative " : "", v->error, m->bound);
             else
                 message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': the error %g of '%s' exceeds the bound %g",
-                              row->run->name, v->error, m->name, m->bound);
+                              row->run.name, v->error, m->name, m->bound);
         }
     }
     return count;

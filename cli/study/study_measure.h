@@ -1,19 +1,38 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_measure.h
- *  From series and simulation to the numbers of the table. */
+ *  From records to the numbers of the table. */
 #ifndef SPH2D_CLI_STUDY_MEASURE_H
 #define SPH2D_CLI_STUDY_MEASURE_H
 
-#include "study_run.h"
+#include "study.h"
 
-/** Fills in the values and errors of a row that has come to its end. What a measure cannot say is NaN, with a warning
- *  that tells why. `series` is one a probe of the scene. Errors: SPH2D_NOMEM. */
-sph2d_status study_measure(cli_study *s, study_row *row, const sph2d_sim *sim, const study_series *series);
+/** How many places along its line a profile is taken at, and where: 0 to 1 from end to end. */
+size_t study_measure_places(const cli_study *s, size_t measure);
+double study_measure_place(const cli_study *s, size_t measure, size_t place);
 
-/** Fills in the orders of convergence of the last row, each from the nearest row before with a coarser spacing. */
-void study_measure_orders(cli_study *s);
+/** Whether a record holds all that the study measures now. */
+bool study_measure_possible(const cli_study *s, const study_record *record);
+
+/** Fills in the values, errors and orders of all rows that are there. What a measure cannot say is NaN, with a warning
+ *  that tells why. Errors: SPH2D_NOMEM. */
+sph2d_status study_measure_all(cli_study *s);
 
 /** Tells every error that is above its bound and returns how many there are. */
 size_t study_measure_misses(const cli_study *s);
+
+/** The value that a row sets a key to in the end; NULL where it leaves the scene's. */
+const char *study_setting(const sph2d_study_run *run, const char *path);
+
+/** Whether two rows have the same settings but for one key. */
+bool study_same_but(const char *key, const sph2d_study_run *a, const sph2d_study_run *b);
+
+/** The row that `finest` means: of those that finished with the smallest spacing the last one; row_count for none. */
+size_t study_finest(const cli_study *s);
+
+/** Whether a row came to its end, so that it has numbers. */
+static inline bool study_row_counts(const study_row *row)
+{
+    return row->there && row->record.end == STUDY_FINISHED;
+}
 
 #endif

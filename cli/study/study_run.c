@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_run.c
- *  Runs one row of a study and collects the series that are measured. */
+ *  Runs one row of a study and collects what is measured. */
 #include "study_run.h"
 
 #include <inttypes.h>
@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../clock.h"
 #include "../exit.h"
@@ -15,79 +16,96 @@
 #include "../message.h"
 #include "../progress.h"
 #include "../signals.h"
-#include "study_csv.h"
 #include "study_measure.h"
 #include "study_scene.h"
 
 typedef struct runner {
     cli_study *study;
-    study_row *row;
+    const sph2d_study_run *run;
+    study_record *record;
     sph2d_scene_file *file;
     sph2d_sim *sim;
-    study_series *series; /* one a probe of the scene */
+    bool alone;
+    bool again; /* a repeat, whose warnings were told before */
     cli_progress progress;
 } runner;
 
-/* ---- series ------------------------------------------------------------------------------------------------------ */
+/* ---- what is collected ------------------------------------------------------------------------------------------- */
 
-/* Notes which probes are measured. False when memory is short. */
+/* A series for each probe of the scene. */
 static bool begin_series(runner *r)
 {
     const sph2d_scene *scene = sph2d_sim_scene(r->sim);
-    r->series = calloc(scene->probe_count + 1, sizeof *r->series);
-    for (size_t i = 0; r->series != NULL && i < r->study->study->measure_count; ++i) {
-        const sph2d_study_measure *m = &r->study->study->measures[i];
-        study_column found;
-        if (m->source != SPH2D_MEASURE_PROBE || !study_column_find(scene, m, &found))
-            continue;
-        r->series[found.probe].wanted = true;
-        r->series[found.probe].columns = study_column_count(&scene->probes[found.probe]);
-    }
-    return r->series != NULL;
-}
-
-static bool add_row(study_series *series, double time, const double *values)
-{
-    if (series->count == series->room) {
-        size_t room = series->room > 0 ? 2 * series->room : 256;
-        double *times = realloc(series->time, room * sizeof *times);
-        if (times != NULL)
-            series->time = times;
-        double *larger = realloc(series->values, room * series->columns * sizeof *larger);
-        if (larger != NULL)
-            series->values = larger;
-        if (times == NULL || larger == NULL)
+    study_record *record = r->record;
+    record->series = calloc(scene->probe_count + 1, sizeof *record->series);
+    for (size_t i = 0; record->series != NULL && i < scene->probe_count; ++i) {
+        const sph2d_probe *probe = &scene->probes[i];
+        study_series *series = &record->series[record->series_count++];
+        series->probe = strdup(probe->name);
+        series->headings = strdup(sph2d_probe_columns(probe->kind));
+        series->columns = study_column_count(series->headings);
+        if (series->probe == NULL || series->headings == NULL)
             return false;
-        series->room = room;
     }
-    series->time[series->count] = time;
-    memcpy(series->values + series->count * series->columns, values, series->columns * sizeof *values);
-    ++series->count;
-    return true;
+    return record->series != NULL;
 }
 
 /* Takes every probe that is due now, as `run` would write it. */
 static sph2d_status take_due(runner *r)
 {
-    for (size_t i = 0; i < sph2d_sim_scene(r->sim)->probe_count; ++i) {
-        if (!r->series[i].wanted || !sph2d_sim_output_due(r->sim, SPH2D_OUTPUT_PROBE + i))
+    double begun = clock_cpu();
+    for (size_t i = 0; i < r->record->series_count; ++i) {
+        if (!sph2d_sim_output_due(r->sim, SPH2D_OUTPUT_PROBE + i))
             continue;
         double values[SPH2D_PROBE_MAX_COLUMNS] = {0};
         sph2d_sim_probe(r->sim, i, values);
         sph2d_sim_output_done(r->sim, SPH2D_OUTPUT_PROBE + i);
-        if (!add_row(&r->series[i], sph2d_sim_time(r->sim), values))
+        if (!study_series_add(&r->record->series[i], sph2d_sim_time(r->sim), values))
             return SPH2D_NOMEM;
     }
+    r->record->probes += clock_cpu() - begun;
     return SPH2D_OK;
 }
 
-static void free_series(runner *r)
+static double quantity(const sph2d_sample *sample, sph2d_quantity what)
 {
-    for (size_t i = 0; r->series != NULL && i < sph2d_sim_scene(r->sim)->probe_count; ++i) {
-        free(r->series[i].time);
-        free(r->series[i].values);
+    switch (what) {
+    case SPH2D_QUANTITY_VX:
+        return sample->velocity[0];
+    case SPH2D_QUANTITY_VY:
+        return sample->velocity[1];
+    case SPH2D_QUANTITY_SPEED:
+        return hypot(sample->velocity[0], sample->velocity[1]);
+    case SPH2D_QUANTITY_PRESSURE:
+        return sample->pressure;
+    case SPH2D_QUANTITY_DENSITY:
+        return sample->density;
     }
-    free(r->series);
+    return NAN;
+}
+
+/* The liquid along the line of each profile that is measured. */
+static sph2d_status take_samples(runner *r)
+{
+    for (size_t i = 0; i < r->study->study->measure_count; ++i) {
+        const sph2d_study_measure *m = &r->study->study->measures[i];
+        if (m->source != SPH2D_MEASURE_PROFILE)
+            continue;
+        study_samples *samples = study_record_add_samples(r->record, study_measure_places(r->study, i));
+        if (samples == NULL)
+            return SPH2D_NOMEM;
+        memcpy(samples->ends, m->profile.line.items, sizeof samples->ends);
+        samples->quantity = m->profile.value;
+        const sph2d_vec2 *ends = samples->ends;
+        for (size_t k = 0; k < samples->count; ++k) {
+            double part = samples->along[k] = study_measure_place(r->study, i, k);
+            sph2d_vec2 at = {ends[0].x + part * (ends[1].x - ends[0].x), ends[0].y + part * (ends[1].y - ends[0].y)};
+            sph2d_sample sample;
+            bool near = sph2d_sim_sample(r->sim, at, &sample);
+            samples->values[k] = near ? quantity(&sample, samples->quantity) : NAN;
+        }
+    }
+    return SPH2D_OK;
 }
 
 /* ---- steps ------------------------------------------------------------------------------------------------------- */
@@ -96,8 +114,8 @@ static sph2d_status step(runner *r)
 {
     double wall = clock_wall(), cpu = clock_cpu();
     sph2d_status status = sph2d_sim_step(r->sim, &r->study->report);
-    r->row->wall += clock_wall() - wall;
-    r->row->cpu += clock_cpu() - cpu;
+    r->record->wall += clock_wall() - wall;
+    r->record->cpu += clock_cpu() - cpu;
     return status;
 }
 
@@ -107,21 +125,23 @@ static sph2d_status advance(runner *r)
     const double until = sph2d_sim_scene(r->sim)->run.until;
     sph2d_status status = take_due(r);
     while (status == SPH2D_OK && !loop_done(r->sim)) {
-        if (signals_caught() != 0) {
-            r->row->end = STUDY_STOPPED;
+        /* Nobody waits for a row whose study was killed. */
+        if (signals_caught() != 0 || getppid() != r->study->process) {
+            r->record->end = STUDY_STOPPED;
             break;
         }
         status = step(r);
         if (status == SPH2D_OK)
             status = take_due(r);
         double time = sph2d_sim_time(r->sim);
-        progress_update(&r->progress, time, "t %.4g of %.4g s  step %" PRIu64 "  %s", time, until,
-                        sph2d_sim_steps(r->sim), r->row->run->name);
+        if (r->alone)
+            progress_update(&r->progress, time, "t %.4g of %.4g s  step %" PRIu64 "  %s", time, until,
+                            sph2d_sim_steps(r->sim), r->run->name);
     }
     return status;
 }
 
-/* ---- the row ----------------------------------------------------------------------------------------------------- */
+/* ---- one run ----------------------------------------------------------------------------------------------------- */
 
 /* Faults of the run itself get the name of the row, since all rows share the terminal. */
 static void name_row(runner *r)
@@ -131,78 +151,110 @@ static void name_row(runner *r)
         sph2d_diagnostic *d = &report->items[i];
         char message[sizeof d->message];
         memcpy(message, d->message, sizeof message);
-        if (d->severity == SPH2D_ERROR && r->row->reason[0] == '\0')
-            memcpy(r->row->reason, message, sizeof message);
-        snprintf(d->message, sizeof d->message, "row '%.60s': %.250s", r->row->run->name, message);
+        if (d->severity == SPH2D_ERROR && r->record->reason[0] == '\0')
+            memcpy(r->record->reason, message, sizeof message);
+        snprintf(d->message, sizeof d->message, "row '%.60s': %.250s", r->run->name, message);
     }
 }
 
 static int told(runner *r, sph2d_status status)
 {
+    if (r->again && status == SPH2D_OK)
+        sph2d_report_clear(&r->study->report);
     name_row(r);
-    if (status != SPH2D_OK && r->row->reason[0] == '\0')
-        snprintf(r->row->reason, sizeof r->row->reason, "%s", sph2d_status_text(status));
+    if (status != SPH2D_OK && r->record->reason[0] == '\0')
+        snprintf(r->record->reason, sizeof r->record->reason, "%s", sph2d_status_text(status));
     if (status != SPH2D_OK)
-        r->row->end = status == SPH2D_GUARD ? STUDY_GUARD : STUDY_FAILED;
-    return study_told(r->study, status, r->file, r->row->run);
+        r->record->end = status == SPH2D_GUARD ? STUDY_GUARD : STUDY_FAILED;
+    return study_told(r->study, status, r->file, r->run);
 }
 
 static int create(runner *r)
 {
-    int code = study_scene_open(r->study, r->row->run, &r->file);
+    double begun = clock_cpu();
+    int code = study_scene_open(r->study, r->run, &r->file);
     if (code != CLI_EXIT_SUCCESS) {
-        r->row->end = STUDY_FAILED;
-        snprintf(r->row->reason, sizeof r->row->reason, "the scene was rejected");
+        r->record->end = STUDY_FAILED;
+        snprintf(r->record->reason, sizeof r->record->reason, "the scene was rejected");
         return code;
     }
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = r->study->threads.count;
     options.isa = r->study->options->isa;
     code = told(r, sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->study->report));
+    r->record->start = clock_cpu() - begun;
     return code == CLI_EXIT_SUCCESS && !begin_series(r) ? told(r, SPH2D_NOMEM) : code;
 }
 
-static void fill_row(const runner *r)
+static void fill_record(const runner *r)
 {
-    study_row *row = r->row;
+    study_record *record = r->record;
     sph2d_summary summary = sph2d_sim_summary(r->sim);
-    row->spacing = sph2d_sim_scene(r->sim)->spacing;
-    row->particles = summary.particles;
-    row->steps = summary.steps;
-    row->particle_steps = summary.particle_steps;
-    row->time = summary.time;
-    r->study->isa = sph2d_isa_name(sph2d_sim_isa(r->sim));
+    record->spacing = sph2d_sim_scene(r->sim)->spacing;
+    record->particles = summary.particles;
+    record->steps = summary.steps;
+    record->particle_steps = summary.particle_steps;
+    record->time = summary.time;
+    for (int side = 0; side < 4; ++side)
+        record->left += summary.left_open[side];
+    record->summary[SPH2D_SUMMARY_COMPRESSION] = summary.compression_p99;
+    record->summary[SPH2D_SUMMARY_COMPRESSION_MEAN] = summary.compression_mean;
+    record->summary[SPH2D_SUMMARY_COMPRESSION_MAX] = summary.compression_max;
+    snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
 }
 
 static void go(runner *r)
 {
-    study_row *row = r->row;
-    row->code = create(r);
-    if (row->code != CLI_EXIT_SUCCESS)
+    study_record *record = r->record;
+    record->code = create(r);
+    if (record->code != CLI_EXIT_SUCCESS)
         return;
-    r->progress = progress_begin(r->study->options, 0, sph2d_sim_scene(r->sim)->run.until);
+    double until = sph2d_sim_scene(r->sim)->run.until;
+    r->progress = progress_begin(r->study->options, 0, until);
     r->progress.told_tenth = 10; /* rows are told anyway: lines come only where one takes long */
     sph2d_status status = advance(r);
     progress_end(&r->progress);
-    row->code = told(r, status);
-    fill_row(r);
-    if (row->end == STUDY_FINISHED)
-        row->code = told(r, study_measure(r->study, row, r->sim, r->series));
-    if (row->end == STUDY_FINISHED || row->end == STUDY_GUARD) {
-        int written = study_csv_write_series(r->study, row, sph2d_sim_scene(r->sim), r->series);
-        row->code = row->code == CLI_EXIT_SUCCESS ? written : row->code;
-    }
+    if (status == SPH2D_OK && record->end == STUDY_FINISHED)
+        status = take_samples(r);
+    record->code = told(r, status);
+    fill_record(r);
 }
 
-void study_run(cli_study *s, study_row *row)
+static void run_once(cli_study *s, const sph2d_study_run *run, bool alone, bool again, study_record *record)
 {
-    runner r = {.study = s, .row = row};
-    row->end = STUDY_FINISHED;
-    for (size_t i = 0; i < s->study->measure_count; ++i)
-        row->values[i] = (study_value){NAN, NAN, NAN};
+    runner r = {.study = s, .run = run, .record = record, .alone = alone, .again = again};
+    record->end = STUDY_FINISHED;
+    record->repeats = 1;
     go(&r);
-    if (r.sim != NULL)
-        free_series(&r);
+    if (!alone)
+        record->wall = NAN;
     sph2d_sim_destroy(r.sim);
     sph2d_scene_file_destroy(r.file);
+}
+
+/* ---- repeats ----------------------------------------------------------------------------------------------------- */
+
+/* Keeps the least times of both. What a second run says otherwise is the same bit for bit. */
+static void merge(study_record *kept, const study_record *more)
+{
+    kept->cpu = fmin(kept->cpu, more->cpu);
+    kept->wall = fmin(kept->wall, more->wall);
+    kept->start = fmin(kept->start, more->start);
+    kept->probes = fmin(kept->probes, more->probes);
+    ++kept->repeats;
+}
+
+void study_run(cli_study *s, const sph2d_study_run *run, bool alone, study_record *record)
+{
+    run_once(s, run, alone, false, record);
+    bool brief = record->cpu < SPH2D_STUDY_REPEATED * (double)s->threads.count;
+    for (uint64_t i = 1; i < s->study->repeat && brief && record->end == STUDY_FINISHED; ++i) {
+        study_record more = {0};
+        run_once(s, run, alone, true, &more);
+        if (more.end == STUDY_FINISHED)
+            merge(record, &more);
+        else
+            record->end = more.end;
+        study_record_free(&more);
+    }
 }

@@ -6,16 +6,8 @@
 
 #include "study.h"
 
-/** The series of one probe, in memory. Start it with {0}. */
-typedef struct study_series {
-    bool wanted;    /**< some measure needs it */
-    size_t columns; /**< values in a row */
-    double *time;
-    double *values; /**< row after row */
-    size_t count, room;
-} study_series;
-
-/** Runs a row, whose `run` and `number` are set, measures it and fills in the rest. What goes wrong is told. */
-void study_run(cli_study *s, study_row *row);
+/** Runs a row as often as the study asks for, and fills an empty record. What goes wrong is told, and in the record.
+ *  `alone` says that no other row runs beside it, so that it shows how far it is, and wall time means something. */
+void study_run(cli_study *s, const sph2d_study_run *run, bool alone, study_record *record);
 
 #endif

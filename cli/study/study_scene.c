@@ -25,7 +25,7 @@ static void locate_override(const cli_study *s, const sph2d_study_run *run, sph2
         if (strcmp(name, d->file) != 0)
             continue;
         memcpy(path, d->path, sizeof path);
-        snprintf(d->path, sizeof d->path, "runs[%zu].set[%zu]", (size_t)(run - s->study->runs), i);
+        snprintf(d->path, sizeof d->path, "%s", run->places[i]);
         sph2d_study_file_locate(s->file, d);
         memcpy(d->path, path, sizeof path);
         return;
@@ -54,8 +54,12 @@ int study_scene_open(cli_study *s, const sph2d_study_run *run, sph2d_scene_file 
     sph2d_status status = SPH2D_NOMEM;
     *file = NULL;
     if (overrides != NULL) {
-        for (size_t i = 0; i < count; ++i)
-            overrides[i] = i < run->override_count ? run->overrides[i] : s->options->overrides[i - run->override_count];
+        /* What the command line says comes last, but for a study that was made of the scene as it is with that. */
+        size_t more = s->options->override_count, at = s->made != NULL ? 0 : run->override_count;
+        for (size_t i = 0; i < more; ++i)
+            overrides[at + i] = s->options->overrides[i];
+        for (size_t i = 0; i < run->override_count; ++i)
+            overrides[s->made != NULL ? more + i : i] = run->overrides[i];
         status = sph2d_scene_file_read(s->study->scene, overrides, count, file, &s->report);
     }
     free(overrides);
@@ -77,10 +81,10 @@ static const char *take_name(const char *text, char name[NAME_SIZE])
     return text[length] == ',' ? text + length + 1 : NULL;
 }
 
-size_t study_column_count(const sph2d_probe *probe)
+size_t study_column_count(const char *headings)
 {
     size_t count = 1;
-    for (const char *c = sph2d_probe_columns(probe->kind); *c != '\0'; ++c)
+    for (const char *c = headings; *c != '\0'; ++c)
         count += *c == ',';
     return count;
 }
@@ -93,34 +97,26 @@ static size_t find_probe(const sph2d_scene *scene, const char *name)
     return i;
 }
 
-/* The names of a probe's columns; `names` points into `room`. */
-static size_t list_columns(const sph2d_probe *probe, char room[MOST_NAMES][NAME_SIZE], const char *names[MOST_NAMES])
+/* The names of the columns; `names` points into `room`. */
+static size_t list_columns(const char *headings, char room[MOST_NAMES][NAME_SIZE], const char *names[MOST_NAMES])
 {
     size_t count = 0;
-    const char *rest = sph2d_probe_columns(probe->kind);
-    for (; rest != NULL && count < MOST_NAMES; ++count) {
+    for (const char *rest = headings; rest != NULL && count < MOST_NAMES; ++count) {
         rest = take_name(rest, room[count]);
         names[count] = room[count];
     }
     return count;
 }
 
-static bool find_column(const sph2d_probe *probe, const char *name, size_t *column)
+bool study_column_find(const char *headings, const char *name, size_t *column)
 {
     char room[MOST_NAMES][NAME_SIZE];
     const char *names[MOST_NAMES];
-    size_t count = list_columns(probe, room, names);
+    size_t count = list_columns(headings, room, names);
     for (*column = 0; *column < count; ++*column)
         if (strcmp(names[*column], name) == 0)
             return true;
     return false;
-}
-
-bool study_column_find(const sph2d_scene *scene, const sph2d_study_measure *measure, study_column *found)
-{
-    found->probe = find_probe(scene, measure->probe);
-    return found->probe < scene->probe_count &&
-           find_column(&scene->probes[found->probe], measure->column, &found->column);
 }
 
 /* ---- whether the measures fit ------------------------------------------------------------------------------------ */
@@ -167,8 +163,9 @@ static void check_probe(cli_study *s, size_t index, const sph2d_scene *scene)
                    "probes of the scene");
         return;
     }
-    if (!find_column(&scene->probes[probe], m->column, &column)) {
-        count = list_columns(&scene->probes[probe], room, names);
+    const char *headings = sph2d_probe_columns(scene->probes[probe].kind);
+    if (!study_column_find(headings, m->column, &column)) {
+        count = list_columns(headings, room, names);
         snprintf(message, sizeof message, "the probe '%.60s' has no column '%.60s'", m->probe, m->column);
         hint_names(fault(s, index, "column", SPH2D_CODE_WRONG_TYPE, message), m->column, names, count, "its columns");
     }

@@ -6,12 +6,6 @@
 
 #include "study.h"
 
-/** Where a measure's numbers are in a scene. */
-typedef struct study_column {
-    size_t probe;  /**< index */
-    size_t column; /**< of the probe's values */
-} study_column;
-
 /** Reads the scene with the overrides of a row and those of the command line on top. Tells what is wrong and returns an
  *  exit code. The caller owns *file. */
 int study_scene_open(cli_study *s, const sph2d_study_run *run, sph2d_scene_file **file);
@@ -20,10 +14,10 @@ int study_scene_open(cli_study *s, const sph2d_study_run *run, sph2d_scene_file 
  *  `place` the particles are placed too. Returns an exit code. */
 int study_scene_check(cli_study *s, const sph2d_study_run *run, bool place);
 
-/** Finds the column that a measure names; false when the scene has none. */
-bool study_column_find(const sph2d_scene *scene, const sph2d_study_measure *measure, study_column *found);
+/** Finds the column `name` in a probe's line of headings, which have units; false when it is not there. */
+bool study_column_find(const char *headings, const char *name, size_t *column);
 
-/** The number of columns of a probe. */
-size_t study_column_count(const sph2d_probe *probe);
+/** The number of columns in a line of headings. */
+size_t study_column_count(const char *headings);
 
 #endif

@@ -6,17 +6,11 @@
 
 #include "study.h"
 
-/** Which columns a measure has. */
-bool study_has_value(const sph2d_study_measure *measure);
-bool study_has_error(const sph2d_study_measure *measure);
+/** What the times were taken with: threads, instruction set, repeats; "" without a row. Returns `out`, cut at `size`.
+ */
+char *study_conditions(const cli_study *s, char *out, size_t size);
 
-/** A word for how a row ended. */
-const char *study_end_name(study_end end);
-
-/** Particle-steps a second of stepping; NaN without a step. */
-double study_rate(const study_row *row);
-
-/** Prints the rows as a table, whose bars make it Markdown too. */
+/** Prints the rows as a table, whose bars make it Markdown too, and the verdict. */
 void study_table_print(const cli_study *s);
 
 /** Prints the rows as one JSON object. `end` is a word for how the study ended, `passed` whether nothing failed. */

@@ -43,6 +43,13 @@ SPH2D_API const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file
 SPH2D_API const char *sph2d_scene_file_text(const sph2d_scene_file *file);
 SPH2D_API const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_file *file, size_t *count);
 
+/** A scene as YAML that reads as the same scene again: required keys and those that differ from their defaults, a few
+ *  lines each. Writes at most `size` bytes with the closing NUL to `out`, and returns the length of the whole text
+ *  without it, like snprintf; 0 when memory is short. The name of a file of particles stands there as it is in the
+ * scene.
+ */
+SPH2D_API size_t sph2d_scene_text(const sph2d_scene *scene, char *out, size_t size);
+
 /** Completes a diagnostic about a key path (from sph2d_sim_create, say) with file, line, column and source line. */
 SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic);
 

@@ -7,6 +7,7 @@
  *      runs:
  *        - {name: coarse, set: {spacing: 0.02}}
  *        - {name: fine, set: {spacing: 0.01}}
+ *      vary: {method.kernel: [wendland_c2, quintic]}
  *      measures:
  *        - {name: decay rate, probe: energy, column: kinetic, take: last, expect: 0.25, bound: 0.01, order: true}
  *
@@ -20,25 +21,29 @@
 extern "C" {
 #endif
 
-/** One run of the scene: a row of the study's table. */
+/** One run of the scene: a row of the study's table. A study file lists runs, or values of keys whose combinations are
+ *  runs, or both: then each run is made with each combination. */
 typedef struct sph2d_study_run {
     const char *name;                /**< for people; default: made from the overrides, "spacing=0.02" */
     const sph2d_override *overrides; /**< on top of the scene, in their order; default none */
     size_t override_count;
-    int skip; /**< 1: runs on demand alone, because it takes long; default 0 */
+    const char *const *places; /**< of each override in the study, for sph2d_study_file_locate: `runs[0].set[2]`,
+                                    `vary[1][0]` */
+    int skip;                  /**< 1: runs on demand alone, because it takes long; default 0 */
 } sph2d_study_run;
 
 /** Where a measure gets its numbers. */
 typedef enum sph2d_measure_source {
     SPH2D_MEASURE_NONE = 0,
-    SPH2D_MEASURE_PROBE = 1,  /**< a column of a probe's series: time against value */
-    SPH2D_MEASURE_PROFILE = 2 /**< the liquid along a line, at the end of the run */
+    SPH2D_MEASURE_PROBE = 1,   /**< a column of a probe's series: time against value */
+    SPH2D_MEASURE_PROFILE = 2, /**< the liquid along a line, at the end of the run */
+    SPH2D_MEASURE_SUMMARY = 3  /**< what the run says of itself at its end */
 } sph2d_measure_source;
 
 /** How a series becomes one number. Samples without a value, which probes give where no particle is near, do not count;
  *  between samples the series is a straight line. */
 typedef enum sph2d_take {
-    SPH2D_TAKE_DEFAULT = 0, /**< the whole series where a reference is given, else `last` */
+    SPH2D_TAKE_DEFAULT = 0, /**< the whole series where a reference or the finest run is given, else `last` */
     SPH2D_TAKE_LAST,        /**< the last sample */
     SPH2D_TAKE_MAX,
     SPH2D_TAKE_MIN,
@@ -84,11 +89,21 @@ typedef struct sph2d_study_reference {
                            gone; default 0 */
 } sph2d_study_reference;
 
+/** What a run says of itself: fields of sph2d_summary. */
+typedef enum sph2d_summary_value {
+    SPH2D_SUMMARY_COMPRESSION = 0,      /**< compression_p99 */
+    SPH2D_SUMMARY_COMPRESSION_MEAN = 1, /**< compression_mean */
+    SPH2D_SUMMARY_COMPRESSION_MAX = 2   /**< compression_max */
+} sph2d_summary_value;
+
+enum { SPH2D_SUMMARY_VALUES = 3 };
+
 /** What is expected of a measure. */
 typedef enum sph2d_expectation {
     SPH2D_EXPECT_NOTHING = 0,
-    SPH2D_EXPECT_NUMBER = 1,   /**< `expect` */
-    SPH2D_EXPECT_REFERENCE = 2 /**< `reference` */
+    SPH2D_EXPECT_NUMBER = 1,    /**< `expect` */
+    SPH2D_EXPECT_REFERENCE = 2, /**< `reference` */
+    SPH2D_EXPECT_FINEST = 3     /**< what the run with the smallest spacing gives; of several the last one */
 } sph2d_expectation;
 
 /** One thing that is measured of every run. */
@@ -97,17 +112,20 @@ typedef struct sph2d_study_measure {
     sph2d_measure_source source;
     const char *probe;           /**< name of a probe of the scene */
     const char *column;          /**< of that probe, without its unit: sph2d_probe_columns() */
-    sph2d_study_profile profile; /**< needs a reference */
-    sph2d_take take;             /**< default: see there */
-    double level;                /**< period, crossing: in units of the column; NaN: none, for a period the mean */
-    double at;                   /**< value: when [s]; NaN: none */
-    double from, to;             /**< the part of the series that counts [s], both ends included; NaN: all of it */
-    double scale;                /**< the number that is taken is divided by it, > 0; default 1 */
+    sph2d_study_profile profile; /**< needs a reference, or the finest run; that is compared at 101 places */
+    sph2d_summary_value summary;
+    sph2d_take take; /**< default: see there */
+    double level;    /**< period, crossing: in units of the column; NaN: none, for a period the mean */
+    double at;       /**< value: when [s]; NaN: none */
+    double from, to; /**< the part of the series that counts [s], both ends included; NaN: all of it */
+    double scale;    /**< the number that is taken is divided by it, > 0; default 1 */
     sph2d_expectation expectation;
     double expect; /**< in units of `scale` */
     sph2d_study_reference reference;
-    sph2d_norm norm; /**< of the differences from the reference; default max */
-    int relative;    /**< 1: the error is |value/expect - 1|; default 0: |value - expect| */
+    int finest;      /**< 1 where the finest run is expected: its number where `take` is given, else its series */
+    sph2d_norm norm; /**< of the differences from the reference or the finest run's series; default max */
+    int relative;    /**< 1: the error is |value/expect - 1|, or the norm over the largest value of the finest run's
+                          series; default 0: |value - expect|, and the norm itself */
     double bound;    /**< an error above it makes the study fail, >= 0; NaN: none */
     int order;       /**< 1: tell the observed order of convergence, log(e1/e2)/log(dx1/dx2); default 0 */
 } sph2d_study_measure;
@@ -116,10 +134,27 @@ typedef struct sph2d_study_measure {
 typedef struct sph2d_study {
     const char *scene; /**< path of the scene file; in a study file relative to its folder */
     const sph2d_study_run *runs;
-    size_t run_count; /**< 1 or more */
+    size_t run_count;           /**< 1 to SPH2D_STUDY_MOST_RUNS */
+    const sph2d_override *vary; /**< what a file varies, {"spacing", "[0.02, 0.01]"}; it is in `runs` already */
+    size_t vary_count;
+    /** Steps that come after the runs: each takes those rows of the smallest spacing so far that are on the front of
+     *  error against time, and runs them again with its own overrides on top. Default none. */
+    const sph2d_study_run *refinements;
+    size_t refinement_count;
     const sph2d_study_measure *measures;
     size_t measure_count;
+    uint64_t repeat;   /**< how often a run of less than SPH2D_STUDY_REPEATED seconds is made, 1 to 100; the least time
+                            counts; default 1 */
+    const char *judge; /**< the measure whose error is weighed against the time; default: the first that has an error */
+    const char *along; /**< the key that plots have on their axis, and that rows which belong together differ in;
+                          default spacing */
+    double target;     /**< the error that the cheapest run is named for, > 0; default 0.01 */
 } sph2d_study;
+
+enum {
+    SPH2D_STUDY_MOST_RUNS = 10000,
+    SPH2D_STUDY_REPEATED = 10 /**< [s] of stepping */
+};
 
 /** A study that was read, with all that it points at. */
 typedef struct sph2d_study_file sph2d_study_file;
@@ -140,7 +175,7 @@ SPH2D_API void sph2d_study_file_destroy(sph2d_study_file *file);
 SPH2D_API const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file);
 
 /** Completes a diagnostic about a key path of the study with file, line, column and source line: `measures[1].column`,
- *  `runs[0].set[2]` for the third override of the first run. */
+ *  or a place of a run's override. */
 SPH2D_API void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *diagnostic);
 
 /** The keys of a study file. Static storage. */

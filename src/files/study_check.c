@@ -2,6 +2,7 @@
 /** @file study_check.c
  *  What is wrong with a study beyond its keys and types. */
 #include "files/study_check.h"
+#include "files/study_rows.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,7 +26,7 @@ static bool is_given(const checker *c, const char *name)
 static bool is_sound(const checker *c, const char *name)
 {
     char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%.60s.%.30s", c->above, name);
+    snprintf(path, sizeof path, "%.60s%s%.30s", c->above, c->above[0] ? "." : "", name);
     return !sph2d__faults_touch(c->faults, path);
 }
 
@@ -43,29 +44,41 @@ static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *name, co
 
 /* ---- ranges ------------------------------------------------------------------------------------------------------ */
 
-static void check_range(checker *c, const sph2d_key *key, const void *measure)
+/** A number or a count in the struct that owns the key. */
+static void check_range(checker *c, const sph2d_key *key, const void *owner)
 {
     double value;
-    memcpy(&value, (const char *)measure + key->offset, sizeof value);
+    uint64_t count;
+    memcpy(&value, (const char *)owner + key->offset, sizeof value);
+    memcpy(&count, (const char *)owner + key->offset, sizeof count);
+    if (key->kind == SPH2D_KEY_COUNT)
+        value = (double)count;
     bool below = key->min_excluded ? value <= key->min : value < key->min;
     if (isnan(value) || (!below && value <= key->max))
         return;
-    char message[120];
-    snprintf(message, sizeof message, "%g is out of range: must be %s %g", value,
-             key->min_excluded ? "above" : "at least", key->min);
+    char range[80], message[120];
+    if (isfinite(key->max))
+        snprintf(range, sizeof range, "from %g to %g", key->min, key->max);
+    else
+        snprintf(range, sizeof range, "%s %g", key->min_excluded ? "above" : "at least", key->min);
+    snprintf(message, sizeof message, "%g is out of range: must be %s", value, range);
     sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, key->name, message), "%s: %s", key->name, key->text);
 }
 
-static void check_ranges(checker *c, const sph2d_study_measure *m)
+static void check_ranges(checker *c, const sph2d_keys *keys, const void *owner)
+{
+    for (size_t i = 0; i < keys->count; ++i)
+        if (keys->items[i].kind == SPH2D_KEY_NUMBER || keys->items[i].kind == SPH2D_KEY_COUNT)
+            check_range(c, &keys->items[i], owner);
+}
+
+static const sph2d_keys *keys_of_measures(void)
 {
     const sph2d_keys *study = sph2d_study_keys();
-    const sph2d_keys *keys = NULL;
-    for (size_t i = 0; i < study->count; ++i)
-        if (strcmp(study->items[i].name, "measures") == 0)
-            keys = study->items[i].keys;
-    for (size_t i = 0; keys && i < keys->count; ++i)
-        if (keys->items[i].kind == SPH2D_KEY_NUMBER)
-            check_range(c, &keys->items[i], m);
+    size_t i = 0;
+    while (strcmp(study->items[i].name, "measures") != 0)
+        ++i;
+    return study->items[i].keys;
 }
 
 /* ---- keys beside each other -------------------------------------------------------------------------------------- */
@@ -117,7 +130,8 @@ static void check_profile(checker *c, const sph2d_study_measure *m)
     refuse_all(c, of_series, "with a profile");
     if (m->reference.shift > 0)
         fault(c, SPH2D_CODE_CONFLICT, "reference.shift", "a profile has no times to move");
-    demand(c, "reference", "with a profile");
+    if (m->expectation != SPH2D_EXPECT_FINEST)
+        demand(c, "reference", "with a profile, or 'finest'");
     const sph2d_points *line = &m->profile.line;
     if (!is_sound(c, "profile.line"))
         return;
@@ -127,13 +141,24 @@ static void check_profile(checker *c, const sph2d_study_measure *m)
         fault(c, SPH2D_CODE_CONFLICT, "profile.line", "the two ends are the same point");
 }
 
+static void check_summary(checker *c)
+{
+    static const char *const of_series[] = {"column", "take", "level", "at", "from", "to", "norm", "reference", NULL};
+    refuse_all(c, of_series, "with a summary, which is one number");
+}
+
 static void check_expectation(checker *c, const sph2d_study_measure *m)
 {
     static const char *const of_error[] = {"bound", "order", "relative", NULL};
     if (m->expectation == SPH2D_EXPECT_NOTHING && m->source != SPH2D_MEASURE_PROFILE)
-        refuse_all(c, of_error, "without 'expect' or 'reference'");
-    if (m->expectation != SPH2D_EXPECT_REFERENCE) {
-        refuse(c, "norm", "without 'reference'");
+        refuse_all(c, of_error, "without 'expect', 'reference' or 'finest'");
+    if (m->expectation == SPH2D_EXPECT_FINEST) {
+        if (!m->finest && is_sound(c, "finest"))
+            fault(c, SPH2D_CODE_CONFLICT, "finest", "'finest' is true or is left out");
+        if (m->source == SPH2D_MEASURE_PROBE && m->take != SPH2D_TAKE_DEFAULT)
+            refuse(c, "norm", "where 'take' makes one number of the series");
+    } else if (m->expectation != SPH2D_EXPECT_REFERENCE) {
+        refuse(c, "norm", "without 'reference' or 'finest'");
     } else {
         refuse(c, "relative", "with a reference; 'scale' makes the differences relative to a number");
         if (m->source == SPH2D_MEASURE_PROBE && m->take != SPH2D_TAKE_DEFAULT)
@@ -145,25 +170,66 @@ static void check_expectation(checker *c, const sph2d_study_measure *m)
 
 static void check_measure(checker *c, const sph2d_study_measure *m)
 {
-    check_ranges(c, m);
+    check_ranges(c, keys_of_measures(), m);
     if (m->source == SPH2D_MEASURE_PROBE)
         check_probe(c, m);
     else if (m->source == SPH2D_MEASURE_PROFILE)
         check_profile(c, m);
+    else if (m->source == SPH2D_MEASURE_SUMMARY)
+        check_summary(c);
     else
         sph2d_diagnostic_hint(fault(c, SPH2D_CODE_MISSING_KEY, "", "there is nothing to measure"),
-                              "give one of probe, profile");
+                              "give one of probe, profile, summary");
     check_expectation(c, m);
 }
 
 /* ---- the study --------------------------------------------------------------------------------------------------- */
 
+static void check_vary(checker *c, const sph2d_study *study)
+{
+    char name[32];
+    bool lists = !sph2d__faults_touch(c->faults, "vary");
+    for (size_t i = 0; lists && i < study->vary_count; ++i) {
+        snprintf(name, sizeof name, "vary[%zu]", i);
+        const sph2d__node *values = sph2d__node_at(c->root, name);
+        if (values->kind == SPH2D__NODE_SEQUENCE && values->count > 0)
+            continue;
+        lists = false;
+        fault(c, SPH2D_CODE_WRONG_TYPE, name, "what is varied needs a list of one value or more: [0.02, 0.01]");
+    }
+    if (lists && sph2d__study_rows_count(study, c->root) > SPH2D_STUDY_MOST_RUNS)
+        sph2d_diagnostic_hint(
+            fault(c, SPH2D_CODE_TOO_MANY, study->vary_count > 0 ? "vary" : "runs", "there are more than 10000 rows"),
+            "vary fewer keys at once, and refine the best");
+}
+
+static void check_judge(checker *c, const sph2d_study *study)
+{
+    char message[120];
+    bool named = false;
+    for (size_t i = 0; study->judge && i < study->measure_count; ++i) {
+        const sph2d_study_measure *m = &study->measures[i];
+        bool same = m->name && strcmp(m->name, study->judge) == 0;
+        named = named || same;
+        if (same && m->expectation != SPH2D_EXPECT_NOTHING)
+            return;
+    }
+    if (named)
+        fault(c, SPH2D_CODE_CONFLICT, "judge", "that measure has no error: nothing is expected of it");
+    snprintf(message, sizeof message, "no measure is called '%.60s'", study->judge ? study->judge : "");
+    if (!named && study->judge && is_sound(c, "judge"))
+        fault(c, SPH2D_CODE_WRONG_TYPE, "judge", message);
+}
+
 void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d__faults *faults)
 {
     checker c = {root, faults, ""};
-    if (study->run_count == 0 && !sph2d__faults_touch(faults, "runs"))
+    check_ranges(&c, sph2d_study_keys(), study);
+    check_vary(&c, study);
+    check_judge(&c, study);
+    if (is_given(&c, "runs") && study->run_count == 0 && !sph2d__faults_touch(faults, "runs"))
         sph2d_diagnostic_hint(fault(&c, SPH2D_CODE_MISSING_KEY, "runs", "there is no run"),
-                              "`- set: {}` runs the scene as it is");
+                              "`- set: {}` runs the scene as it is; without 'runs' that is the only one");
     for (size_t i = 0; i < study->measure_count; ++i) {
         snprintf(c.above, sizeof c.above, "measures[%zu]", i);
         if (sph2d__node_at(root, c.above)->kind == SPH2D__NODE_MAPPING)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_file.c
- *  Study files: text to tree, tree to structs, paths joined with the file's folder, names for rows without one. */
+ *  Study files: text to tree, tree to structs, paths joined with the file's folder. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +8,7 @@
 #include "files/c_locale.h"
 #include "files/convert.h"
 #include "files/study_check.h"
+#include "files/study_rows.h"
 #include "files/text.h"
 #include "files/yaml.h"
 
@@ -28,28 +29,6 @@ void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *dia
 
 /* ---- names and paths --------------------------------------------------------------------------------------------- */
 
-/** The last step of a key path: "sound_speed" of "method.sound_speed". */
-static const char *last_step(const char *path)
-{
-    const char *point = strrchr(path, '.');
-    return point && point[1] ? point + 1 : path;
-}
-
-/** "spacing=0.02, sound_speed=10"; NULL when memory is short. */
-static const char *made_name(sph2d_study_file *file, const sph2d_study_run *run)
-{
-    if (run->override_count == 0)
-        return "scene";
-    size_t size = 1, used = 0;
-    for (size_t i = 0; i < run->override_count; ++i)
-        size += strlen(last_step(run->overrides[i].path)) + strlen(run->overrides[i].value) + strlen(", =");
-    char *name = sph2d__pool_alloc(&file->pool, size, 1);
-    for (size_t i = 0; name && i < run->override_count; ++i)
-        used += (size_t)snprintf(name + used, size - used, "%s%s=%s", i > 0 ? ", " : "",
-                                 last_step(run->overrides[i].path), run->overrides[i].value);
-    return name;
-}
-
 /** A copy that fits on one line of any terminal; NULL when memory is short. */
 static const char *clean_name(sph2d_study_file *file, const char *name)
 {
@@ -64,17 +43,10 @@ static bool complete(sph2d_study_file *file)
 {
     sph2d_study *study = &file->study;
     study->scene = sph2d__pool_join(&file->pool, file->source.name, study->scene);
-    bool fine = study->scene != NULL;
-    sph2d_study_run *runs = sph2d__pool_alloc(&file->pool, study->run_count, sizeof *runs);
     sph2d_study_measure *measures = sph2d__pool_alloc(&file->pool, study->measure_count, sizeof *measures);
-    if (!runs || !measures)
+    if (!measures)
         return false;
-    for (size_t i = 0; i < study->run_count; ++i) {
-        runs[i] = study->runs[i];
-        bool named = runs[i].name && runs[i].name[0];
-        runs[i].name = clean_name(file, named ? runs[i].name : made_name(file, &runs[i]));
-        fine = fine && runs[i].name;
-    }
+    bool fine = study->scene != NULL;
     for (size_t i = 0; i < study->measure_count; ++i) {
         measures[i] = study->measures[i];
         measures[i].name = clean_name(file, measures[i].name);
@@ -83,9 +55,10 @@ static bool complete(sph2d_study_file *file)
         fine = fine && measures[i].name &&
                (measures[i].expectation != SPH2D_EXPECT_REFERENCE || measures[i].reference.file);
     }
-    study->runs = runs;
     study->measures = measures;
-    return fine;
+    if (study->judge) /* as the names that it is compared with */
+        study->judge = clean_name(file, study->judge);
+    return fine && sph2d__study_rows_make(study, file->root, &file->pool);
 }
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
@@ -119,6 +92,7 @@ static sph2d_status read_study(sph2d_study_file *file, sph2d__faults *faults)
     if (!has_keys(file, faults))
         return SPH2D_SCENE;
     sph2d__converter converter = {&file->pool, faults};
+    sph2d_study_keys()->set_default(&file->study);
     sph2d__convert_mapping(&converter, sph2d_study_keys(), file->root, "", &file->study);
     if (!faults->short_of_memory)
         sph2d__study_check(&file->study, file->root, faults);

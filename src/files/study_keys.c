@@ -21,6 +21,7 @@ static const char *const flag_words[] = {"false", "true", NULL};
 static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
                                          "spread",  "period", "crossing", "value", NULL};
 static const char *const norm_words[] = {"max", "rms", "mean", NULL};
+static const char *const summary_words[] = {"compression", "compression_mean", "compression_max", NULL};
 static const char *const quantity_words[] = {"vx", "vy", "speed", "pressure", "density", NULL};
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
@@ -75,10 +76,13 @@ static const sph2d_key measure_items[] = {
     {"profile", SPH2D_KEY_GROUP, false, AT(sph2d_study_measure, profile),
      CHOICE(sph2d_study_measure, source, SPH2D_MEASURE_PROFILE), .keys = &profile_keys, .unit = "",
      .text = "the liquid along a line at the end, instead of a probe"},
+    {"summary", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, summary),
+     CHOICE(sph2d_study_measure, source, SPH2D_MEASURE_SUMMARY), .words = summary_words, .unit = "",
+     .text = "what the run says of itself: the compression that 1 % of the particles exceed, that of all, the largest"},
     {"column", SPH2D_KEY_TEXT, false, AT(sph2d_study_measure, column), .unit = "",
      .text = "of the probe, without its unit"},
     {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
-     .standard = "last, or all for a reference", .text = "how the series becomes a number"},
+     .standard = "last, or all for a reference and for finest", .text = "how the series becomes a number"},
     {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .standard = "the mean",
      .text = "what a crossing or period refers to, in units of the column"},
     {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, .unit = "s", .text = "value: the time"},
@@ -93,10 +97,14 @@ static const sph2d_key measure_items[] = {
     {"reference", SPH2D_KEY_GROUP, false, AT(sph2d_study_measure, reference),
      CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_REFERENCE), .keys = &reference_keys, .unit = "",
      .text = "points that the series or profile is compared with, instead of expect"},
+    {"finest", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, finest),
+     CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_FINEST), .words = flag_words, .unit = "",
+     .text = "true: what the run of the smallest spacing gives is right, instead of expect"},
     {"norm", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, norm), .words = norm_words, .unit = "", .standard = "max",
-     .text = "of the differences from the reference"},
+     .text = "of the differences from the reference, or from the series of the finest run"},
     {"relative", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, relative), .words = flag_words, .unit = "",
-     .standard = "false", .text = "makes the error |value/expect - 1|"},
+     .standard = "false",
+     .text = "makes the error |value/expect - 1|, or the norm over the largest value of the finest series"},
     {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .standard = "none",
      .text = "largest error; above it the study fails"},
     {"order", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, order), .words = flag_words, .unit = "",
@@ -106,14 +114,41 @@ KEYS(measure, sph2d_study_measure, set_measure);
 
 /* ---- the study --------------------------------------------------------------------------------------------------- */
 
+static const sph2d_key vary_items[] = {
+    {"key", SPH2D_KEY_TEXT, true, AT(sph2d_override, path), .unit = "", .text = "a key path of the scene"},
+    {"values", SPH2D_KEY_TEXT, true, AT(sph2d_override, value), .unit = "", .text = "a list of values"},
+};
+KEYS(vary, sph2d_override, NULL);
+
+static void set_study(void *out)
+{
+    *(sph2d_study *)out = (sph2d_study){.along = "spacing", .repeat = 1, .target = 0.01};
+}
+
 static const sph2d_key study_items[] = {
     {"scene", SPH2D_KEY_TEXT, true, AT(sph2d_study, scene), .unit = "", .text = "the scene file, from this folder"},
-    {"runs", SPH2D_KEY_LIST, true, LIST_AT(sph2d_study, runs, run_count), .keys = &run_keys, .unit = "",
-     .text = "one row of the table each"},
+    {"runs", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, runs, run_count), .keys = &run_keys, .unit = "",
+     .standard = "the scene as it is", .text = "one row of the table each"},
+    {"vary", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, vary, vary_count), .keys = &vary_keys, .as_mapping = true,
+     .unit = "", .standard = "none",
+     .text = "keys of the scene with a list of values each, {spacing: [0.02, 0.01], method.cfl: [0.1, 0.3]}: each "
+             "combination is a row"},
+    {"refine", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, refinements, refinement_count), .keys = &run_keys,
+     .unit = "", .standard = "none",
+     .text = "steps after that: the cheapest rows for their error, of those with the smallest spacing, once more with "
+             "set"},
     {"measures", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, measures, measure_count), .keys = &measure_keys,
      .unit = "", .standard = "none", .text = "one to three columns of the table each"},
+    {"judge", SPH2D_KEY_TEXT, false, AT(sph2d_study, judge), .unit = "", .standard = "the first with an error",
+     .text = "the measure whose error is weighed against the time"},
+    {"along", SPH2D_KEY_TEXT, false, AT(sph2d_study, along), .unit = "", .standard = "spacing",
+     .text = "the key on the axis of the plot; rows that differ in nothing else belong together"},
+    {"target", SPH2D_KEY_NUMBER, false, AT(sph2d_study, target), ABOVE_0, .unit = "", .standard = "0.01",
+     .text = "the error that the cheapest row is named for"},
+    {"repeat", SPH2D_KEY_COUNT, false, AT(sph2d_study, repeat), .min = 1, .max = 100, .unit = "", .standard = "1",
+     .text = "how often a row of less than 10 s is run; the least time counts"},
 };
-KEYS(study, sph2d_study, NULL);
+KEYS(study, sph2d_study, set_study);
 
 const sph2d_keys *sph2d_study_keys(void)
 {

@@ -26,20 +26,21 @@ END
 
 # The table: a row each, in bars that are Markdown; nothing is written.
 expect 0 "$SPH2D" study study.yaml --progress never
-prints '^| row  *| particles | steps | CPU s | wall s | particle-steps/s | *top | *error | *order | *late | '
+prints '^| row  *| front | particles | steps | CPU s | wall s | start s | probes s | particle-steps/s | *top | *error | '
 prints '| speed: rms error | density: max error |$'
-prints '^|-*|-*:|' && prints '^| coarse ' && prints '^| spacing=0.04, until=0.3 | '
+prints '^|-*|-*|-*:|' && prints '^| coarse ' && prints '^| spacing=0.04, until=0.3 | '
 prints '^[0-9]* threads* (.*), [a-z0-9]*$' && says 'row 2 of 3: spacing=0.04' && says '1 row left out; --all'
-lines 6
+prints "^No row has an error of 1 % or less (top): the smallest is .* %, by '.*' in [0-9.]* CPU s.$" && lines 7
 [ "$(awk -F'|' '/^\|/ { print length($0), NF }' out | sort -u | wc -l)" = 1 ] || fail 'columns do not stand below each other'
-grep '^| coarse' out | awk -F'|' '{ exit !($3 > 0 && $4 > 0 && $8 > 0 && $9 > 0 && $10 ~ /^ *- $/) }' || fail 'no numbers'
+grep '^| coarse' out | awk -F'|' '{ exit !($4 > 0 && $5 > 0 && $11 > 0 && $12 > 0 && $13 ~ /^ *- $/) }' || fail 'no numbers'
 expect 0 "$SPH2D" study study.yaml --quiet && empty && silent
 [ "$(find . -name '*.csv' | wc -l)" = 2 ] || fail 'something was written without -o'
 
 # The same as JSON, with every row; overrides of the command line come last.
 expect 0 "$SPH2D" study study.yaml --json --all --progress never --set run.until=0.1 -j 1 --isa baseline && lines 1
 for key in study scene end passed threads isa rows row name set spacing particles time steps particle_steps \
-    step_cpu_seconds step_seconds particle_steps_per_second measures value expect relative error bound order; do
+    step_cpu_seconds step_seconds start_cpu_seconds probes_cpu_seconds particle_steps_per_second front left repeats jobs \
+    measures value expect relative error bound order judge target cheapest; do
     prints "\"$key\": "
 done
 prints '"name": "costly, \\"fine\\""' && prints '"isa": "baseline"' && prints '"blocks\[0\].velocity": "\[0.1, 0\]"'
@@ -48,17 +49,78 @@ if command -v python3 >/dev/null; then
 assert all(0.1 <= r["time"] < 0.2 for r in s["rows"]) and s["passed"] and s["end"] == "finished"' || fail 'JSON'
 fi
 
-# With -o: the numbers in full, and the series as `run` writes them.
+# With -o: the numbers in full, the series as `run` writes them, and a page.
 expect 0 "$SPH2D" study study.yaml -q -o out.study --all && empty && silent
 [ "$(wc -l <out.study/study.csv)" = 4 ] || fail 'study.csv does not have three rows and a header'
-head -n 1 out.study/study.csv | grep -q '^row,name,end,spacing \[m\],.*,top,top error,top order,late,speed error,density' ||
+head -n 1 out.study/study.csv |
+    grep -q '^row,name,end,front,spacing \[m\],.*,top,top error,top order,late,speed error,density' ||
     fail 'the header of study.csv'
-grep -q '^3,"costly, ""fine""",finished,0.029999999999999999,' out.study/study.csv || fail 'a quoted name'
-[ "$(find out.study -type f | wc -l)" = 7 ] || fail 'not study.csv and two series a row'
+grep -q '^3,"costly, ""fine""",finished,[01],0.029999999999999999,' out.study/study.csv || fail 'a quoted name'
+[ "$(find out.study -name 'series_*.csv' | wc -l)" = 9 ] || fail 'not a series for each of three probes a row'
+[ "$(find out.study/rows -type f | wc -l)" = 3 ] || fail 'not a row each in rows/'
+grep -q '<td class="word">costly, &quot;fine&quot;</td>' out.study/study.html || fail 'the page lacks a row'
+present out.study/plots.gp
+if command -v gnuplot >/dev/null; then
+    for plot in error_time error_along; do
+        head -c 200 out.study/$plot.svg | grep -q '<svg' || fail "$plot.svg is no picture"
+        head -c 4 out.study/$plot.png | grep -q PNG || fail "$plot.png is no picture"
+    done
+fi
 expect 0 "$SPH2D" run scene.yaml -q --no-frames -o plain -s 'blocks[0].velocity=[0.1, 0]'
 same plain/energy.csv out.study/series_1_energy.csv && same plain/corner.csv out.study/series_1_corner.csv
-expect 73 "$SPH2D" study study.yaml -o out.study && says 'F207'
-expect 0 "$SPH2D" study study.yaml -q -o out.study --force && [ "$(wc -l <out.study/study.csv)" = 3 ]
+
+# Once more: nothing runs again, and the table is the same to the last digit. What is damaged or changed runs again, and
+# only that.
+cp out.study/study.csv before.csv
+expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '3 rows of an earlier session are unchanged'
+grep -q '^sph2d: row' err && fail 'a row ran again'
+same before.csv out.study/study.csv
+expect 0 "$SPH2D" study study.yaml -q -o out.study && [ "$(wc -l <out.study/study.csv)" = 3 ]
+absent out.study/series_3_energy.csv
+for row in out.study/rows/*; do break; done
+head -c 2000 "$row" >damaged && cp damaged "$row"
+expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '2 rows of an earlier session'
+[ "$(grep -c '^sph2d: row . of 3: ' err)" = 1 ] || fail 'a damaged row did not run again alone'
+sed 's/spacing: 0.04$/spacing: 0.041/' study.yaml >changed.yaml
+expect 0 "$SPH2D" study changed.yaml --progress never -o out.study --all
+says 'row 2 of 3: spacing=0.041' && says '2 rows of an earlier session'
+expect 0 "$SPH2D" study study.yaml --progress never -o out.study -f && says 'row 1 of 3: coarse'
+mkdir foreign && : >foreign/mine
+expect 73 "$SPH2D" study study.yaml -o foreign && says 'F207' && present foreign/mine
+
+# Combinations, in processes beside each other; the best again with a finer spacing; the finest run as the reference.
+cat >vary.yaml <<'END'
+scene: scene.yaml
+vary: {spacing: [0.05, 0.04], "blocks[0].velocity": [[0.1, 0], [0, 0]]}
+refine: [{set: {spacing: 0.03}}, {set: {spacing: 0.02}, skip: true}]
+measures:
+  - {name: energy, probe: energy, column: kinetic, finest: true, norm: mean, relative: true, order: true}
+  - {name: top, probe: energy, column: kinetic, take: max, finest: true, relative: true}
+  - {name: line, profile: {line: [[0.1, 0.05], [0.1, 0.15]], value: speed}, finest: true}
+target: 0.5
+repeat: 2
+END
+expect 0 "$SPH2D" study vary.yaml --progress never -J 2 -o vary
+says "row 4 of 4: spacing=0.04, velocity=\[0, 0\]" && says "row 5 of [5-6]: spacing=0.03, velocity=\[0"
+says "stops before 'spacing=0.02'" && prints 'one a row, with --jobs' && prints 'least of 2 runs'
+prints '2 rows at a time'
+grep -q 'wall s' out && fail 'wall seconds of rows that ran beside each other'
+prints '^For an error of 50 % (energy) the cheapest is ' && prints '^| spacing=0.03, velocity=.*|  *- |$'
+grep -q '^# .*scene.yaml with spacing=' vary/cheapest.yaml || fail 'no scene for the wanted error'
+expect 0 "$SPH2D" check vary/cheapest.yaml
+expect 0 "$SPH2D" study vary.yaml --progress never -J 2 --target 0.0001%
+prints '^No row has an error of 0.0001 % or less (energy): the smallest is '
+for target in 0 -1% x 1%% ''; do expect 64 "$SPH2D" study vary.yaml --target "$target" && says 'is not an error'; done
+expect 64 "$SPH2D" study vary.yaml -J 0 && says 'from 1 to 1024'
+
+# A scene instead of a study: its spacing and stiffness are varied, and the study is there to be changed.
+expect 0 "$SPH2D" study scene.yaml --progress never -o made --target 90% --set run.until=0.05 --set spacing=0.04
+present made/study.yaml && says 'row 7 of ' && prints '^For an error of 90 % (kinetic energy)' && present made/cheapest.yaml
+expect 0 "$SPH2D" study made/study.yaml -q -s run.until=0.02
+printf 'domain: {min: [0, 0], max: [1, 1]}\nspacing: 0.1\nblocks: [{box: {min: [0, 0], max: [0.5, 0.5]}}]\n' >bare.yaml
+expect 65 "$SPH2D" study bare.yaml && says '^bare.yaml: error\[S105\].*no probe that tells' && says 'kind: energy'
+printf 'domain: {min: [0, 0], max: [1, 1]}\nspacign: 0.1\n' >wrong.yaml
+expect 65 "$SPH2D" study wrong.yaml && says "^wrong.yaml:2:1: error\[S101\].*spacign"
 
 # An error above its bound, and one that cannot be told: 1, with a sentence that names all.
 cat >miss.yaml <<'END'
@@ -83,7 +145,7 @@ measures: [{name: top, probe: energy, column: kinetic, take: max}]
 END
 expect 1 "$SPH2D" study guard.yaml --progress never -o stopped
 says "error\[R30[1-4]\].*row 'bad': " && prints '^| bad  *| guard  *|' && prints '^| good | finished |.* [0-9.]* |$'
-present stopped/series_1_energy.csv && grep -q '^1,bad,guard,.*,nan$' stopped/study.csv
+present stopped/series_1_energy.csv && grep -q '^1,bad,guard,0,.*,nan$' stopped/study.csv
 
 # bad CODE PATTERN: the study on stdin is refused before anything runs.
 bad() {
@@ -137,9 +199,51 @@ kill -INT $pid
 code=0
 wait $pid || code=$?
 [ $code = 130 ] || fail "SIGINT: ended with $code"
-says "stopped in row 'long' at t = " && prints '^| short ' && lines 5
+says "stopped in row 'long' at t = " && says '2 rows are missing; the same command goes on' && prints '^| short ' && lines 5
 [ "$(wc -l <long/study.csv)" = 2 ] && present long/series_1_energy.csv && absent long/series_2_energy.csv
 [ "$(find long -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
+
+# The first process that another one started.
+child_of() {
+    grep -l "^PPid:[[:space:]]*$1\$" /proc/[0-9]*/status 2>/dev/null | sed -n '1s|/proc/\(.*\)/status|\1|p'
+}
+
+# The same command goes on; so it does when the study was killed, and then its rows do not run on without it.
+sed 's/run.until: 1e5/run.until: 0.1/' long.yaml >shorter.yaml
+expect 0 "$SPH2D" study shorter.yaml -o long -j 1 --progress never && says 'row 2 of 3'
+says '2 rows of an earlier session are' && [ "$(wc -l <long/study.csv)" = 4 ] # the third is the first once more
+: >err
+"$SPH2D" study long.yaml -o killed -j 1 --progress never >out 2>err &
+pid=$!
+until grep -q 'row 2 of 3' err; do sleep 0.02; done
+child=$(child_of $pid)
+kill -KILL $pid
+wait $pid || true
+tries=0
+[ -n "$child" ] || fail 'the row has no process of its own'
+while grep -q '^State:[[:space:]]*[RSD]' "/proc/$child/status" 2>/dev/null; do
+    tries=$((tries + 1))
+    [ $tries -lt 500 ] || fail 'a row outlives its study'
+    sleep 0.02
+done
+expect 0 "$SPH2D" study shorter.yaml -o killed -j 1 --progress never
+says '2 rows of an earlier session' && [ "$(wc -l <killed/study.csv)" = 4 ]
+
+# A row whose process dies is a row that says so, and the others go on.
+cat >die.yaml <<'END'
+scene: scene.yaml
+runs: [{name: endless, set: {run.until: 1e5}}, {name: fine, set: {}}]
+measures: [{name: top, probe: energy, column: kinetic, take: max}]
+END
+: >err
+"$SPH2D" study die.yaml -j 1 --progress never >out 2>err &
+pid=$!
+until grep -q 'row 1 of 2' err && child=$(child_of $pid) && [ -n "$child" ]; do sleep 0.02; done
+kill -SEGV "$child"
+code=0
+wait $pid || code=$?
+[ $code = 70 ] || fail "a row that died: ended with $code"
+says "row 'endless': its process was ended by signal 11" && prints '^| endless | died ' && prints '^| fine  *| finished '
 
 # Nowhere to write.
 code=0

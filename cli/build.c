@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/** @file build.c
+ *  What this program was built from, with what, and where it runs. */
+#include "build.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/utsname.h>
+
+#include "build_info.h"
+
+const char *const build_compiler = BUILD_COMPILER;
+const char *const build_flags = BUILD_FLAGS;
+const char *const build_commit = BUILD_COMMIT;
+
+char *build_processor(char *out, size_t size)
+{
+    char line[256];
+    struct utsname system;
+    snprintf(out, size, "%s", uname(&system) == 0 ? system.machine : "unknown");
+    FILE *in = fopen("/proc/cpuinfo", "r");
+    while (in != NULL && fgets(line, sizeof line, in) != NULL) {
+        const char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", strlen("model name")) != 0 || colon == NULL)
+            continue;
+        line[strcspn(line, "\n")] = '\0';
+        snprintf(out, size, "%s", colon + 1 + strspn(colon + 1, " "));
+        break;
+    }
+    if (in != NULL)
+        fclose(in);
+    return out;
+}

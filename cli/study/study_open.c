@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_open.c
+ *  The study to be done, and the scenes that come out of it. */
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "study_open.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../exit.h"
+#include "study_front.h"
+#include "study_scene.h"
+#include "study_table.h"
+
+/* A text that is printed into. */
+typedef struct page {
+    char *text;
+    size_t size;
+    FILE *out;
+} page;
+
+static bool page_open(page *p)
+{
+    *p = (page){NULL, 0, NULL};
+    p->out = open_memstream(&p->text, &p->size);
+    return p->out != NULL;
+}
+
+/* True when all of it is there. The caller frees the text. */
+static bool page_close(page *p)
+{
+    bool failed = ferror(p->out) != 0;
+    return fclose(p->out) == 0 && !failed;
+}
+
+/* ---- a study for a scene ----------------------------------------------------------------------------------------- */
+
+/* A text in YAML's quotes. */
+static void put_quoted(FILE *out, const char *text)
+{
+    putc('"', out);
+    for (; *text != '\0'; ++text)
+        fprintf(out, "%s%c", *text == '"' || *text == '\\' ? "\\" : "", *text);
+    putc('"', out);
+}
+
+/* How much stiffer or softer: whatever the scene itself says it with. */
+static void put_stiffness(FILE *out, const sph2d_method_options *method)
+{
+    bool wcsph = method->name == SPH2D_METHOD_WCSPH;
+    double compression = method->max_compression > 0 ? method->max_compression : wcsph ? 0.01 : 0.1;
+    if (method->sound_speed > 0)
+        fprintf(out, "  method.sound_speed: [%.4g, %.4g]\n", method->sound_speed / 2, method->sound_speed);
+    else if (method->stiffness > 0)
+        fprintf(out, "  method.stiffness: [%.4g, %.4g]\n", method->stiffness / 4, method->stiffness);
+    else
+        fprintf(out, "  method.max_compression: [%.4g, %.4g]\n", fmin(4 * compression, 0.9), compression);
+}
+
+static const sph2d_probe *find_probe(const sph2d_scene *scene, sph2d_probe_kind kind)
+{
+    for (size_t i = 0; i < scene->probe_count; ++i)
+        if (scene->probes[i].kind == kind)
+            return &scene->probes[i];
+    return NULL;
+}
+
+/* By the exact solution where the scene starts with one, else by its kinetic energy over time. */
+static void put_measure(FILE *out, const sph2d_probe *exact, const sph2d_probe *energy)
+{
+    if (exact != NULL)
+        fprintf(out, "  - {name: speed L1, probe: %s, column: speed_l1, take: max, expect: 0, order: true}\n",
+                exact->name);
+    else
+        fprintf(out,
+                "  - {name: kinetic energy, probe: %s, column: kinetic, finest: true, norm: mean, relative: true, "
+                "order: true}\n",
+                energy->name);
+}
+
+static void put_study(FILE *out, const char *path, const sph2d_scene *scene)
+{
+    const sph2d_probe *exact = find_probe(scene, SPH2D_PROBE_ERROR);
+    double dx = scene->spacing;
+    fprintf(out, "# What the error of a scene costs: made by sph2d study, to be changed at will.\nscene: ");
+    put_quoted(out, path);
+    fprintf(out, "\nvary:\n  spacing: [%.4g, %.4g, %.9g]\n", 2 * dx, sqrt(2) * dx, dx);
+    put_stiffness(out, &scene->method);
+    fprintf(out, "refine:\n  - {set: {spacing: %.4g}}\nmeasures:\n", dx / sqrt(2));
+    put_measure(out, exact, find_probe(scene, SPH2D_PROBE_ENERGY));
+    fprintf(out, "repeat: 1\n");
+}
+
+static int refuse_without_probe(cli_study *s)
+{
+    sph2d_diagnostic *d = sph2d_report_add(&s->report, SPH2D_ERROR, SPH2D_CODE_MISSING_KEY, "probes",
+                                           "the scene has no probe that tells how right it is");
+    sph2d_diagnostic_hint(d, "add {name: energy, kind: energy, every: 0.01}, or write a study");
+    if (d != NULL)
+        snprintf(d->file, sizeof d->file, "%s", s->path);
+    return study_told(s, SPH2D_SCENE, NULL, NULL);
+}
+
+static int open_scene(cli_study *s)
+{
+    sph2d_scene_file *file;
+    page text;
+    sph2d_status status =
+        sph2d_scene_file_read(s->path, s->options->overrides, s->options->override_count, &file, &s->report);
+    if (status != SPH2D_OK)
+        return study_told(s, status, NULL, NULL);
+    sph2d_report_clear(&s->report);
+    const sph2d_scene *scene = sph2d_scene_file_scene(file);
+    bool judged = find_probe(scene, SPH2D_PROBE_ERROR) != NULL || find_probe(scene, SPH2D_PROBE_ENERGY) != NULL;
+    char *path = realpath(s->path, NULL);
+    status = SPH2D_NOMEM;
+    if (judged && path != NULL && page_open(&text)) {
+        put_study(text.out, path, scene);
+        if (page_close(&text)) {
+            status = sph2d_study_file_parse(text.text, text.size, s->path, &s->file, &s->report);
+            s->made = text.text;
+        } else {
+            free(text.text);
+        }
+    }
+    free(path);
+    sph2d_scene_file_destroy(file);
+    return judged ? study_told(s, status, NULL, NULL) : refuse_without_probe(s);
+}
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
+
+static bool has_fault(const sph2d_report *report, sph2d_code code, const char *path)
+{
+    for (size_t i = 0; i < report->count; ++i)
+        if (report->items[i].code == code && strcmp(report->items[i].path, path) == 0)
+            return true;
+    return false;
+}
+
+/* A scene has what no study has, and lacks what every study has. */
+static bool is_scene(const sph2d_report *report)
+{
+    return has_fault(report, SPH2D_CODE_MISSING_KEY, "scene") && (has_fault(report, SPH2D_CODE_UNKNOWN_KEY, "domain") ||
+                                                                  has_fault(report, SPH2D_CODE_UNKNOWN_KEY, "spacing"));
+}
+
+int study_open(cli_study *s)
+{
+    int code;
+    sph2d_status status = sph2d_study_file_read(s->path, &s->file, &s->report);
+    if (status == SPH2D_SCENE && is_scene(&s->report)) {
+        sph2d_report_clear(&s->report);
+        code = open_scene(s);
+    } else {
+        code = study_told(s, status, NULL, NULL);
+    }
+    if (code == CLI_EXIT_SUCCESS)
+        s->study = sph2d_study_file_study(s->file);
+    return code;
+}
+
+/* ---- what is left for people ------------------------------------------------------------------------------------- */
+
+/* The scene of a row, with what it is in its first lines. */
+static void put_scene(const cli_study *s, const study_row *row, const char *text, FILE *out)
+{
+    char verdict[512];
+    study_verdict(s, verdict, sizeof verdict);
+    fprintf(out, "# %s with %s.\n# %s\n%s", s->study->scene, row->run.name, verdict, text);
+}
+
+/* The file of particles is named from the scene's folder; a scene that moves must name it from anywhere. */
+static char *particles_path(const cli_study *s, const char *file)
+{
+    const char *slash = strrchr(s->study->scene, '/');
+    size_t folder = slash != NULL && file[0] != '/' ? (size_t)(slash - s->study->scene) + 1 : 0;
+    size_t size = folder + strlen(file) + 1;
+    char *joined = malloc(size), *path = NULL;
+    if (joined != NULL) {
+        snprintf(joined, size, "%.*s%s", (int)folder, s->study->scene, file);
+        path = realpath(joined, NULL);
+    }
+    free(joined);
+    return path;
+}
+
+static sph2d_status write_scene(cli_study *s, const study_row *row, const sph2d_scene *scene)
+{
+    sph2d_scene moved = *scene;
+    char *particles = scene->particles.file != NULL ? particles_path(s, scene->particles.file) : NULL;
+    if (particles != NULL)
+        moved.particles.file = particles;
+    size_t length = sph2d_scene_text(&moved, NULL, 0);
+    char *text = malloc(length + 1);
+    page p;
+    sph2d_status status = SPH2D_NOMEM;
+    if (text != NULL && length > 0 && page_open(&p)) {
+        sph2d_scene_text(&moved, text, length + 1);
+        put_scene(s, row, text, p.out);
+        const char *path = folder_file(&s->folder, "cheapest.yaml");
+        if (page_close(&p) && path != NULL)
+            status = sph2d_text_write(path, p.text, p.size, &s->report);
+        free(p.text);
+    }
+    free(text);
+    free(particles);
+    return status;
+}
+
+static int write_cheapest(cli_study *s)
+{
+    const study_row *row = study_front_cheapest(s, s->target);
+    sph2d_scene_file *file;
+    if (row == NULL)
+        return CLI_EXIT_SUCCESS;
+    int code = study_scene_open(s, &row->run, &file);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    code = study_told(s, write_scene(s, row, sph2d_scene_file_scene(file)), NULL, NULL);
+    sph2d_scene_file_destroy(file);
+    return code;
+}
+
+int study_open_write(cli_study *s)
+{
+    if (s->options->output == NULL)
+        return CLI_EXIT_SUCCESS;
+    int code = CLI_EXIT_SUCCESS;
+    const char *path = s->made != NULL ? folder_file(&s->folder, "study.yaml") : NULL;
+    if (path != NULL)
+        code = study_told(s, sph2d_text_write(path, s->made, strlen(s->made), &s->report), NULL, NULL);
+    int written = write_cheapest(s);
+    return code != CLI_EXIT_SUCCESS ? code : written;
+}

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_page.c
+ *  The study as one page for a browser: no script, nothing from elsewhere, wide tables scroll by themselves. */
+#include "study_page.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../build.h"
+#include "../exit.h"
+#include "study_cells.h"
+#include "study_front.h"
+#include "study_scene.h"
+#include "study_table.h"
+
+static const char style[] =
+    "body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 0 auto; padding: 1rem; }\n"
+    "code { font: 0.9em ui-monospace, monospace; background: #f3f3f3; padding: 0.1em 0.3em; overflow-wrap: anywhere; "
+    "}\n"
+    ".wide { overflow-x: auto; margin: 1rem 0; }\n"
+    "table { border-collapse: collapse; font-size: 0.85rem; white-space: nowrap; }\n"
+    "th, td { padding: 0.25rem 0.6rem; text-align: right; border-bottom: 1px solid #ddd; }\n"
+    "th { border-bottom: 2px solid #888; vertical-align: bottom; }\n"
+    "th.word, td.word { text-align: left; }\n"
+    "td:first-child, th:first-child { position: sticky; left: 0; background: #fff; }\n"
+    "tr.front td { font-weight: 600; }\n"
+    "figure { display: inline-block; margin: 0.5rem 0.5rem 0.5rem 0; max-width: 100%; vertical-align: top; }\n"
+    "figure img { width: 30rem; max-width: 100%; height: auto; }\n"
+    "figcaption, .conditions { color: #555; font-size: 0.85rem; }\n"
+    ".verdict { font-weight: 600; }\n";
+
+/* ---- text -------------------------------------------------------------------------------------------------------- */
+
+static void put(FILE *out, const char *text)
+{
+    for (; *text != '\0'; ++text) {
+        if (*text == '<')
+            fputs("&lt;", out);
+        else if (*text == '>')
+            fputs("&gt;", out);
+        else if (*text == '&')
+            fputs("&amp;", out);
+        else if (*text == '"')
+            fputs("&quot;", out);
+        else
+            putc(*text, out);
+    }
+}
+
+static void put_paragraph(FILE *out, const char *class, const char *text)
+{
+    if (text[0] == '\0')
+        return;
+    fprintf(out, "<p class=\"%s\">", class);
+    put(out, text);
+    fputs("</p>\n", out);
+}
+
+/* A word of a command line, quoted where a shell would take it apart. */
+static void put_argument(FILE *out, const char *word)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:%@";
+    bool quoted = word[0] == '\0' || word[strspn(word, plain)] != '\0';
+    fputs(quoted ? " '" : " ", out);
+    put(out, word);
+    fputs(quoted ? "'" : "", out);
+}
+
+static void put_command(const cli_study *s, FILE *out)
+{
+    char text[64];
+    fputs("<p><code>sph2d study", out);
+    put_argument(out, s->path);
+    for (size_t i = 0; i < s->options->override_count; ++i) {
+        const sph2d_override *o = &s->options->overrides[i];
+        fputs(" --set", out);
+        put_argument(out, o->path);
+        putc('=', out);
+        put_argument(out, o->value);
+    }
+    if (s->options->all)
+        fputs(" --all", out);
+    if (s->jobs > 1)
+        fprintf(out, " --jobs %zu", s->jobs);
+    snprintf(text, sizeof text, " --threads %d", s->threads.count);
+    put(out, text);
+    if (s->options->isa != SPH2D_ISA_AUTO)
+        fprintf(out, " --isa %s", sph2d_isa_name(s->options->isa));
+    if (s->options->target > 0)
+        fprintf(out, " --target %g", s->options->target);
+    fputs(" -o DIR</code></p>\n", out);
+}
+
+/* ---- the scene --------------------------------------------------------------------------------------------------- */
+
+/* The comment that a scene file starts with, in one line. */
+static void put_first_comment(FILE *out, const char *text)
+{
+    fputs("<p>", out);
+    while (*text == '#') {
+        size_t length = strcspn(text, "\n");
+        char *line = strndup(text, length);
+        if (line != NULL)
+            put(out, line + strspn(line, "# "));
+        free(line);
+        text += length + (text[length] == '\n');
+        if (*text == '#')
+            putc(' ', out);
+    }
+    fputs("</p>\n", out);
+}
+
+static void put_scene(cli_study *s, FILE *out)
+{
+    sph2d_scene_file *file;
+    if (study_scene_open(s, &s->rows[0].run, &file) != CLI_EXIT_SUCCESS)
+        return;
+    const char *name = sph2d_scene_file_scene(file)->name, *text = sph2d_scene_file_text(file);
+    fputs("<h2>", out);
+    put(out, name);
+    fputs("</h2>\n", out);
+    if (text[0] == '#')
+        put_first_comment(out, text);
+    sph2d_scene_file_destroy(file);
+}
+
+/* ---- the table --------------------------------------------------------------------------------------------------- */
+
+static void put_cell(FILE *out, const char *tag, const study_column *c, const char *text)
+{
+    fprintf(out, "<%s%s>", tag, study_cells_left(c) ? " class=\"word\"" : "");
+    put(out, text);
+    fprintf(out, "</%s>", tag);
+}
+
+static void put_table(const cli_study *s, FILE *out)
+{
+    char cell[STUDY_CELL_SIZE];
+    study_column *columns = malloc(study_cells_most(s) * sizeof *columns);
+    size_t count = columns != NULL ? study_cells_list(s, columns) : 0;
+    fputs("<div class=\"wide\"><table>\n<tr>", out);
+    for (size_t k = 0; k < count; ++k) {
+        study_cells_heading(s, &columns[k], cell);
+        put_cell(out, "th", &columns[k], cell);
+    }
+    fputs("</tr>\n", out);
+    for (size_t r = 0; r < s->row_count; ++r) {
+        if (!s->rows[r].there)
+            continue;
+        fprintf(out, "<tr%s>", s->rows[r].on_front ? " class=\"front\"" : "");
+        for (size_t k = 0; k < count; ++k) {
+            study_cells_text(&s->rows[r], &columns[k], cell);
+            put_cell(out, "td", &columns[k], cell);
+        }
+        fputs("</tr>\n", out);
+    }
+    fputs("</table></div>\n", out);
+    free(columns);
+}
+
+/* ---- the page ---------------------------------------------------------------------------------------------------- */
+
+static void put_plot(cli_study *s, FILE *out, const char *name, const char *caption)
+{
+    char file[64];
+    snprintf(file, sizeof file, "%s.svg", name);
+    if (!folder_holds(s->folder.path, file))
+        return;
+    fprintf(out, "<figure><a href=\"%s.png\"><img src=\"%s\" alt=\"%s\"></a><figcaption>%s</figcaption></figure>\n",
+            name, file, caption, caption);
+}
+
+static void put_conditions(const cli_study *s, FILE *out)
+{
+    char line[512], processor[256];
+    put_paragraph(out, "conditions", study_conditions(s, line, sizeof line));
+    fputs("<p class=\"conditions\">", out);
+    put(out, build_processor(processor, sizeof processor));
+    fprintf(out, "; sph2d %s, commit ", sph2d_version());
+    put(out, build_commit);
+    fputs("; ", out);
+    put(out, build_compiler);
+    fputs("; ", out);
+    put(out, build_flags);
+    fputs("</p>\n", out);
+}
+
+static void put_page(cli_study *s, FILE *out)
+{
+    char verdict[512];
+    fputs("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Study of ",
+          out);
+    put(out, s->study->scene);
+    fprintf(out, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<section>\n", style);
+    put_scene(s, out);
+    put_command(s, out);
+    put_paragraph(out, "verdict", study_verdict(s, verdict, sizeof verdict));
+    put_table(s, out);
+    put_plot(s, out, "error_time", "Error against CPU time; the line is the front.");
+    put_plot(s, out, "error_along", "Error against what rows differ in; the order is the slope.");
+    fputs("</section>\n", out);
+    put_conditions(s, out);
+    fputs("</body>\n</html>\n", out);
+}
+
+int study_page_write(cli_study *s)
+{
+    char *text = NULL;
+    size_t size = 0;
+    if (s->options->output == NULL)
+        return CLI_EXIT_SUCCESS;
+    FILE *out = open_memstream(&text, &size);
+    sph2d_status status = SPH2D_NOMEM;
+    if (out != NULL) {
+        put_page(s, out);
+        bool failed = ferror(out) != 0;
+        const char *path = folder_file(&s->folder, "study.html");
+        if (fclose(out) == 0 && !failed && path != NULL)
+            status = sph2d_text_write(path, text, size, &s->report);
+    }
+    free(text);
+    return study_told(s, status, NULL, NULL);
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/** @file study_store.c
+ *  Rows that were run, by what they depend on. */
+#include "study_store.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../exit.h"
+#include "study_measure.h"
+#include "study_scene.h"
+
+enum { MOST_BYTES = 256 << 20 };
+
+/* FNV-1a (Fowler, Noll & Vo), 64 bits. */
+static uint64_t add_to_hash(uint64_t hash, const void *bytes, size_t count)
+{
+    const unsigned char *c = bytes;
+    for (size_t i = 0; i < count; ++i)
+        hash = (hash ^ c[i]) * UINT64_C(0x100000001b3);
+    return hash;
+}
+
+static const uint64_t HASH_START = UINT64_C(0xcbf29ce484222325);
+
+/* What this program is: other code may give other numbers, and other times. 0 where the system does not show it. */
+static uint64_t program_hash(void)
+{
+    static uint64_t hash;
+    FILE *self = hash == 0 ? fopen("/proc/self/exe", "rb") : NULL;
+    if (self == NULL)
+        return hash;
+    unsigned char buffer[1 << 16];
+    size_t count;
+    hash = HASH_START;
+    while ((count = fread(buffer, 1, sizeof buffer, self)) > 0)
+        hash = add_to_hash(hash, buffer, count);
+    fclose(self);
+    return hash;
+}
+
+/* ---- keys -------------------------------------------------------------------------------------------------------- */
+
+static void put_key(const cli_study *s, const sph2d_scene *scene, const char *text, FILE *out)
+{
+    const sph2d_particles *particles = &scene->particles;
+    uint64_t hash = add_to_hash(HASH_START, particles->items, particles->count * sizeof *particles->items);
+    fprintf(out, "sph2d %s, program %016" PRIx64 "\n", sph2d_version(), program_hash());
+    fprintf(out, "threads %d, isa %s, repeat %" PRIu64 "\n", s->threads.count, sph2d_isa_name(s->options->isa),
+            s->study->repeat);
+    fprintf(out, "particles from a file: %016" PRIx64 "\n%s", hash, text);
+}
+
+char *study_store_key(cli_study *s, const sph2d_study_run *run)
+{
+    sph2d_scene_file *file;
+    if (study_scene_open(s, run, &file) != CLI_EXIT_SUCCESS)
+        return NULL;
+    const sph2d_scene *scene = sph2d_scene_file_scene(file);
+    size_t length = sph2d_scene_text(scene, NULL, 0), size = 0;
+    char *text = malloc(length + 1), *key = NULL;
+    FILE *out = text != NULL && length > 0 ? open_memstream(&key, &size) : NULL;
+    if (out != NULL) {
+        sph2d_scene_text(scene, text, length + 1);
+        put_key(s, scene, text, out);
+        bool failed = ferror(out) != 0;
+        if (fclose(out) != 0 || failed) {
+            free(key);
+            key = NULL;
+        }
+    }
+    free(text);
+    sph2d_scene_file_destroy(file);
+    return key;
+}
+
+static const char *path_of(cli_study *s, const char *key)
+{
+    return folder_file(&s->folder, "rows/%016" PRIx64 ".row", add_to_hash(HASH_START, key, strlen(key)));
+}
+
+/* ---- files ------------------------------------------------------------------------------------------------------- */
+
+/* The whole of a file with a NUL behind it; NULL when there is none, or no memory. */
+static char *read_file(const char *path)
+{
+    FILE *in = fopen(path, "rb");
+    char *text = NULL;
+    if (in == NULL)
+        return NULL;
+    if (fseek(in, 0, SEEK_END) == 0) {
+        long size = ftell(in);
+        text = size >= 0 && size <= MOST_BYTES ? calloc((size_t)size + 1, 1) : NULL;
+        rewind(in);
+        if (text != NULL && fread(text, 1, (size_t)size, in) != (size_t)size) {
+            free(text);
+            text = NULL;
+        }
+    }
+    fclose(in);
+    return text;
+}
+
+bool study_store_find(cli_study *s, const char *key, study_record *record)
+{
+    const char *path = s->options->output != NULL ? path_of(s, key) : NULL;
+    char *text = path != NULL ? read_file(path) : NULL;
+    size_t length = strlen(key);
+    bool found = text != NULL && strncmp(text, key, length) == 0 && study_record_read(record, text + length) &&
+                 record->end <= STUDY_GUARD && study_measure_possible(s, record);
+    free(text);
+    if (!found)
+        study_record_free(record);
+    return found;
+}
+
+int study_store_keep(cli_study *s, const char *key, const study_record *record)
+{
+    char *text = NULL;
+    size_t size = 0;
+    if (s->options->output == NULL)
+        return CLI_EXIT_SUCCESS;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+    fputs(key, out);
+    study_record_write(record, out);
+    bool failed = ferror(out) != 0;
+    const char *path = path_of(s, key);
+    sph2d_status status = SPH2D_NOMEM;
+    if (fclose(out) == 0 && !failed && path != NULL)
+        status = sph2d_text_write(path, text, size, &s->report);
+    free(text);
+    return study_told(s, status, NULL, NULL);
+}

@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# One page with what sph2d reaches and what that takes: report.sh SPH2D FOLDER [OPTION...]
+#
+# Runs the studies of tests/report/studies, or of the list $STUDIES, with the options given, and writes FOLDER/index.html, which opens from disk,
+# FOLDER/cases.md, the same rows as a table for the README, and a folder with the files of each study. Interrupted, it
+# goes on where it stopped. Needs base64 and awk; gnuplot for the plots.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+sph2d=$(realpath -e "$1") folder=$2
+shift 2
+mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
+cd "$root"
+page=$folder/.index.html.new
+trap 'rm -f "$page" "$folder/.cases.md.new"' EXIT
+
+picture() { # NAME SCENE TIME STYLE [FIELD]
+    local size='size: [640, 480]' color=${5:+, color: $5}
+    [ -f "$folder/$1/frame.png" ] && [ "$folder/$1/frame.png" -nt "$sph2d" ] && return
+    "$sph2d" run "$2" -o "$folder/$1/run" --force -q --set "run.until=$3" --set 'run.snapshots={}' \
+        --set "run.frames={every: $3, $size, style: $4$color}"
+    mv "$(find "$folder/$1/run/frames" -name 'frame_*.png' | sort | tail -n 1)" "$folder/$1/frame.png"
+    rm -r "$folder/$1/run"
+}
+
+embed() { # KIND FILE: the file as a data URI
+    printf 'data:%s;base64,' "$1"
+    base64 -w 0 "$2"
+}
+
+# The part of a study's own page that is about the study, with its plots inside and links to the files beside.
+section() { # NAME STUDY
+    sed -n '/^<section>$/,/^<\/section>$/p' "$folder/$1/study.html" | while IFS= read -r line; do
+        case $line in
+        *'<img src="error_'*)
+            local plot=${line#*<img src=\"}
+            plot=${plot%%\"*}
+            line=${line/href=\"/href=\"$1/}
+            printf '%s' "${line%%<img src=*}<img src=\""
+            embed image/svg+xml "$folder/$1/$plot"
+            printf '%s\n' "${line#*<img src=\""$plot"}"
+            ;;
+        '<section>') printf '<section id="%s">\n' "$1" ;;
+        '</section>')
+            if [ -f "$folder/$1/frame.png" ]; then
+                printf '<figure><img src="%s" alt="A frame of %s"><figcaption>t = %s s</figcaption></figure>\n' \
+                    "$(embed image/png "$folder/$1/frame.png")" "$1" "$3"
+            fi
+            printf '</section>\n'
+            ;;
+        '<h2>'*) printf '<h2>%s</h2>\n' "$1" ;;
+        *) printf '%s\n' "$line" ;;
+        esac
+    done
+}
+
+# Rows for the README: case, row, errors by name, their first order, particles, steps, seconds, speed.
+rows() { # NAME
+    awk -v name="$1" '
+        function cells(line, out,    n, quoted, c, i) {
+            n = 1; out[1] = ""; quoted = 0
+            for (i = 1; i <= length(line); i++) {
+                c = substr(line, i, 1)
+                if (c == "\"") quoted = !quoted
+                else if (c == "," && !quoted) out[++n] = ""
+                else out[n] = out[n] c
+            }
+            return n
+        }
+        NR == 1 { count = cells($0, head); for (i = 1; i <= count; i++) at[head[i]] = i; next }
+        {
+            cells($0, row); errors = ""; order = ""
+            for (i = at["particle-steps/s"] + 1; i <= count; i++) {
+                if (head[i] ~ / error$/ && row[i] != "nan") {
+                    label = head[i]; sub(/ error$/, "", label)
+                    errors = errors (errors == "" ? "" : "; ") label " " sprintf("%.2g", row[i])
+                }
+                if (head[i] ~ / order$/ && order == "" && row[i] != "nan") order = sprintf("%.2f", row[i])
+            }
+            if (row[at["end"]] != "finished") errors = row[at["end"]]
+            printf "| %s | %s | %s | %s | %d | %d | %s | %.2g |\n", NR == 2 ? "`" name "`" : "", row[at["name"]], errors, order,
+                row[at["particles"]], row[at["steps"]], sprintf("%.2f", row[at["cpu [s]"]]),
+                (row[at["cpu [s]"]] > 0 ? row[at["particle-steps"]] / row[at["cpu [s]"]] / 1e6 : 0)
+        }' "$folder/$1/study.csv"
+}
+
+names=() times=() failed=0
+while read -r study time style; do
+    name=${study%/study} name=${name/\/study_/_}
+    echo "$name"
+    "$sph2d" study "examples/$study.yaml" -o "$folder/$name" --progress never "$@" >"$folder/$name.md" 2>"$folder/$name.log" ||
+        { failed=$((failed + 1)) && tail -n 5 "$folder/$name.log" >&2; }
+    # shellcheck disable=SC2086 # style and field are two words
+    [ "$time" = - ] || picture "$name" "examples/${study%/*}/scene.yaml" "$time" $style
+    names+=("$name") times+=("$time")
+done < <(sed '/^#/d' "${STUDIES:-tests/report/studies}")
+
+{
+    sed -n '1,/<\/head>/p' "$folder/${names[0]}/study.html" | sed 's|<title>.*|<title>sph2d: error and time</title>|'
+    printf '<body>\n<h1>sph2d: what an error costs</h1>\n<p>%s</p>\n<p class="conditions">%s</p>\n<ul>\n' \
+        'Every number comes from the command that stands above it. CPU seconds are of stepping alone.' "$(date -u '+%F %R UTC')"
+    for name in "${names[@]}"; do printf '<li><a href="#%s">%s</a></li>\n' "$name" "$name"; done
+    printf '</ul>\n'
+    for i in "${!names[@]}"; do section "${names[i]}" - "${times[i]}"; done
+    sed -n '/^<p class="conditions">/p' "$folder/${names[0]}/study.html"
+    printf '</body>\n</html>\n'
+} >"$page"
+mv "$page" "$folder/index.html"
+
+{
+    echo '| case | row | errors | order | particles | steps | CPU s | million particle-steps per CPU second |'
+    echo '|---|---|---|--:|--:|--:|--:|--:|'
+    for name in "${names[@]}"; do [ "$name" = taylor_green_settings ] || rows "$name"; done
+} >"$folder/.cases.md.new"
+mv "$folder/.cases.md.new" "$folder/cases.md"
+echo "$folder/index.html"
+[ $failed = 0 ] || { echo "$failed studies missed a bound or had a row that failed" >&2 && exit 1; }
