@@ -285,10 +285,10 @@ test-mutants: ## does a wrong formula fail a test? changes each constant and sig
 # The long tests last, so that their summary closes the output.
 OTHER_CC := $(if $(CLANG),gcc,clang)
 report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (20 minutes)
-	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report --jobs "$$(nproc)"
+	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report --jobs "$$(nproc)" --repeat 3
 
 report-full: $(BUILD)/sph2d ## the same with the rows that take long (hours)
-	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report-full --jobs "$$(nproc)" --all
+	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report-full --jobs "$$(nproc)" --repeat 3 --all
 
 test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
 	$(hush)$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <sys/utsname.h>
 
+#include <sph2d/version.h>
+
 #include "build_info.h"
 
 const char *const build_compiler = BUILD_COMPILER;
@@ -29,5 +31,13 @@ char *build_processor(char *out, size_t size)
     }
     if (in != NULL)
         fclose(in);
+    return out;
+}
+
+char *build_describe(char *out, size_t size)
+{
+    char processor[256];
+    snprintf(out, size, "%s; sph2d %s, commit %s; %s; %s", build_processor(processor, sizeof processor),
+             sph2d_version(), build_commit, build_compiler, build_flags);
     return out;
 }

@@ -16,4 +16,7 @@ extern const char *const build_commit;
 /** The name of the processor that it runs on, or what the system calls the machine. Returns `out`, cut at `size`. */
 char *build_processor(char *out, size_t size);
 
+/** Processor, version, commit, compiler and flags in one line. Returns `out`, cut at `size`. */
+char *build_describe(char *out, size_t size);
+
 #endif

@@ -32,7 +32,8 @@ enum {
     OPTION_PREVIEW,
     OPTION_TEMPLATE,
     OPTION_ALL,
-    OPTION_TARGET
+    OPTION_TARGET,
+    OPTION_REPEAT
 };
 
 enum {
@@ -61,6 +62,7 @@ static const option_row rows[] = {
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, in processes of their own; default 1"},
+    {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "run rows of less than 10 s so often; the least time counts"},
     {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "the error that the cheapest row is named for: 1%, 0.01"},
     {OPTION_ALL, "all", NULL, CLI_STUDY, "run the rows too that the study skips"},
     {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "what to start from; 'sph2d help init' lists them"},
@@ -218,6 +220,15 @@ static bool take_jobs(cli_options *options, const char *name, const char *value)
     return true;
 }
 
+static bool take_repeat(cli_options *options, const char *name, const char *value)
+{
+    long repeat;
+    if (!parse_count(value, 1, 100, &repeat))
+        return bad_value(name, "repeat", value, "a number from 1 to 100");
+    options->repeat = (int)repeat;
+    return true;
+}
+
 static bool take_color(cli_options *options, const char *name, const char *value)
 {
     if (!picture_color_known(value)) {
@@ -278,6 +289,8 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
     case OPTION_NO_FRAMES:
         options->no_frames = true;
         return true;
+    case OPTION_REPEAT:
+        return take_repeat(options, name, value);
     case OPTION_TARGET:
         return parse_fraction(value, &options->target) ||
                bad_value(name, "target", value, "an error above 0, such as 1% or 0.01");

@@ -24,7 +24,7 @@ typedef struct cli_options {
 
     const char *output;
     bool force;
-    int threads, jobs;
+    int threads, jobs, repeat;
     double target; /**< an error, > 0 */
     sph2d_isa isa;
     double max_wall; /**< [s] */

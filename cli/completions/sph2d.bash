@@ -32,7 +32,7 @@ _sph2d() {
     resume) options+=" $drawing --set --max-wall --no-frames --progress" ;;
     render) options+=" $drawing --output --force --size --style --radius --color --range --progress" ;;
     check) options+=" $drawing --set --isa --preview" ;;
-    study) options+=' --output --force --set --threads --jobs --isa --target --all --progress' ;;
+    study) options+=' --output --force --set --threads --jobs --isa --repeat --target --all --progress' ;;
     init) options+=' --force --template' ;;
     esac
     if [[ $word == -* ]]; then

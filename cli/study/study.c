@@ -94,6 +94,7 @@ static int prepare(cli_study *s)
         return code;
     s->judge = study_front_judge(s->study);
     s->target = s->options->target > 0 ? s->options->target : s->study->target;
+    s->repeat = s->options->repeat > 0 ? (uint64_t)s->options->repeat : s->study->repeat;
     code = read_references(s);
     if (code == CLI_EXIT_SUCCESS)
         code = check_scenes(s);

@@ -46,10 +46,11 @@ typedef struct cli_study {
     cli_folder folder;        /**< where -o is given */
     study_row *rows;
     size_t row_count;
-    size_t judge;  /**< the measure whose error is weighed against the time; measure_count: none */
-    double target; /**< the error that the cheapest row is named for */
-    size_t kept;   /**< rows that an earlier session of this study ran */
-    bool stopped;  /**< by a signal, before all rows were there */
+    size_t judge;    /**< the measure whose error is weighed against the time; measure_count: none */
+    uint64_t repeat; /**< how often a short row is run */
+    double target;   /**< the error that the cheapest row is named for */
+    size_t kept;     /**< rows that an earlier session of this study ran */
+    bool stopped;    /**< by a signal, before all rows were there */
     sph2d_report report;
 } cli_study;
 

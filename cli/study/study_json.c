@@ -3,6 +3,7 @@
  *  The rows of a study as one JSON object. */
 #include <math.h>
 
+#include "../build.h"
 #include "../json.h"
 #include "study_cells.h"
 #include "study_front.h"
@@ -78,6 +79,7 @@ static void add_verdict(cli_json *line, const cli_study *s)
 
 void study_json_print(const cli_study *s, const char *end, bool passed)
 {
+    char processor[256];
     cli_json line = json_begin(stdout);
     json_text(&line, "study", s->path);
     json_text(&line, "scene", s->study->scene);
@@ -86,6 +88,10 @@ void study_json_print(const cli_study *s, const char *end, bool passed)
     json_count(&line, "threads", (uint64_t)s->threads.count);
     json_text(&line, "threads_from", s->threads.source);
     json_count(&line, "jobs", s->jobs);
+    json_text(&line, "processor", build_processor(processor, sizeof processor));
+    json_text(&line, "compiler", build_compiler);
+    json_text(&line, "flags", build_flags);
+    json_text(&line, "commit", build_commit);
     json_open_array(&line, "rows");
     for (size_t r = 0; r < s->row_count; ++r)
         if (s->rows[r].there)

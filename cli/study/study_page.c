@@ -87,6 +87,8 @@ static void put_command(const cli_study *s, FILE *out)
     put(out, text);
     if (s->options->isa != SPH2D_ISA_AUTO)
         fprintf(out, " --isa %s", sph2d_isa_name(s->options->isa));
+    if (s->options->repeat > 0)
+        fprintf(out, " --repeat %d", s->options->repeat);
     if (s->options->target > 0)
         fprintf(out, " --target %g", s->options->target);
     fputs(" -o DIR</code></p>\n", out);
@@ -173,17 +175,9 @@ static void put_plot(cli_study *s, FILE *out, const char *name, const char *capt
 
 static void put_conditions(const cli_study *s, FILE *out)
 {
-    char line[512], processor[256];
+    char line[1024];
     put_paragraph(out, "conditions", study_conditions(s, line, sizeof line));
-    fputs("<p class=\"conditions\">", out);
-    put(out, build_processor(processor, sizeof processor));
-    fprintf(out, "; sph2d %s, commit ", sph2d_version());
-    put(out, build_commit);
-    fputs("; ", out);
-    put(out, build_compiler);
-    fputs("; ", out);
-    put(out, build_flags);
-    fputs("</p>\n", out);
+    put_paragraph(out, "conditions", build_describe(line, sizeof line));
 }
 
 static void put_page(cli_study *s, FILE *out)

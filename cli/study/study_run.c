@@ -248,7 +248,7 @@ void study_run(cli_study *s, const sph2d_study_run *run, bool alone, study_recor
 {
     run_once(s, run, alone, false, record);
     bool brief = record->cpu < SPH2D_STUDY_REPEATED * (double)s->threads.count;
-    for (uint64_t i = 1; i < s->study->repeat && brief && record->end == STUDY_FINISHED; ++i) {
+    for (uint64_t i = 1; i < s->repeat && brief && record->end == STUDY_FINISHED; ++i) {
         study_record more = {0};
         run_once(s, run, alone, true, &more);
         if (more.end == STUDY_FINISHED)

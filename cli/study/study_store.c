@@ -49,7 +49,7 @@ static void put_key(const cli_study *s, const sph2d_scene *scene, const char *te
     uint64_t hash = add_to_hash(HASH_START, particles->items, particles->count * sizeof *particles->items);
     fprintf(out, "sph2d %s, program %016" PRIx64 "\n", sph2d_version(), program_hash());
     fprintf(out, "threads %d, isa %s, repeat %" PRIu64 "\n", s->threads.count, sph2d_isa_name(s->options->isa),
-            s->study->repeat);
+            s->repeat);
     fprintf(out, "particles from a file: %016" PRIx64 "\n%s", hash, text);
 }
 

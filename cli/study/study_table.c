@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../build.h"
 #include "../message.h"
 #include "study_cells.h"
 #include "study_front.h"
@@ -99,9 +100,9 @@ char *study_conditions(const cli_study *s, char *out, size_t size)
         return out;
     snprintf(out, size, "%s, %s", threads_describe(in_use, s->threads.count, &s->threads), isa);
     size_t used = strlen(out);
-    if (s->study->repeat > 1)
-        snprintf(out + used, size - used, ", least of %" PRIu64 " runs where one takes less than %d s",
-                 s->study->repeat, SPH2D_STUDY_REPEATED);
+    if (s->repeat > 1)
+        snprintf(out + used, size - used, ", least of %" PRIu64 " runs where one takes less than %d s", s->repeat,
+                 SPH2D_STUDY_REPEATED);
     used = strlen(out);
     if (s->jobs > 1)
         snprintf(out + used, size - used, ", %zu rows at a time: CPU seconds alone", s->jobs);
@@ -113,7 +114,7 @@ void study_table_print(const cli_study *s)
     size_t most = study_cells_most(s);
     study_column *columns = malloc(most * sizeof *columns);
     int *widths = malloc(most * sizeof *widths);
-    char line[512];
+    char line[1024], told[1024];
     if (columns != NULL && widths != NULL) {
         size_t count = study_cells_list(s, columns);
         measure_columns(s, columns, count, widths);
@@ -122,7 +123,7 @@ void study_table_print(const cli_study *s)
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
     }
     if (study_conditions(s, line, sizeof line)[0] != '\0')
-        printf("\n%s\n", line);
+        printf("\n%s\n%s\n", line, build_describe(told, sizeof told));
     if (study_verdict(s, line, sizeof line)[0] != '\0')
         puts(line);
     free(columns);

@@ -30,7 +30,7 @@ prints '^| row  *| front | particles | steps | CPU s | wall s | start s | probes
 prints '| speed: rms error | density: max error |$'
 prints '^|-*|-*|-*:|' && prints '^| coarse ' && prints '^| spacing=0.04, until=0.3 | '
 prints '^[0-9]* threads* (.*), [a-z0-9]*$' && says 'row 2 of 3: spacing=0.04' && says '1 row left out; --all'
-prints "^No row has an error of 1 % or less (top): the smallest is .* %, by '.*' in [0-9.]* CPU s.$" && lines 7
+prints "^No row has an error of 1 % or less (top): the smallest is .* %, by '.*' in [0-9.]* CPU s.$" && prints '; sph2d [0-9.]*, commit [0-9a-z]*.*; .*-O' && lines 8
 [ "$(awk -F'|' '/^\|/ { print length($0), NF }' out | sort -u | wc -l)" = 1 ] || fail 'columns do not stand below each other'
 grep '^| coarse' out | awk -F'|' '{ exit !($4 > 0 && $5 > 0 && $11 > 0 && $12 > 0 && $13 ~ /^ *- $/) }' || fail 'no numbers'
 expect 0 "$SPH2D" study study.yaml --quiet && empty && silent
@@ -40,7 +40,7 @@ expect 0 "$SPH2D" study study.yaml --quiet && empty && silent
 expect 0 "$SPH2D" study study.yaml --json --all --progress never --set run.until=0.1 -j 1 --isa baseline && lines 1
 for key in study scene end passed threads isa rows row name set spacing particles time steps particle_steps \
     step_cpu_seconds step_seconds start_cpu_seconds probes_cpu_seconds particle_steps_per_second front left repeats jobs \
-    measures value expect relative error bound order judge target cheapest; do
+    measures value expect relative error bound order judge target cheapest processor compiler flags commit; do
     prints "\"$key\": "
 done
 prints '"name": "costly, \\"fine\\""' && prints '"isa": "baseline"' && prints '"blocks\[0\].velocity": "\[0.1, 0\]"'
@@ -111,6 +111,8 @@ expect 0 "$SPH2D" check vary/cheapest.yaml
 expect 0 "$SPH2D" study vary.yaml --progress never -J 2 --target 0.0001%
 prints '^No row has an error of 0.0001 % or less (energy): the smallest is '
 for target in 0 -1% x 1%% ''; do expect 64 "$SPH2D" study vary.yaml --target "$target" && says 'is not an error'; done
+expect 0 "$SPH2D" study study.yaml --repeat 3 --json -q && prints '"repeats": 3'
+expect 64 "$SPH2D" study vary.yaml --repeat 0 && says 'from 1 to 100'
 expect 64 "$SPH2D" study vary.yaml -J 0 && says 'from 1 to 1024'
 
 # A scene instead of a study: its spacing and stiffness are varied, and the study is there to be changed.
@@ -199,7 +201,7 @@ kill -INT $pid
 code=0
 wait $pid || code=$?
 [ $code = 130 ] || fail "SIGINT: ended with $code"
-says "stopped in row 'long' at t = " && says '2 rows are missing; the same command goes on' && prints '^| short ' && lines 5
+says "stopped in row 'long' at t = " && says '2 rows are missing; the same command goes on' && prints '^| short ' && lines 6
 [ "$(wc -l <long/study.csv)" = 2 ] && present long/series_1_energy.csv && absent long/series_2_energy.csv
 [ "$(find long -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
 
