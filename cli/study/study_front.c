@@ -227,16 +227,18 @@ char *study_verdict(const cli_study *s, char *out, size_t size)
     out[0] = '\0';
     if (best == NULL)
         return out;
-    const char *name = s->study->measures[s->judge].name;
+    const sph2d_study_measure *judge = &s->study->measures[s->judge];
+    const char *against = judge->expectation == SPH2D_EXPECT_FINEST ? ", against the finest row" : "";
     const study_row *row = cheapest != NULL ? cheapest : best;
     error_text(wanted, s->target);
     error_text(got, study_front_error(s, row));
     study_cells_seconds(time, row->record.cpu);
     if (cheapest != NULL)
-        snprintf(out, size, "For an error of %s (%.100s) the cheapest is '%.200s': %s in %s CPU s.", wanted, name,
-                 row->run.name, got, time);
+        snprintf(out, size, "For an error of %s (%.100s%s) the cheapest is '%.200s': %s in %s CPU s.", wanted,
+                 judge->name, against, row->run.name, got, time);
     else
-        snprintf(out, size, "No row has an error of %s or less (%.100s): the smallest is %s, by '%.200s' in %s CPU s.",
-                 wanted, name, got, row->run.name, time);
+        snprintf(out, size,
+                 "No row has an error of %s or less (%.100s%s): the smallest is %s, by '%.200s' in %s CPU s.", wanted,
+                 judge->name, against, got, row->run.name, time);
     return out;
 }

@@ -105,11 +105,11 @@ says "row 4 of 4: spacing=0.04, velocity=\[0, 0\]" && says "row 5 of [5-6]: spac
 says "stops before 'spacing=0.02'" && prints 'one a row, with --jobs' && prints 'least of 2 runs'
 prints '2 rows at a time'
 grep -q 'wall s' out && fail 'wall seconds of rows that ran beside each other'
-prints '^For an error of 50 % (energy) the cheapest is ' && prints '^| spacing=0.03, velocity=.*|  *- |$'
+prints '^For an error of 50 % (energy, against the finest row) the cheapest is ' && prints '^| spacing=0.03, velocity=.*|  *- |$'
 grep -q '^# .*scene.yaml with spacing=' vary/cheapest.yaml || fail 'no scene for the wanted error'
 expect 0 "$SPH2D" check vary/cheapest.yaml
 expect 0 "$SPH2D" study vary.yaml --progress never -J 2 --target 0.0001%
-prints '^No row has an error of 0.0001 % or less (energy): the smallest is '
+prints '^No row has an error of 0.0001 % or less (energy, against the finest row): the smallest is '
 for target in 0 -1% x 1%% ''; do expect 64 "$SPH2D" study vary.yaml --target "$target" && says 'is not an error'; done
 expect 0 "$SPH2D" study study.yaml --repeat 3 --json -q && prints '"repeats": 3'
 expect 64 "$SPH2D" study vary.yaml --repeat 0 && says 'from 1 to 100'
@@ -117,7 +117,7 @@ expect 64 "$SPH2D" study vary.yaml -J 0 && says 'from 1 to 1024'
 
 # A scene instead of a study: its spacing and stiffness are varied, and the study is there to be changed.
 expect 0 "$SPH2D" study scene.yaml --progress never -o made --target 90% --set run.until=0.05 --set spacing=0.04
-present made/study.yaml && says 'row 7 of ' && prints '^For an error of 90 % (kinetic energy)' && present made/cheapest.yaml
+present made/study.yaml && says 'row 7 of ' && prints '^For an error of 90 % (kinetic energy, against the finest row)' && present made/cheapest.yaml
 expect 0 "$SPH2D" study made/study.yaml -q -s run.until=0.02
 printf 'domain: {min: [0, 0], max: [1, 1]}\nspacing: 0.1\nblocks: [{box: {min: [0, 0], max: [0.5, 0.5]}}]\n' >bare.yaml
 expect 65 "$SPH2D" study bare.yaml && says '^bare.yaml: error\[S105\].*no probe that tells' && says 'kind: energy'
