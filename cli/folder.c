@@ -39,13 +39,24 @@ static bool ends_with(const char *name, const char *end)
     return length > tail && strcmp(name + length - tail, end) == 0;
 }
 
+/* What a study writes anew each time. Its rows stay, and so does study.yaml, which people change. */
+static bool is_of_study(const char *name)
+{
+    static const char *const files[] = {"study.csv",      "study.html",     "plots.gp",        "cheapest.yaml",
+                                        "error_time.svg", "error_time.png", "error_along.svg", "error_along.png"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i)
+        if (strcmp(name, files[i]) == 0)
+            return true;
+    return strncmp(name, "series_", 7) == 0 && isdigit((unsigned char)name[7]) && ends_with(name, ".csv");
+}
+
 static bool is_cleared(const char *name, folder_clearing clearing)
 {
     uint64_t number;
     if (clearing == FOLDER_KEEP)
         return false;
     if (clearing == FOLDER_CLEAR_STUDY)
-        return strncmp(name, "series_", 7) == 0 && isdigit((unsigned char)name[7]) && ends_with(name, ".csv");
+        return is_of_study(name);
     if (folder_numbered(name, "frame_", ".png", &number))
         return true;
     return clearing == FOLDER_CLEAR_RUN && (folder_numbered(name, "snapshot_", ".h5", &number) ||

@@ -50,7 +50,7 @@ typedef struct option_row {
 } option_row;
 
 static const option_row rows[] = {
-    {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; must be empty or new"},
+    {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; empty, new, or a study's own"},
     {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
      "replace what an earlier run left there (only files of ours); a study runs all rows anew"},
     {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY,
@@ -292,6 +292,7 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
     case OPTION_REPEAT:
         return take_repeat(options, name, value);
     case OPTION_TARGET:
+        options->percent = strchr(value, '%') != NULL;
         return parse_fraction(value, &options->target) ||
                bad_value(name, "target", value, "an error above 0, such as 1% or 0.01");
     case OPTION_ALL:

@@ -26,6 +26,7 @@ typedef struct cli_options {
     bool force;
     int threads, jobs, repeat;
     double target; /**< an error, > 0 */
+    bool percent;  /**< it was given in per cent */
     sph2d_isa isa;
     double max_wall; /**< [s] */
     bool no_frames, dry_run, all;

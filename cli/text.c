@@ -83,6 +83,16 @@ size_t text_utf8_length(const char *text)
     return 0;
 }
 
+char *text_whole(char *text)
+{
+    size_t length = strlen(text), start = length;
+    while (start > 0 && length - start < 4 && ((unsigned char)text[start - 1] & 0xC0) == 0x80)
+        --start;
+    if (start > 0 && (unsigned char)text[start - 1] >= 0xC0 && text_utf8_length(text + start - 1) == 0)
+        text[start - 1] = '\0';
+    return text;
+}
+
 char *text_bytes(char out[TEXT_SIZE], double bytes)
 {
     static const char *const units[] = {"B", "KiB", "MiB", "GiB", "TiB", "PiB"};

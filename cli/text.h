@@ -15,6 +15,9 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
 /** Length of the UTF-8 sequence of two bytes or more that `text` starts with; 0 when there is none. */
 size_t text_utf8_length(const char *text);
 
+/** Takes away what a cut left of a character at the end of `text`. Returns `text`. */
+char *text_whole(char *text);
+
 /** "12.3 MiB". Returns `out`. */
 char *text_bytes(char out[TEXT_SIZE], double bytes);
 /** "4.2 s", "3 min 12 s", "2 h 05 min". Returns `out`. */

@@ -348,7 +348,9 @@ START_TEST(judge_target_and_repeat_arrive)
     ck_assert(study->target == 1e-9 && study->repeat == 100);
     study = parse(SERIES "    finest: true\njudge: a\nrepeat: 1\ntarget: 5\n");
     ck_assert_str_eq(study->judge, "a");
-    ck_assert(study->target == 5 && study->repeat == 1);
+    ck_assert(study->target == 5 && study->repeat == 1 && !study->percent);
+    study = parse(MEASURES "target: 2.5%\n");
+    ck_assert(study->target == 0.025 && study->percent);
     study = parse(LINE "    finest: true\njudge: a\n");
     ck_assert_str_eq(study->judge, "a");
 }

@@ -5,6 +5,7 @@
 
 #include <signal.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "../command.h"
@@ -73,16 +74,34 @@ static int check_scenes(cli_study *s)
     return code;
 }
 
+/* A key that rows vary cannot have one value in all of them. */
+static int refuse_varied(const cli_study *s)
+{
+    for (size_t i = 0; s->made == NULL && i < s->options->override_count; ++i) {
+        for (size_t k = 0; k < s->study->vary_count; ++k) {
+            if (strcmp(s->options->overrides[i].path, s->study->vary[k].path) != 0)
+                continue;
+            message_usage("study", "--set %s: the study varies that key", s->study->vary[k].path);
+            return CLI_EXIT_USAGE;
+        }
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
 /* Takes the folder: a new one, or one that an earlier session of the study left. */
 static int open_folder(cli_study *s)
 {
+    static const char mark[] =
+        "Rows that sph2d study has run. Without this file it takes the folder for somebody else's.\n";
     const char *path = s->options->output;
-    bool again = folder_holds(path, "rows");
-    int code = again ? CLI_EXIT_SUCCESS : folder_refuse(path, s->options->force);
+    int code = folder_refuse(path, s->options->force || folder_holds(path, "rows/README"));
     if (code == CLI_EXIT_SUCCESS)
         code = folder_open_new(&s->folder, path, FOLDER_CLEAR_STUDY);
     if (code == CLI_EXIT_SUCCESS)
         code = folder_make_inside(&s->folder, "rows");
+    const char *name = code == CLI_EXIT_SUCCESS ? folder_file(&s->folder, "rows/README") : NULL;
+    if (name != NULL) /* and whether rows can be kept is known before any runs */
+        code = study_told(s, sph2d_text_write(name, mark, strlen(mark), &s->report), NULL, NULL);
     return code;
 }
 
@@ -93,9 +112,13 @@ static int prepare(cli_study *s)
     if (code != CLI_EXIT_SUCCESS)
         return code;
     s->judge = study_front_judge(s->study);
+    bool relative = s->judge < s->study->measure_count && s->study->measures[s->judge].relative;
     s->target = s->options->target > 0 ? s->options->target : s->study->target;
+    s->percent = s->options->target > 0 ? s->options->percent || relative : s->study->percent || relative;
     s->repeat = s->options->repeat > 0 ? (uint64_t)s->options->repeat : s->study->repeat;
-    code = read_references(s);
+    code = refuse_varied(s);
+    if (code == CLI_EXIT_SUCCESS)
+        code = read_references(s);
     if (code == CLI_EXIT_SUCCESS)
         code = check_scenes(s);
     if (code == CLI_EXIT_SUCCESS && s->options->output != NULL)
@@ -115,7 +138,7 @@ static int refine(cli_study *s)
             break;
         }
         size_t first = s->row_count;
-        int told = study_told(s, study_measure_all(s), NULL, NULL);
+        int told = study_told(s, study_measure_all(s, false), NULL, NULL);
         if (told == CLI_EXIT_SUCCESS)
             told = study_told(s, study_front_refine(s, step), NULL, NULL);
         if (told != CLI_EXIT_SUCCESS)
@@ -134,11 +157,12 @@ static void tell_left_out(const cli_study *s)
         missing += s->rows[r].wanted && !s->rows[r].there;
     }
     if (s->kept > 0)
-        message_note("%zu row%s of an earlier session %s unchanged and not run again; --force runs all anew", s->kept,
-                     s->kept == 1 ? "" : "s", s->kept == 1 ? "is" : "are");
+        message_note("%zu row%s there already, unchanged, and not run again; --force runs all anew", s->kept,
+                     s->kept == 1 ? " was" : "s were");
     if (s->stopped)
-        message_note("%zu row%s missing%s", missing, missing == 1 ? " is" : "s are",
-                     s->options->output != NULL ? "; the same command goes on" : "");
+        message_note("%zu row%s missing%s%s", missing, missing == 1 ? " is" : "s are",
+                     s->options->output != NULL ? "; the same command goes on" : "",
+                     s->options->output != NULL && s->options->force ? " without --force" : "");
     else if (skipped > 0)
         message_note("%zu row%s left out; --all runs %s too", skipped, skipped == 1 ? "" : "s",
                      skipped == 1 ? "it" : "them");
@@ -151,7 +175,7 @@ static int run_rows(cli_study *s)
     int code = study_pool_run(s, 0);
     int refined = refine(s);
     tell_left_out(s);
-    int told = study_told(s, study_measure_all(s), NULL, NULL);
+    int told = study_told(s, study_measure_all(s, true), NULL, NULL);
     study_front_mark(s);
     code = code != CLI_EXIT_SUCCESS ? code : refined != CLI_EXIT_SUCCESS ? refined : told;
     int written = study_csv_write(s);

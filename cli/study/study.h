@@ -47,6 +47,7 @@ typedef struct cli_study {
     study_row *rows;
     size_t row_count;
     size_t judge;    /**< the measure whose error is weighed against the time; measure_count: none */
+    bool percent;    /**< errors are told in per cent */
     uint64_t repeat; /**< how often a short row is run */
     double target;   /**< the error that the cheapest row is named for */
     size_t kept;     /**< rows that an earlier session of this study ran */

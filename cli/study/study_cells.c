@@ -8,12 +8,11 @@
 #include <stdio.h>
 
 #include "../text.h"
+#include "study_measure.h"
 
-/* The series of a reference or of the finest run leave an error alone. */
 bool study_has_value(const sph2d_study_measure *measure)
 {
-    bool whole = measure->source == SPH2D_MEASURE_PROFILE || measure->take == SPH2D_TAKE_DEFAULT;
-    return measure->expectation != SPH2D_EXPECT_REFERENCE && !(measure->expectation == SPH2D_EXPECT_FINEST && whole);
+    return !study_measure_is_curve(measure);
 }
 
 bool study_has_error(const sph2d_study_measure *measure)
@@ -50,14 +49,17 @@ void study_cells_heading(const cli_study *s, const study_column *c, char out[STU
         return;
     }
     const sph2d_study_measure *m = &s->study->measures[c->measure];
+    char name[201];
+    snprintf(name, sizeof name, "%s", m->name);
+    text_whole(name);
     if (c->kind == STUDY_COLUMN_VALUE)
-        snprintf(out, STUDY_CELL_SIZE, "%.200s", m->name);
+        snprintf(out, STUDY_CELL_SIZE, "%s", name);
     else if (c->kind == STUDY_COLUMN_ORDER)
         snprintf(out, STUDY_CELL_SIZE, "order");
     else if (study_has_value(m))
         snprintf(out, STUDY_CELL_SIZE, "%serror", m->relative ? "relative " : "");
     else
-        snprintf(out, STUDY_CELL_SIZE, "%.200s: %s error", m->name, norms[m->norm]);
+        snprintf(out, STUDY_CELL_SIZE, "%s: %s error", name, norms[m->norm]);
 }
 
 static void write_number(char out[STUDY_CELL_SIZE], const char *format, double value)
@@ -88,6 +90,7 @@ void study_cells_text(const study_row *row, const study_column *c, char out[STUD
     switch (c->kind) {
     case STUDY_COLUMN_NAME:
         snprintf(out, STUDY_CELL_SIZE, "%.200s", row->run.name);
+        text_whole(out);
         break;
     case STUDY_COLUMN_END:
         write_end(record, out);

@@ -66,7 +66,8 @@ static void put_text(FILE *out, const char *text, const char *more)
 
 static void put_headings(FILE *out, const sph2d_study *study)
 {
-    fputs("row,name,end,front,spacing [m],particles,left,simulated [s],steps,particle-steps,repeats,cpu [s],wall [s],"
+    fputs("row,name,end,reason,front,spacing [m],particles,left,simulated [s],steps,particle-steps,repeats,cpu "
+          "[s],wall [s],"
           "start [s],probes [s],particle-steps/s",
           out);
     for (size_t i = 0; i < study->measure_count; ++i) {
@@ -90,7 +91,9 @@ static void put_row(FILE *out, const sph2d_study *study, const study_row *row)
     const study_record *record = &row->record;
     fprintf(out, "%zu,", row->number);
     put_text(out, row->run.name, "");
-    fprintf(out, ",%s,%d", study_end_name(record->end), row->on_front);
+    fprintf(out, ",%s,", study_end_name(record->end));
+    put_text(out, record->reason, "");
+    fprintf(out, ",%d", row->on_front);
     put_number(out, record->spacing);
     fprintf(out, ",%" PRIu64 ",%" PRIu64, record->particles, record->left);
     put_number(out, record->time);

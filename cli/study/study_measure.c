@@ -118,10 +118,11 @@ static double largest_size(study_curve curve)
 
 /* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-/* Whether the finest run's series is compared with, not a number made of it. */
-static bool compares_series(const sph2d_study_measure *m)
+bool study_measure_is_curve(const sph2d_study_measure *m)
 {
-    return m->source == SPH2D_MEASURE_PROFILE || (m->source == SPH2D_MEASURE_PROBE && m->take == SPH2D_TAKE_DEFAULT);
+    bool series =
+        m->source == SPH2D_MEASURE_PROFILE || (m->source == SPH2D_MEASURE_PROBE && m->take == SPH2D_TAKE_DEFAULT);
+    return m->expectation == SPH2D_EXPECT_REFERENCE || (m->expectation == SPH2D_EXPECT_FINEST && series);
 }
 
 /* Differences at the points of the reference; a profile has a sample at each, or has no error. */
@@ -150,6 +151,25 @@ static double number(const sph2d_study_measure *m, const study_record *record, s
     return value / m->scale;
 }
 
+/* The error from the finest run's profile, taken at the same places: those where both have liquid count. */
+static double compare_samples(const sph2d_study_measure *m, const study_samples *mine, const study_samples *finest)
+{
+    size_t count = 0;
+    double largest = 0,
+           *differences = mine != NULL && finest != NULL ? malloc((mine->count + 1) * sizeof *differences) : NULL;
+    if (differences == NULL)
+        return NAN;
+    for (size_t i = 0; i < mine->count; ++i) {
+        if (!isfinite(mine->values[i]) || !isfinite(finest->values[i]))
+            continue;
+        differences[count++] = mine->values[i] - finest->values[i];
+        largest = fmax(largest, fabs(finest->values[i]));
+    }
+    double error = study_norm(m->norm, differences, count) / (m->relative ? largest : m->scale);
+    free(differences);
+    return error;
+}
+
 /* The error where the finest run's series is expected. */
 static double compare_curves(const sph2d_study_measure *m, study_curve curve, study_curve finest)
 {
@@ -172,9 +192,13 @@ static bool measure_one(cli_study *s, size_t measure, study_row *row, const stud
                          ? compare_profile(s, measure, &row->record)
                          : study_compare(mine.curve, m->scale, study_points_curve(&s->references[measure]), m->norm,
                                          m->reference.shift);
-    if (fine && m->expectation == SPH2D_EXPECT_FINEST && finest != NULL && finest != row) {
+    bool of_finest = m->expectation == SPH2D_EXPECT_FINEST && finest != NULL && finest != row;
+    if (fine && of_finest && m->source == SPH2D_MEASURE_PROFILE) {
+        out->error =
+            compare_samples(m, find_samples(s, measure, &row->record), find_samples(s, measure, &finest->record));
+    } else if (fine && of_finest) {
         fine = take_curve(s, measure, &finest->record, &best);
-        if (fine && compares_series(m))
+        if (fine && study_measure_is_curve(m))
             out->error = compare_curves(m, mine.curve, best.curve);
         else if (fine)
             out->error = study_error(out->value, number(m, &finest->record, best.curve), m->relative != 0);
@@ -204,16 +228,16 @@ static const char *why_no_value(const sph2d_study_measure *m)
     }
 }
 
-static void measure_row(cli_study *s, study_row *row, const study_row *finest, bool *fine)
+static void measure_row(cli_study *s, study_row *row, const study_row *finest, bool tell, bool *fine)
 {
     for (size_t i = 0; i < s->study->measure_count; ++i) {
         const sph2d_study_measure *m = &s->study->measures[i];
         study_value *out = &row->values[i];
         *fine = measure_one(s, i, row, finest) && *fine;
-        bool of_series =
-            m->expectation == SPH2D_EXPECT_REFERENCE || (m->expectation == SPH2D_EXPECT_FINEST && compares_series(m));
+        bool of_series = m->expectation == SPH2D_EXPECT_REFERENCE ||
+                         (m->expectation == SPH2D_EXPECT_FINEST && study_measure_is_curve(m));
         bool needless = of_series && row == finest && m->expectation == SPH2D_EXPECT_FINEST;
-        if (!needless && !isfinite(of_series ? out->error : out->value))
+        if (tell && !needless && !isfinite(of_series ? out->error : out->value))
             message_warning(SPH2D_CODE_GENERAL, "row '%s': no value of '%s': %s", row->run.name, m->name,
                             why_no_value(m));
     }
@@ -282,7 +306,7 @@ size_t study_finest(const cli_study *s)
     return finest;
 }
 
-sph2d_status study_measure_all(cli_study *s)
+sph2d_status study_measure_all(cli_study *s, bool tell)
 {
     bool fine = true;
     size_t finest = study_finest(s);
@@ -290,7 +314,7 @@ sph2d_status study_measure_all(cli_study *s)
         for (size_t i = 0; i < s->study->measure_count; ++i)
             s->rows[r].values[i] = (study_value){NAN, NAN, NAN};
         if (study_row_counts(&s->rows[r]))
-            measure_row(s, &s->rows[r], finest < s->row_count ? &s->rows[finest] : NULL, &fine);
+            measure_row(s, &s->rows[r], finest < s->row_count ? &s->rows[finest] : NULL, tell, &fine);
     }
     for (size_t r = 0; r < s->row_count; ++r)
         if (study_row_counts(&s->rows[r]))

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "../exit.h"
+#include "../message.h"
 #include "study_front.h"
 #include "study_scene.h"
 #include "study_table.h"
@@ -52,11 +53,11 @@ static void put_stiffness(FILE *out, const sph2d_method_options *method)
     bool wcsph = method->name == SPH2D_METHOD_WCSPH;
     double compression = method->max_compression > 0 ? method->max_compression : wcsph ? 0.01 : 0.1;
     if (method->sound_speed > 0)
-        fprintf(out, "  method.sound_speed: [%.4g, %.4g]\n", method->sound_speed / 2, method->sound_speed);
+        fprintf(out, "  method.sound_speed: [%.4g, %.15g]\n", method->sound_speed / 2, method->sound_speed);
     else if (method->stiffness > 0)
-        fprintf(out, "  method.stiffness: [%.4g, %.4g]\n", method->stiffness / 4, method->stiffness);
+        fprintf(out, "  method.stiffness: [%.4g, %.15g]\n", method->stiffness / 4, method->stiffness);
     else
-        fprintf(out, "  method.max_compression: [%.4g, %.4g]\n", fmin(4 * compression, 0.9), compression);
+        fprintf(out, "  method.max_compression: [%.4g, %.15g]\n", fmin(4 * compression, 0.9), compression);
 }
 
 static const sph2d_probe *find_probe(const sph2d_scene *scene, sph2d_probe_kind kind)
@@ -80,13 +81,27 @@ static void put_measure(FILE *out, const sph2d_probe *exact, const sph2d_probe *
                 energy->name);
 }
 
-static void put_study(FILE *out, const char *path, const sph2d_scene *scene)
+/* What the command line changes of the scene belongs to the study. */
+static void put_overrides(FILE *out, const cli_options *options)
+{
+    const char *before = "\nruns:\n  - set: {";
+    for (size_t i = 0; i < options->override_count; ++i, before = ", ") {
+        fputs(before, out);
+        put_quoted(out, options->overrides[i].path);
+        fprintf(out, ": %s", options->overrides[i].value);
+    }
+    if (options->override_count > 0)
+        fputs("}", out);
+}
+
+static void put_study(FILE *out, const char *path, const sph2d_scene *scene, const cli_options *options)
 {
     const sph2d_probe *exact = find_probe(scene, SPH2D_PROBE_ERROR);
     double dx = scene->spacing;
     fprintf(out, "# What the error of a scene costs: made by sph2d study, to be changed at will.\nscene: ");
     put_quoted(out, path);
-    fprintf(out, "\nvary:\n  spacing: [%.4g, %.4g, %.9g]\n", 2 * dx, sqrt(2) * dx, dx);
+    put_overrides(out, options);
+    fprintf(out, "\nvary:\n  spacing: [%.4g, %.4g, %.15g]\n", 2 * dx, sqrt(2) * dx, dx);
     put_stiffness(out, &scene->method);
     fprintf(out, "refine:\n  - {set: {spacing: %.4g}}\nmeasures:\n", dx / sqrt(2));
     put_measure(out, exact, find_probe(scene, SPH2D_PROBE_ENERGY));
@@ -117,7 +132,7 @@ static int open_scene(cli_study *s)
     char *path = realpath(s->path, NULL);
     status = SPH2D_NOMEM;
     if (judged && path != NULL && page_open(&text)) {
-        put_study(text.out, path, scene);
+        put_study(text.out, path, scene, s->options);
         if (page_close(&text)) {
             status = sph2d_study_file_parse(text.text, text.size, s->path, &s->file, &s->report);
             s->made = text.text;
@@ -169,7 +184,11 @@ static void put_scene(const cli_study *s, const study_row *row, const char *text
 {
     char verdict[512];
     study_verdict(s, verdict, sizeof verdict);
-    fprintf(out, "# %s with %s.\n# %s\n%s", s->study->scene, row->run.name, verdict, text);
+    char *line = strdup(s->study->scene); /* a comment is one line */
+    for (char *c = line; c != NULL && *c != '\0'; ++c)
+        *c = (unsigned char)*c < 0x20 ? ' ' : *c;
+    fprintf(out, "# %s with %s.\n# %s\n%s", line != NULL ? line : "", row->run.name, verdict, text);
+    free(line);
 }
 
 /* The file of particles is named from the scene's folder; a scene that moves must name it from anywhere. */
@@ -230,7 +249,9 @@ int study_open_write(cli_study *s)
         return CLI_EXIT_SUCCESS;
     int code = CLI_EXIT_SUCCESS;
     const char *path = s->made != NULL ? folder_file(&s->folder, "study.yaml") : NULL;
-    if (path != NULL)
+    if (path != NULL && folder_holds(s->folder.path, "study.yaml"))
+        message_detail("'%s' is there already and stays as it is", path);
+    else if (path != NULL)
         code = study_told(s, sph2d_text_write(path, s->made, strlen(s->made), &s->report), NULL, NULL);
     int written = write_cheapest(s);
     return code != CLI_EXIT_SUCCESS ? code : written;

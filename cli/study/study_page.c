@@ -58,27 +58,48 @@ static void put_paragraph(FILE *out, const char *class, const char *text)
 }
 
 /* A word of a command line, quoted where a shell would take it apart. */
-static void put_argument(FILE *out, const char *word)
+static void put_word(FILE *out, const char *word)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:%@";
-    bool quoted = word[0] == '\0' || word[strspn(word, plain)] != '\0';
-    fputs(quoted ? " '" : " ", out);
-    put(out, word);
-    fputs(quoted ? "'" : "", out);
+    putc(' ', out);
+    if (word[0] != '\0' && word[strspn(word, plain)] == '\0') {
+        put(out, word);
+        return;
+    }
+    putc('\'', out);
+    for (const char *rest = word; *rest != '\0';) {
+        char part[64];
+        size_t length = strcspn(rest, "'");
+        length = length < sizeof part ? length : sizeof part - 1;
+        snprintf(part, sizeof part, "%.*s", (int)length, rest);
+        put(out, part);
+        rest += length;
+        if (*rest == '\'')
+            fputs("'\\''", out);
+        rest += *rest == '\'';
+    }
+    putc('\'', out);
+}
+
+static void put_override(FILE *out, const sph2d_override *override)
+{
+    size_t size = strlen(override->path) + strlen(override->value) + 2;
+    char *word = malloc(size);
+    if (word == NULL)
+        return;
+    snprintf(word, size, "%s=%s", override->path, override->value);
+    fputs(" --set", out);
+    put_word(out, word);
+    free(word);
 }
 
 static void put_command(const cli_study *s, FILE *out)
 {
     char text[64];
     fputs("<p><code>sph2d study", out);
-    put_argument(out, s->path);
-    for (size_t i = 0; i < s->options->override_count; ++i) {
-        const sph2d_override *o = &s->options->overrides[i];
-        fputs(" --set", out);
-        put_argument(out, o->path);
-        putc('=', out);
-        put_argument(out, o->value);
-    }
+    put_word(out, s->path);
+    for (size_t i = 0; i < s->options->override_count; ++i)
+        put_override(out, &s->options->overrides[i]);
     if (s->options->all)
         fputs(" --all", out);
     if (s->jobs > 1)

@@ -36,30 +36,37 @@ static int picture_count(const cli_study *s)
 
 /* ---- settings ---------------------------------------------------------------------------------------------------- */
 
-/* Whether a row is the first of those with its settings. */
-static bool leads(const cli_study *s, const study_row *row)
+/* Rows that belong together are one line: `leader[r]` is the first of those that row r belongs to. */
+typedef struct drawing {
+    const cli_study *study;
+    size_t *leader;
+    bool *on_front; /* whether a line reaches it, by its leader */
+    size_t lines;
+} drawing;
+
+static bool leads(const drawing *d, size_t row)
 {
-    for (const study_row *other = s->rows; other < row; ++other)
-        if (has_error(s, other) && study_belong(s, other, row))
-            return false;
-    return has_error(s, row);
+    return has_error(d->study, &d->study->rows[row]) && d->leader[row] == row;
 }
 
-static bool reaches_front(const cli_study *s, const study_row *leader)
+/* Whether a line has a colour and a name. */
+static bool is_named(const drawing *d, size_t leader)
 {
-    for (size_t r = 0; r < s->row_count; ++r)
-        if (s->rows[r].on_front && study_belong(s, &s->rows[r], leader))
-            return true;
-    return false;
+    return d->lines <= MOST_NAMED || d->on_front[leader];
 }
 
-/* Whether rows with these settings are drawn with a colour and a name. */
-static bool is_named(const cli_study *s, const study_row *leader)
+/* Finds the lines. `d` has room for as many as there are rows. */
+static void find_lines(drawing *d)
 {
-    size_t count = 0;
-    for (size_t r = 0; r < s->row_count; ++r)
-        count += leads(s, &s->rows[r]);
-    return count <= MOST_NAMED || reaches_front(s, leader);
+    const cli_study *s = d->study;
+    for (size_t r = 0; r < s->row_count; ++r) {
+        d->leader[r] = r;
+        for (size_t k = 0; k < r && d->leader[r] == r && has_error(s, &s->rows[r]); ++k)
+            if (leads(d, k) && study_belong(s, &s->rows[k], &s->rows[r]))
+                d->leader[r] = k;
+        d->on_front[d->leader[r]] = d->on_front[d->leader[r]] || s->rows[r].on_front;
+        d->lines += leads(d, r);
+    }
 }
 
 /* Whether a later override of the same key hides this one. */
@@ -124,26 +131,27 @@ static void put_block(FILE *out, const char *name, size_t number, point *points,
     fputs("END\n", out);
 }
 
-/* The rows that belong to `leader`, or with NULL those on the front; `room` holds a point a row. */
-static size_t collect(const cli_study *s, const study_row *leader, point *room)
+/* The rows of the line that `leader` leads, or with row_count those on the front; `room` holds a point a row. */
+static size_t collect(const drawing *d, size_t leader, point *room)
 {
+    const cli_study *s = d->study;
     size_t count = 0;
     for (size_t r = 0; r < s->row_count; ++r) {
         const study_row *row = &s->rows[r];
-        bool meant = leader != NULL ? study_belong(s, row, leader) : s->rows[r].on_front;
+        bool meant = leader < s->row_count ? d->leader[r] == leader : row->on_front;
         if (meant && has_error(s, row))
             room[count++] = (point){row->record.cpu, study_front_error(s, row), study_along(s, row)};
     }
     return count;
 }
 
-static void put_data(const cli_study *s, FILE *out, point *room)
+static void put_data(const drawing *d, FILE *out, point *room)
 {
-    size_t number = 0;
-    for (size_t r = 0; r < s->row_count; ++r)
-        if (leads(s, &s->rows[r]))
-            put_block(out, "rows", number++, room, collect(s, &s->rows[r], room), by_along);
-    put_block(out, "front", 0, room, collect(s, NULL, room), by_time);
+    size_t number = 0, count = d->study->row_count;
+    for (size_t r = 0; r < count; ++r)
+        if (leads(d, r))
+            put_block(out, "rows", number++, room, collect(d, r, room), by_along);
+    put_block(out, "front", 0, room, collect(d, count, room), by_time);
 }
 
 /* What an axis shows of a row. */
@@ -154,8 +162,8 @@ static double on_axis(const cli_study *s, const study_row *row, axis what)
     return what == AXIS_TIME ? row->record.cpu : what == AXIS_ALONG ? study_along(s, row) : study_front_error(s, row);
 }
 
-/* How many decades the rows take up. */
-static double decades(const cli_study *s, axis what)
+/* How many decades the rows take up; *middle is somewhere among them. */
+static double decades(const cli_study *s, axis what, double *middle)
 {
     double least = INFINITY, most = 0;
     for (size_t r = 0; r < s->row_count; ++r) {
@@ -170,6 +178,7 @@ static double decades(const cli_study *s, axis what)
         least = fmin(least, s->target);
         most = fmax(most, s->target);
     }
+    *middle = least;
     return log10(most / least);
 }
 
@@ -181,8 +190,13 @@ static void put_tics(const cli_study *s, FILE *out, axis what)
         const char *steps;
     } grades[] = {{1, "1 1.5 2 3 4 5 7"}, {4, "1 2 5"}, {INFINITY, "1"}};
     size_t grade = 0;
-    while (decades(s, what) >= grades[grade].most && grade < 2)
+    double middle, span = decades(s, what, &middle);
+    while (span >= grades[grade].most && grade < 2)
         ++grade;
+    if (span == 0) /* gnuplot finds no range for one number */
+        fprintf(out, "set %crange [%.9g:%.9g]; ", what == AXIS_ERROR ? 'y' : 'x', middle / 2, 2 * middle);
+    else
+        fprintf(out, "unset %crange; ", what == AXIS_ERROR ? 'y' : 'x');
     const char *before = "(";
     fprintf(out, "set %ctics ", what == AXIS_ERROR ? 'y' : 'x');
     for (int decade = -15; decade <= 9; ++decade) {
@@ -212,18 +226,19 @@ static void put_head(const cli_study *s, FILE *out)
     fprintf(out, "set ylabel 'error: %s' noenhanced\n", name);
 }
 
-static void put_plot(const cli_study *s, FILE *out, bool time)
+static void put_plot(const drawing *d, FILE *out, bool time)
 {
+    const cli_study *s = d->study;
     char label[LABEL_SIZE];
     size_t number = 0, colour = 0;
     fputs("    plot ", out);
     for (size_t r = 0; r < s->row_count; ++r) {
         const study_row *row = &s->rows[r];
-        if (!leads(s, row))
+        if (!leads(d, r))
             continue;
         size_t count;
         double order = study_front_order(s, row, &count);
-        bool named = is_named(s, row);
+        bool named = is_named(d, r);
         fprintf(out, "$rows%zu using %d:2 with linespoints ", number++, time ? 1 : 3);
         write_label(s, &row->run, label);
         if (!named)
@@ -236,22 +251,24 @@ static void put_plot(const cli_study *s, FILE *out, bool time)
     }
     if (time)
         fprintf(out, "$front0 using 1:2 with steps lw 2 lc rgb '#222222' title 'front', \\\n         ");
-    fprintf(out, "%.9g with lines dt 2 lc rgb '#888888' title '%.3g %% wanted'\n", s->target, 100 * s->target);
+    fprintf(out, "%.9g with lines dt 2 lc rgb '#888888' title '%.3g%s wanted'\n", s->target,
+            s->percent ? 100 * s->target : s->target, s->percent ? " %" : "");
 }
 
-static void put_picture(const cli_study *s, FILE *out, bool time, const char *label)
+static void put_picture(const drawing *d, FILE *out, bool time, const char *label)
 {
     fputs("    ", out);
-    put_tics(s, out, time ? AXIS_TIME : AXIS_ALONG);
+    put_tics(d->study, out, time ? AXIS_TIME : AXIS_ALONG);
     fprintf(out, "    set output before.'%s.'.kind.after\n    set xlabel '%s' noenhanced\n", names[time ? 0 : 1],
             label);
-    put_plot(s, out, time);
+    put_plot(d, out, time);
 }
 
-static void put_script(const cli_study *s, FILE *out, point *room)
+static void put_script(const drawing *d, FILE *out, point *room)
 {
+    const cli_study *s = d->study;
     put_head(s, out);
-    put_data(s, out, room);
+    put_data(d, out, room);
     fputs(
         "do for [kind in 'svg png'] {\n"
         "    if (kind eq 'svg') { set terminal svg size 600,480 dynamic enhanced font 'sans-serif,13' background "
@@ -262,9 +279,9 @@ static void put_script(const cli_study *s, FILE *out, point *room)
     bool spacing = strcmp(s->study->along, "spacing") == 0;
     snprintf(along, sizeof along, "%s", spacing ? "spacing [m]" : s->study->along);
     clean(along);
-    put_picture(s, out, true, "CPU time of stepping [s]");
+    put_picture(d, out, true, "CPU time of stepping [s]");
     if (picture_count(s) > 1)
-        put_picture(s, out, false, along);
+        put_picture(d, out, false, along);
     fputs("    unset output\n}\n", out);
 }
 
@@ -278,7 +295,7 @@ static bool run_gnuplot(const cli_study *s)
     fflush(NULL);
     pid_t pid = fork();
     if (pid == 0) {
-        const char *arguments[] = {"gnuplot", "-e", names_are, "plots.gp", NULL};
+        const char *arguments[] = {"gnuplot", "-d", "-e", names_are, "plots.gp", NULL};
         setenv("LC_ALL", "C.UTF-8", 1); /* elsewhere it warns of its own encoding */
         if (chdir(s->folder.path) == 0)
             execvp(arguments[0], (char *const *)(uintptr_t)arguments);
@@ -322,10 +339,13 @@ static sph2d_status write_script(cli_study *s)
     char *text = NULL;
     size_t size = 0;
     point *room = malloc((s->row_count + 1) * sizeof *room);
-    FILE *out = room != NULL ? open_memstream(&text, &size) : NULL;
+    drawing d = {s, calloc(s->row_count + 1, sizeof *d.leader), calloc(s->row_count + 1, sizeof *d.on_front), 0};
+    bool fine = room != NULL && d.leader != NULL && d.on_front != NULL;
+    FILE *out = fine ? open_memstream(&text, &size) : NULL;
     sph2d_status status = SPH2D_NOMEM;
     if (out != NULL) {
-        put_script(s, out, room);
+        find_lines(&d);
+        put_script(&d, out, room);
         bool failed = ferror(out) != 0;
         const char *path = folder_file(&s->folder, "plots.gp");
         if (fclose(out) == 0 && !failed && path != NULL)
@@ -333,6 +353,8 @@ static sph2d_status write_script(cli_study *s)
     }
     free(text);
     free(room);
+    free(d.leader);
+    free(d.on_front);
     return status;
 }
 

@@ -9,6 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <unistd.h>
 
 #include "../exit.h"
@@ -60,34 +63,35 @@ static void work(cli_study *s, const study_row *row, int out)
 
 /* ---- starting ---------------------------------------------------------------------------------------------------- */
 
-static int cannot_start(worker *w)
-{
-    message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': cannot start a process: %s", w->row->run.name, strerror(errno));
-    return CLI_EXIT_SOFTWARE;
-}
-
-static int start(pool *p, worker *w)
+/* False, with errno, when there is no process or descriptor left. */
+static bool start(pool *p, worker *w)
 {
     int ends[2];
     if (pipe(ends) != 0)
-        return cannot_start(w);
+        return false;
     fflush(NULL);
     pid_t pid = fork();
     if (pid == 0) {
         setpgid(0, 0); /* Ctrl-C reaches the study alone, which passes it on once */
+#ifdef __linux__
+        /* The lock on the folder is shared: a row that outlived its study would hold it. */
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
         close(ends[0]);
         work(p->study, w->row, ends[1]);
     }
+    int error = errno;
     close(ends[1]);
     if (pid < 0) {
         close(ends[0]);
-        return cannot_start(w);
+        errno = error;
+        return false;
     }
     setpgid(pid, pid); /* whoever comes first */
     w->pid = pid;
     w->pipe = ends[0];
     ++p->running;
-    return CLI_EXIT_SUCCESS;
+    return true;
 }
 
 /* The next row that must be run, with its key; NULL when there is none. Those kept from earlier are taken on the way.
@@ -111,6 +115,8 @@ static study_row *next_row(pool *p, char **key)
         }
         ++s->kept;
         note_code(p, row->record.code);
+        if (row->record.end != STUDY_FINISHED)
+            message_error(SPH2D_CODE_GENERAL, NULL, "row '%s', run earlier: %s", row->run.name, row->record.reason);
         free(*key);
     }
     return NULL;
@@ -129,10 +135,15 @@ static void fill(pool *p)
             return;
         *w = (worker){.row = row, .key = key};
         message_note("row %zu of %zu: %s", row->number, s->row_count, row->run.name);
-        int code = start(p, w);
-        note_code(p, code);
-        if (code != CLI_EXIT_SUCCESS)
-            free(key);
+        if (start(p, w))
+            continue;
+        free(key);
+        if (p->running > 0) { /* when one of them ends there may be room */
+            --p->next;
+            return;
+        }
+        message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': cannot start a process: %s", row->run.name, strerror(errno));
+        note_code(p, CLI_EXIT_SOFTWARE);
     }
 }
 
@@ -171,6 +182,12 @@ static void finish(pool *p, worker *w)
     if (!whole) {
         study_record_free(record);
         row_died(w, status, record);
+    }
+    if (record->end == STUDY_STOPPED && signals_caught() == 0) {
+        record->end = STUDY_DIED;
+        record->code = CLI_EXIT_SOFTWARE;
+        snprintf(record->reason, sizeof record->reason, "somebody stopped its process at t = %g s", record->time);
+        message_error(SPH2D_CODE_GENERAL, NULL, "row '%s': %s", w->row->run.name, record->reason);
     }
     if (record->end == STUDY_STOPPED) {
         message_note("stopped in row '%s' at t = %g s", w->row->run.name, record->time);

@@ -253,8 +253,11 @@ void study_run(cli_study *s, const sph2d_study_run *run, bool alone, study_recor
         run_once(s, run, alone, true, &more);
         if (more.end == STUDY_FINISHED)
             merge(record, &more);
-        else
+        else {
             record->end = more.end;
+            record->code = more.code;
+            memcpy(record->reason, more.reason, sizeof record->reason);
+        }
         study_record_free(&more);
     }
 }

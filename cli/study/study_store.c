@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../build.h"
 #include "../exit.h"
 #include "study_measure.h"
 #include "study_scene.h"
@@ -45,11 +46,16 @@ static uint64_t program_hash(void)
 
 static void put_key(const cli_study *s, const sph2d_scene *scene, const char *text, FILE *out)
 {
+    char processor[256];
     const sph2d_particles *particles = &scene->particles;
+    sph2d_isa isa = s->options->isa;
+    for (int i = SPH2D_ISA_BASELINE; s->options->isa == SPH2D_ISA_AUTO && i <= SPH2D_ISA_AVX512; ++i)
+        if (sph2d_isa_available((sph2d_isa)i))
+            isa = (sph2d_isa)i;
     uint64_t hash = add_to_hash(HASH_START, particles->items, particles->count * sizeof *particles->items);
     fprintf(out, "sph2d %s, program %016" PRIx64 "\n", sph2d_version(), program_hash());
-    fprintf(out, "threads %d, isa %s, repeat %" PRIu64 "\n", s->threads.count, sph2d_isa_name(s->options->isa),
-            s->repeat);
+    fprintf(out, "threads %d, isa %s, repeat %" PRIu64 ", %s\n", s->threads.count, sph2d_isa_name(isa), s->repeat,
+            build_processor(processor, sizeof processor));
     fprintf(out, "particles from a file: %016" PRIx64 "\n%s", hash, text);
 }
 

@@ -47,8 +47,11 @@ static void measure_columns(const cli_study *s, const study_column *columns, siz
     }
 }
 
-static void print_cell(const study_column *c, int width, const char *text)
+/* A bar would end the cell. */
+static void print_cell(const study_column *c, int width, char *text)
 {
+    for (char *bar = strchr(text, '|'); bar != NULL; bar = strchr(bar, '|'))
+        *bar = '/';
     int blanks = width - width_of(text);
     if (study_cells_left(c))
         printf("| %s%*s ", text, blanks, "");
@@ -91,10 +94,13 @@ static void print_rows(const cli_study *s, const study_column *columns, const in
 char *study_conditions(const cli_study *s, char *out, size_t size)
 {
     const char *isa = NULL;
+    size_t beside = 0;
     char in_use[TEXT_SIZE];
     for (size_t r = 0; r < s->row_count; ++r)
-        if (s->rows[r].there && s->rows[r].record.isa[0] != '\0')
+        if (s->rows[r].there && s->rows[r].record.isa[0] != '\0') {
             isa = s->rows[r].record.isa;
+            beside += isnan(s->rows[r].record.wall);
+        }
     out[0] = '\0';
     if (isa == NULL)
         return out;
@@ -106,6 +112,8 @@ char *study_conditions(const cli_study *s, char *out, size_t size)
     used = strlen(out);
     if (s->jobs > 1)
         snprintf(out + used, size - used, ", %zu rows at a time: CPU seconds alone", s->jobs);
+    else if (beside > 0)
+        snprintf(out + used, size - used, ", %zu rows were run beside others: CPU seconds alone", beside);
     return out;
 }
 

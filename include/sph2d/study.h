@@ -149,6 +149,8 @@ typedef struct sph2d_study {
     const char *along; /**< the key that plots have on their axis, and that rows which belong together differ in;
                           default spacing */
     double target;     /**< the error that the cheapest run is named for, > 0; default 0.01 */
+    const char *target_text; /**< as the file has it, "0.01" or "1%"; NULL: not given */
+    int percent;             /**< 1: it was given in per cent, as errors are then told; default 0 */
 } sph2d_study;
 
 enum {

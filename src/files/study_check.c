@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PATH_SIZE = 96 };
@@ -203,6 +204,26 @@ static void check_vary(checker *c, const sph2d_study *study)
             "vary fewer keys at once, and refine the best");
 }
 
+void sph2d__study_target(sph2d_study *study)
+{
+    if (!study->target_text)
+        return;
+    char *end;
+    study->target = strtod(study->target_text, &end);
+    study->percent = end != study->target_text && strcmp(end, "%") == 0;
+    bool whole = end != study->target_text && (*end == '\0' || study->percent);
+    study->target = whole && isfinite(study->target) && study->target > 0 ? study->target : NAN;
+    if (study->percent)
+        study->target /= 100;
+}
+
+static void check_target(checker *c, const sph2d_study *study)
+{
+    if (isnan(study->target) && is_sound(c, "target"))
+        sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, "target", "a target must be a number above 0"),
+                              "such as 0.01 or 1%%");
+}
+
 static void check_judge(checker *c, const sph2d_study *study)
 {
     char message[120];
@@ -221,12 +242,51 @@ static void check_judge(checker *c, const sph2d_study *study)
         fault(c, SPH2D_CODE_WRONG_TYPE, "judge", message);
 }
 
+/** Two columns of one name cannot be told apart. */
+static void check_names(checker *c, const sph2d_study *study)
+{
+    for (size_t i = 0; i < study->measure_count; ++i)
+        for (size_t k = 0; k < i; ++k)
+            if (study->measures[i].name && study->measures[k].name &&
+                strcmp(study->measures[i].name, study->measures[k].name) == 0) {
+                char name[32];
+                snprintf(name, sizeof name, "measures[%zu].name", i);
+                fault(c, SPH2D_CODE_CONFLICT, name, "another measure has this name");
+                break;
+            }
+}
+
+static bool sets(const sph2d_study_run *runs, size_t count, const char *path)
+{
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < runs[i].override_count; ++k)
+            if (strcmp(runs[i].overrides[k].path, path) == 0)
+                return true;
+    return false;
+}
+
+static void check_along(checker *c, const sph2d_study *study)
+{
+    bool known = strcmp(study->along, "spacing") == 0 || sets(study->runs, study->run_count, study->along) ||
+                 sets(study->refinements, study->refinement_count, study->along);
+    for (size_t i = 0; i < study->vary_count; ++i)
+        known = known || strcmp(study->vary[i].path, study->along) == 0;
+    if (!known)
+        sph2d_diagnostic_hint(fault(c, SPH2D_CODE_WRONG_TYPE, "along", "no row sets that key"),
+                              "give a key that 'vary' or 'set' has, or leave it out for spacing");
+}
+
 void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d__faults *faults)
 {
     checker c = {root, faults, ""};
     check_ranges(&c, sph2d_study_keys(), study);
     check_vary(&c, study);
+    check_target(&c, study);
     check_judge(&c, study);
+    check_names(&c, study);
+    if (study->along && is_sound(&c, "along") && !sph2d__faults_touch(faults, "vary") &&
+        !sph2d__faults_touch(faults, "runs"))
+        check_along(&c, study);
     if (is_given(&c, "runs") && study->run_count == 0 && !sph2d__faults_touch(faults, "runs"))
         sph2d_diagnostic_hint(fault(&c, SPH2D_CODE_MISSING_KEY, "runs", "there is no run"),
                               "`- set: {}` runs the scene as it is; without 'runs' that is the only one");

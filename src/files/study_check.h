@@ -11,4 +11,7 @@
  *  the tree. What could not be read is left alone. */
 void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d__faults *faults);
 
+/** Reads `target` and `percent` from the text that the file gives; what is no number above 0 becomes NaN. */
+void sph2d__study_target(sph2d_study *study);
+
 #endif

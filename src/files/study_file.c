@@ -94,6 +94,7 @@ static sph2d_status read_study(sph2d_study_file *file, sph2d__faults *faults)
     sph2d__converter converter = {&file->pool, faults};
     sph2d_study_keys()->set_default(&file->study);
     sph2d__convert_mapping(&converter, sph2d_study_keys(), file->root, "", &file->study);
+    sph2d__study_target(&file->study);
     if (!faults->short_of_memory)
         sph2d__study_check(&file->study, file->root, faults);
     if (faults->short_of_memory)

@@ -143,8 +143,8 @@ static const sph2d_key study_items[] = {
      .text = "the measure whose error is weighed against the time"},
     {"along", SPH2D_KEY_TEXT, false, AT(sph2d_study, along), .unit = "", .standard = "spacing",
      .text = "the key on the axis of the plot; rows that differ in nothing else belong together"},
-    {"target", SPH2D_KEY_NUMBER, false, AT(sph2d_study, target), ABOVE_0, .unit = "", .standard = "0.01",
-     .text = "the error that the cheapest row is named for"},
+    {"target", SPH2D_KEY_TEXT, false, AT(sph2d_study, target_text), .unit = "", .standard = "0.01",
+     .text = "the error that the cheapest row is named for, 0.01 or 1%"},
     {"repeat", SPH2D_KEY_COUNT, false, AT(sph2d_study, repeat), .min = 1, .max = 100, .unit = "", .standard = "1",
      .text = "how often a row of less than 10 s is run; the least time counts"},
 };

@@ -30,7 +30,7 @@ prints '^| row  *| front | particles | steps | CPU s | wall s | start s | probes
 prints '| speed: rms error | density: max error |$'
 prints '^|-*|-*|-*:|' && prints '^| coarse ' && prints '^| spacing=0.04, until=0.3 | '
 prints '^[0-9]* threads* (.*), [a-z0-9]*$' && says 'row 2 of 3: spacing=0.04' && says '1 row left out; --all'
-prints "^No row has an error of 1 % or less (top): the smallest is .* %, by '.*' in [0-9.]* CPU s.$" && prints '; sph2d [0-9.]*, commit [0-9a-z]*.*; .*-O' && lines 8
+prints "^No row has an error of 0.01 or less (top): the smallest is .*, by '.*' in [0-9.]* CPU s.$" && prints '; sph2d [0-9.]*, commit [0-9a-z]*.*; .*-O' && lines 8
 [ "$(awk -F'|' '/^\|/ { print length($0), NF }' out | sort -u | wc -l)" = 1 ] || fail 'columns do not stand below each other'
 grep '^| coarse' out | awk -F'|' '{ exit !($4 > 0 && $5 > 0 && $11 > 0 && $12 > 0 && $13 ~ /^ *- $/) }' || fail 'no numbers'
 expect 0 "$SPH2D" study study.yaml --quiet && empty && silent
@@ -53,13 +53,17 @@ fi
 expect 0 "$SPH2D" study study.yaml -q -o out.study --all && empty && silent
 [ "$(wc -l <out.study/study.csv)" = 4 ] || fail 'study.csv does not have three rows and a header'
 head -n 1 out.study/study.csv |
-    grep -q '^row,name,end,front,spacing \[m\],.*,top,top error,top order,late,speed error,density' ||
+    grep -q '^row,name,end,reason,front,spacing \[m\],.*,top,top error,top order,late,speed error,density' ||
     fail 'the header of study.csv'
-grep -q '^3,"costly, ""fine""",finished,[01],0.029999999999999999,' out.study/study.csv || fail 'a quoted name'
+grep -q '^3,"costly, ""fine""",finished,,[01],0.029999999999999999,' out.study/study.csv || fail 'a quoted name'
 [ "$(find out.study -name 'series_*.csv' | wc -l)" = 9 ] || fail 'not a series for each of three probes a row'
-[ "$(find out.study/rows -type f | wc -l)" = 3 ] || fail 'not a row each in rows/'
+[ "$(find out.study/rows -name '*.row' | wc -l)" = 3 ] || fail 'not a row each in rows/'
 grep -q '<td class="word">costly, &quot;fine&quot;</td>' out.study/study.html || fail 'the page lacks a row'
 present out.study/plots.gp
+expect 0 "$SPH2D" study study.yaml -q -o "it's" --set 'blocks[0].velocity=[0, 1]' --set run.until=0.1
+sed -n "s/^<p><code>sph2d \(.*\) -o DIR<\/code><\/p>/\1/p" "it's/study.html" >words
+eval "expect 0 \"\$SPH2D\" $(cat words) -q"
+grep -q -- "--set 'blocks\[0\].velocity=\[0, 1\]' --set run.until=0.1" words || fail "the page's command: $(cat words)"
 if command -v gnuplot >/dev/null; then
     for plot in error_time error_along; do
         head -c 200 out.study/$plot.svg | grep -q '<svg' || fail "$plot.svg is no picture"
@@ -72,21 +76,34 @@ same plain/energy.csv out.study/series_1_energy.csv && same plain/corner.csv out
 # Once more: nothing runs again, and the table is the same to the last digit. What is damaged or changed runs again, and
 # only that.
 cp out.study/study.csv before.csv
-expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '3 rows of an earlier session are unchanged'
+expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '3 rows were there already'
 grep -q '^sph2d: row' err && fail 'a row ran again'
 same before.csv out.study/study.csv
 expect 0 "$SPH2D" study study.yaml -q -o out.study && [ "$(wc -l <out.study/study.csv)" = 3 ]
 absent out.study/series_3_energy.csv
-for row in out.study/rows/*; do break; done
+for row in out.study/rows/*.row; do break; done
 head -c 2000 "$row" >damaged && cp damaged "$row"
-expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '2 rows of an earlier session'
+expect 0 "$SPH2D" study study.yaml --progress never -o out.study --all && says '2 rows were there already'
 [ "$(grep -c '^sph2d: row . of 3: ' err)" = 1 ] || fail 'a damaged row did not run again alone'
 sed 's/spacing: 0.04$/spacing: 0.041/' study.yaml >changed.yaml
 expect 0 "$SPH2D" study changed.yaml --progress never -o out.study --all
-says 'row 2 of 3: spacing=0.041' && says '2 rows of an earlier session'
+says 'row 2 of 3: spacing=0.041' && says '2 rows were there already'
 expect 0 "$SPH2D" study study.yaml --progress never -o out.study -f && says 'row 1 of 3: coarse'
-mkdir foreign && : >foreign/mine
-expect 73 "$SPH2D" study study.yaml -o foreign && says 'F207' && present foreign/mine
+mkdir -p foreign/rows && : >foreign/series_1_mine.csv
+expect 73 "$SPH2D" study study.yaml -o foreign && says 'F207' && present foreign/series_1_mine.csv
+
+# Everything that a row depends on makes it run again: threads, instruction set, repeats, particles from a file.
+sed 's/^blocks:/particles: many.csv\nblocks:/' scene.yaml >with.yaml
+printf 'x,y\n0.2,0.8\n' >many.csv
+printf 'scene: with.yaml\nmeasures: [{name: top, probe: energy, column: kinetic, take: max}]\n' >key.yaml
+again() { expect 0 "$SPH2D" study key.yaml -o key -s method.sound_speed=20 --progress never "$@" && says 'row 1 of 1'; }
+again -j 1 --isa baseline
+again -j 2 --isa baseline && again -j 1 --isa baseline --repeat 2
+printf 'x,y\n0.2,0.81\n' >many.csv
+again -j 1 --isa baseline
+expect 0 "$SPH2D" study key.yaml -o key -s method.sound_speed=20 -j 1 --isa baseline && says '1 row was there already'
+printf 'x,y\n0.2,0.8\n' >many.csv
+expect 0 "$SPH2D" study key.yaml -o key -s method.sound_speed=20 -j 1 --isa baseline && says '1 row was there already'
 
 # Combinations, in processes beside each other; the best again with a finer spacing; the finest run as the reference.
 cat >vary.yaml <<'END'
@@ -106,10 +123,39 @@ says "stops before 'spacing=0.02'" && prints 'one a row, with --jobs' && prints 
 prints '2 rows at a time'
 grep -q 'wall s' out && fail 'wall seconds of rows that ran beside each other'
 prints '^For an error of 50 % (energy, against the finest row) the cheapest is ' && prints '^| spacing=0.03, velocity=.*|  *- |$'
+# What the front, the cheapest row and the order are, from the numbers themselves.
+cat >judge.awk <<'AWK'
+NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+{
+    gsub(/"[^"]*"/, "name") # a name has commas
+    name[NR] = $at["row"]; front[NR] = $at["front"]; dx[NR] = $at["spacing [m]"]; cpu[NR] = $at["cpu [s]"]
+    error[NR] = $at["energy error"]; order[NR] = $at["energy order"]; last = NR
+}
+function is_number(x) { return x != "nan" }
+END {
+    for (i = 2; i <= last; i++) {
+        on = is_number(error[i])
+        for (k = 2; k <= last; k++)
+            if (k != i && is_number(error[k]) && error[k] <= error[i] && cpu[k] <= cpu[i]) on = 0
+        if (on != front[i]) { print "row " name[i] " is not rightly on or off the front"; bad = 1 }
+        if (is_number(error[i]) && error[i] <= wanted && (best == "" || cpu[i] < cpu[best])) best = i
+    }
+    slope = log(error[2] / error[4]) / log(dx[2] / dx[4])
+    if (sqrt((order[4] - slope) ^ 2) > 1e-9) { print "the order is not " slope; bad = 1 }
+    print "cheapest " name[best]
+    exit bad
+}
+AWK
+awk -F, -v wanted=0.5 -f judge.awk vary/study.csv >judged || fail "$(cat judged)"
+row=$(sed -n 's/^cheapest //p' judged)
+name=$(grep "^$row," vary/study.csv | sed 's/^[0-9]*,"\([^"]*\)".*/\1/')
+prints "the cheapest is '$(printf '%s' "$name" | sed 's/\[/\\[/g')'"
 grep -q '^# .*scene.yaml with spacing=' vary/cheapest.yaml || fail 'no scene for the wanted error'
 expect 0 "$SPH2D" check vary/cheapest.yaml
-expect 0 "$SPH2D" study vary.yaml --progress never -J 2 --target 0.0001%
+expect 0 "$SPH2D" study vary.yaml --progress never -J 2 -o vary --target 0.0001%
 prints '^No row has an error of 0.0001 % or less (energy, against the finest row): the smallest is '
+absent vary/cheapest.yaml
+expect 64 "$SPH2D" study vary.yaml --set spacing=0.1 && says 'the study varies that key'
 for target in 0 -1% x 1%% ''; do expect 64 "$SPH2D" study vary.yaml --target "$target" && says 'is not an error'; done
 expect 0 "$SPH2D" study study.yaml --repeat 3 --json -q && prints '"repeats": 3'
 expect 64 "$SPH2D" study vary.yaml --repeat 0 && says 'from 1 to 100'
@@ -147,7 +193,7 @@ measures: [{name: top, probe: energy, column: kinetic, take: max}]
 END
 expect 1 "$SPH2D" study guard.yaml --progress never -o stopped
 says "error\[R30[1-4]\].*row 'bad': " && prints '^| bad  *| guard  *|' && prints '^| good | finished |.* [0-9.]* |$'
-present stopped/series_1_energy.csv && grep -q '^1,bad,guard,0,.*,nan$' stopped/study.csv
+present stopped/series_1_energy.csv && grep -q '^1,bad,guard,.*,0,[0-9.]*,.*,nan$' stopped/study.csv
 
 # bad CODE PATTERN: the study on stdin is refused before anything runs.
 bad() {
@@ -213,7 +259,7 @@ child_of() {
 # The same command goes on; so it does when the study was killed, and then its rows do not run on without it.
 sed 's/run.until: 1e5/run.until: 0.1/' long.yaml >shorter.yaml
 expect 0 "$SPH2D" study shorter.yaml -o long -j 1 --progress never && says 'row 2 of 3'
-says '2 rows of an earlier session are' && [ "$(wc -l <long/study.csv)" = 4 ] # the third is the first once more
+says '2 rows were there already' && [ "$(wc -l <long/study.csv)" = 4 ] # the third is the first once more
 : >err
 "$SPH2D" study long.yaml -o killed -j 1 --progress never >out 2>err &
 pid=$!
@@ -229,7 +275,7 @@ while grep -q '^State:[[:space:]]*[RSD]' "/proc/$child/status" 2>/dev/null; do
     sleep 0.02
 done
 expect 0 "$SPH2D" study shorter.yaml -o killed -j 1 --progress never
-says '2 rows of an earlier session' && [ "$(wc -l <killed/study.csv)" = 4 ]
+says '2 rows were there already' && [ "$(wc -l <killed/study.csv)" = 4 ]
 
 # A row whose process dies is a row that says so, and the others go on.
 cat >die.yaml <<'END'
@@ -237,15 +283,18 @@ scene: scene.yaml
 runs: [{name: endless, set: {run.until: 1e5}}, {name: fine, set: {}}]
 measures: [{name: top, probe: energy, column: kinetic, take: max}]
 END
-: >err
-"$SPH2D" study die.yaml -j 1 --progress never >out 2>err &
-pid=$!
-until grep -q 'row 1 of 2' err && child=$(child_of $pid) && [ -n "$child" ]; do sleep 0.02; done
-kill -KILL "$child"
-code=0
-wait $pid || code=$?
-[ $code = 70 ] || fail "a row that died: ended with $code"
-says "row 'endless': its process was ended by signal 9" && prints '^| endless | died ' && prints '^| fine  *| finished '
+for signal in KILL TERM; do
+    : >err
+    "$SPH2D" study die.yaml -j 1 --progress never >out 2>err &
+    pid=$!
+    until grep -q 'row 1 of 2' err && child=$(child_of $pid) && [ -n "$child" ]; do sleep 0.02; done
+    sleep 0.1
+    kill -$signal "$child"
+    code=0
+    wait $pid || code=$?
+    [ $code = 70 ] || fail "a row that died: ended with $code"
+    says "row 'endless': .*its process" && prints '^| endless | died ' && prints '^| fine  *| finished '
+done
 
 # Nowhere to write.
 code=0

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # One page with what sph2d reaches and what that takes: report.sh SPH2D FOLDER [OPTION...]
 #
-# Runs the studies of tests/report/studies, or of the list $STUDIES, with the options given, and writes FOLDER/index.html, which opens from disk,
-# FOLDER/cases.md, the same rows as a table for the README, and a folder with the files of each study. Interrupted, it
-# goes on where it stopped. Needs base64 and awk; gnuplot for the plots.
+# Runs the studies of tests/report/studies, or of the list $STUDIES, with the options given, and writes
+# FOLDER/index.html, which opens from disk, FOLDER/cases.md, the same rows as a table for the README, and a folder with
+# the files of each study. A study that fails is a section that says so. Interrupted, it
+# goes on where it stopped. Needs base64 and awk; gnuplot for the plots, and pictures where the build can draw.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 sph2d=$(realpath -e "$1") folder=$2
@@ -13,12 +14,15 @@ folder=$(cd "$folder" && pwd)
 cd "$root"
 page=$folder/.index.html.new
 trap 'rm -f "$page" "$folder/.cases.md.new"' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 
 picture() { # NAME SCENE TIME STYLE [FIELD]
     local size='size: [640, 480]' color=${5:+, color: $5}
-    [ -f "$folder/$1/frame.png" ] && [ "$folder/$1/frame.png" -nt "$sph2d" ] && return
+    [ "$folder/$1/frame.png" -nt "$sph2d" ] && [ "$folder/$1/frame.png" -nt "$2" ] && return
+    rm -f "$folder/$1/frame.png"
     "$sph2d" run "$2" -o "$folder/$1/run" --force -q --set "run.until=$3" --set 'run.snapshots={}' \
-        --set "run.frames={every: $3, $size, style: $4$color}"
+        --set "run.frames={every: $3, $size, style: $4$color}" || { echo "$1: no picture" >&2 && return; }
     mv "$(find "$folder/$1/run/frames" -name 'frame_*.png' | sort | tail -n 1)" "$folder/$1/frame.png"
     rm -r "$folder/$1/run"
 }
@@ -29,7 +33,11 @@ embed() { # KIND FILE: the file as a data URI
 }
 
 # The part of a study's own page that is about the study, with its plots inside and links to the files beside.
-section() { # NAME STUDY
+section() { # NAME TIME
+    if [ ! -f "$folder/$1/study.html" ]; then
+        printf '<section id="%s"><h2>%s</h2><p class="verdict">This study failed.</p></section>\n' "$1" "$1"
+        return
+    fi
     sed -n '/^<section>$/,/^<\/section>$/p' "$folder/$1/study.html" | while IFS= read -r line; do
         case $line in
         *'<img src="error_'*)
@@ -44,7 +52,7 @@ section() { # NAME STUDY
         '</section>')
             if [ -f "$folder/$1/frame.png" ]; then
                 printf '<figure><img src="%s" alt="A frame of %s"><figcaption>t = %s s</figcaption></figure>\n' \
-                    "$(embed image/png "$folder/$1/frame.png")" "$1" "$3"
+                    "$(embed image/png "$folder/$1/frame.png")" "$1" "$2"
             fi
             printf '</section>\n'
             ;;
@@ -88,21 +96,28 @@ names=() times=() failed=0
 while read -r study time style; do
     name=${study%/study} name=${name/\/study_/_}
     echo "$name"
-    "$sph2d" study "examples/$study.yaml" -o "$folder/$name" --progress never "$@" >"$folder/$name.md" 2>"$folder/$name.log" ||
-        { failed=$((failed + 1)) && tail -n 5 "$folder/$name.log" >&2; }
+    code=0
+    "$sph2d" study "examples/$study.yaml" -o "$folder/$name" --progress never "$@" >"$folder/$name.md" \
+        2>"$folder/$name.log" || code=$?
+    case $code in
+    0) ;;
+    130 | 143) exit $code ;; # somebody asked to stop
+    *) failed=$((failed + 1)) && tail -n 5 "$folder/$name.log" >&2 ;;
+    esac
     # shellcheck disable=SC2086 # style and field are two words
-    [ "$time" = - ] || picture "$name" "examples/${study%/*}/scene.yaml" "$time" $style
+    [ "$time" = - ] || [ ! -d "$folder/$name" ] || picture "$name" "examples/${study%/*}/scene.yaml" "$time" $style
     names+=("$name") times+=("$time")
 done < <(sed '/^#/d' "${STUDIES:-tests/report/studies}")
 
 {
-    sed -n '1,/<\/head>/p' "$folder/${names[0]}/study.html" | sed 's|<title>.*|<title>sph2d: error and time</title>|'
+    pages=("$folder"/*/study.html)
+    sed -n '1,/<\/head>/p' "${pages[0]}" | sed 's|<title>.*|<title>sph2d: error and time</title>|'
     printf '<body>\n<h1>sph2d: what an error costs</h1>\n<p>%s</p>\n<p class="conditions">%s</p>\n<ul>\n' \
         'Every number comes from the command that stands above it. CPU seconds are of stepping alone.' "$(date -u '+%F %R UTC')"
     for name in "${names[@]}"; do printf '<li><a href="#%s">%s</a></li>\n' "$name" "$name"; done
     printf '</ul>\n'
-    for i in "${!names[@]}"; do section "${names[i]}" - "${times[i]}"; done
-    sed -n '/^<p class="conditions">/p' "$folder/${names[0]}/study.html"
+    for i in "${!names[@]}"; do section "${names[i]}" "${times[i]}"; done
+    sed -n '/^<p class="conditions">/p' "${pages[0]}"
     printf '</body>\n</html>\n'
 } >"$page"
 mv "$page" "$folder/index.html"
@@ -110,7 +125,9 @@ mv "$page" "$folder/index.html"
 {
     echo '| case | row | errors | order | particles | steps | CPU s | million particle-steps per CPU second |'
     echo '|---|---|---|--:|--:|--:|--:|--:|'
-    for name in "${names[@]}"; do [ "$name" = taylor_green_settings ] || rows "$name"; done
+    for name in "${names[@]}"; do
+        [ "$name" = taylor_green_settings ] || [ ! -f "$folder/$name/study.csv" ] || rows "$name"
+    done
 } >"$folder/.cases.md.new"
 mv "$folder/.cases.md.new" "$folder/cases.md"
 echo "$folder/index.html"
