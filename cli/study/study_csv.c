@@ -11,31 +11,7 @@
 
 #include "../exit.h"
 #include "study_cells.h"
-
-/* A text that becomes a file. */
-typedef struct sheet {
-    FILE *out;
-    char *text;
-    size_t size;
-} sheet;
-
-static bool sheet_open(sheet *page)
-{
-    *page = (sheet){NULL, NULL, 0};
-    page->out = open_memstream(&page->text, &page->size);
-    return page->out != NULL;
-}
-
-/* Writes the file and frees the sheet. */
-static int sheet_close(cli_study *s, sheet *page, const char *path)
-{
-    bool whole = !ferror(page->out);
-    sph2d_status status = SPH2D_NOMEM;
-    if (fclose(page->out) == 0 && whole && path != NULL)
-        status = sph2d_text_write(path, page->text, page->size, &s->report);
-    free(page->text);
-    return study_told(s, status, NULL, NULL);
-}
+#include "study_text.h"
 
 /* NaN has no sign, whatever its bits say. */
 static void put_number(FILE *out, double value)
@@ -117,22 +93,23 @@ static void put_row(FILE *out, const sph2d_study *study, const study_row *row)
 
 static int write_rows(cli_study *s)
 {
-    sheet page;
-    if (!sheet_open(&page))
+    study_text page;
+    if (!study_text_begin(&page))
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
     put_headings(page.out, s->study);
     for (size_t r = 0; r < s->row_count; ++r)
         if (s->rows[r].there)
             put_row(page.out, s->study, &s->rows[r]);
-    return sheet_close(s, &page, folder_file(&s->folder, "study.csv"));
+    const char *path = folder_file(&s->folder, "study.csv");
+    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }
 
 /* ---- series ------------------------------------------------------------------------------------------------------ */
 
 static int write_series(cli_study *s, const study_row *row, const study_series *series)
 {
-    sheet page;
-    if (!sheet_open(&page))
+    study_text page;
+    if (!study_text_begin(&page))
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
     fprintf(page.out, "time [s],%s\n", series->headings);
     for (size_t i = 0; i < series->count; ++i) {
@@ -141,7 +118,8 @@ static int write_series(cli_study *s, const study_row *row, const study_series *
             put_number(page.out, series->values[i * series->columns + k]);
         putc('\n', page.out);
     }
-    return sheet_close(s, &page, folder_file(&s->folder, "series_%zu_%s.csv", row->number, series->probe));
+    const char *path = folder_file(&s->folder, "series_%zu_%s.csv", row->number, series->probe);
+    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }
 
 int study_csv_write(cli_study *s)

@@ -13,28 +13,7 @@
 #include "../message.h"
 #include "study_front.h"
 #include "study_scene.h"
-#include "study_table.h"
-
-/* A text that is printed into. */
-typedef struct page {
-    char *text;
-    size_t size;
-    FILE *out;
-} page;
-
-static bool page_open(page *p)
-{
-    *p = (page){NULL, 0, NULL};
-    p->out = open_memstream(&p->text, &p->size);
-    return p->out != NULL;
-}
-
-/* True when all of it is there. The caller frees the text. */
-static bool page_close(page *p)
-{
-    bool failed = ferror(p->out) != 0;
-    return fclose(p->out) == 0 && !failed;
-}
+#include "study_text.h"
 
 /* ---- a study for a scene ----------------------------------------------------------------------------------------- */
 
@@ -121,7 +100,7 @@ static int refuse_without_probe(cli_study *s)
 static int open_scene(cli_study *s)
 {
     sph2d_scene_file *file;
-    page text;
+    study_text text;
     sph2d_status status =
         sph2d_scene_file_read(s->path, s->options->overrides, s->options->override_count, &file, &s->report);
     if (status != SPH2D_OK)
@@ -131,15 +110,12 @@ static int open_scene(cli_study *s)
     bool judged = find_probe(scene, SPH2D_PROBE_ERROR) != NULL || find_probe(scene, SPH2D_PROBE_ENERGY) != NULL;
     char *path = realpath(s->path, NULL);
     status = SPH2D_NOMEM;
-    if (judged && path != NULL && page_open(&text)) {
+    if (judged && path != NULL && study_text_begin(&text)) {
         put_study(text.out, path, scene, s->options);
-        if (page_close(&text)) {
-            status = sph2d_study_file_parse(text.text, text.size, s->path, &s->file, &s->report);
-            s->made = text.text;
-        } else {
-            free(text.text);
-        }
+        s->made = study_text_take(&text);
     }
+    if (s->made != NULL)
+        status = sph2d_study_file_parse(s->made, strlen(s->made), s->path, &s->file, &s->report);
     free(path);
     sph2d_scene_file_destroy(file);
     return judged ? study_told(s, status, NULL, NULL) : refuse_without_probe(s);
@@ -214,15 +190,12 @@ static sph2d_status write_scene(cli_study *s, const study_row *row, const sph2d_
         moved.particles.file = particles;
     size_t length = sph2d_scene_text(&moved, NULL, 0);
     char *text = malloc(length + 1);
-    page p;
+    study_text page;
     sph2d_status status = SPH2D_NOMEM;
-    if (text != NULL && length > 0 && page_open(&p)) {
+    if (text != NULL && length > 0 && study_text_begin(&page)) {
         sph2d_scene_text(&moved, text, length + 1);
-        put_scene(s, row, text, p.out);
-        const char *path = folder_file(&s->folder, "cheapest.yaml");
-        if (page_close(&p) && path != NULL)
-            status = sph2d_text_write(path, p.text, p.size, &s->report);
-        free(p.text);
+        put_scene(s, row, text, page.out);
+        status = study_text_write(&page, folder_file(&s->folder, "cheapest.yaml"), &s->report);
     }
     free(text);
     free(particles);

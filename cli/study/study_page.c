@@ -13,6 +13,7 @@
 #include "study_front.h"
 #include "study_scene.h"
 #include "study_table.h"
+#include "study_text.h"
 
 static const char style[] =
     "body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 0 auto; padding: 1rem; }\n"
@@ -222,19 +223,12 @@ static void put_page(cli_study *s, FILE *out)
 
 int study_page_write(cli_study *s)
 {
-    char *text = NULL;
-    size_t size = 0;
+    study_text page;
     if (s->options->output == NULL)
         return CLI_EXIT_SUCCESS;
-    FILE *out = open_memstream(&text, &size);
-    sph2d_status status = SPH2D_NOMEM;
-    if (out != NULL) {
-        put_page(s, out);
-        bool failed = ferror(out) != 0;
-        const char *path = folder_file(&s->folder, "study.html");
-        if (fclose(out) == 0 && !failed && path != NULL)
-            status = sph2d_text_write(path, text, size, &s->report);
-    }
-    free(text);
-    return study_told(s, status, NULL, NULL);
+    if (!study_text_begin(&page))
+        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+    put_page(s, page.out);
+    const char *path = folder_file(&s->folder, "study.html");
+    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }

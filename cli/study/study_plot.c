@@ -13,6 +13,7 @@
 #include "../message.h"
 #include "study_front.h"
 #include "study_measure.h"
+#include "study_text.h"
 
 /* With more settings than this only those that reach the front have a colour and a name. */
 enum { MOST_NAMED = 8, LABEL_SIZE = 120 };
@@ -336,22 +337,15 @@ static int draw(cli_study *s)
 
 static sph2d_status write_script(cli_study *s)
 {
-    char *text = NULL;
-    size_t size = 0;
+    study_text script;
     point *room = malloc((s->row_count + 1) * sizeof *room);
     drawing d = {s, calloc(s->row_count + 1, sizeof *d.leader), calloc(s->row_count + 1, sizeof *d.on_front), 0};
-    bool fine = room != NULL && d.leader != NULL && d.on_front != NULL;
-    FILE *out = fine ? open_memstream(&text, &size) : NULL;
     sph2d_status status = SPH2D_NOMEM;
-    if (out != NULL) {
+    if (room != NULL && d.leader != NULL && d.on_front != NULL && study_text_begin(&script)) {
         find_lines(&d);
-        put_script(&d, out, room);
-        bool failed = ferror(out) != 0;
-        const char *path = folder_file(&s->folder, "plots.gp");
-        if (fclose(out) == 0 && !failed && path != NULL)
-            status = sph2d_text_write(path, text, size, &s->report);
+        put_script(&d, script.out, room);
+        status = study_text_write(&script, folder_file(&s->folder, "plots.gp"), &s->report);
     }
-    free(text);
     free(room);
     free(d.leader);
     free(d.on_front);

@@ -12,6 +12,7 @@
 #include "../exit.h"
 #include "study_measure.h"
 #include "study_scene.h"
+#include "study_text.h"
 
 enum { MOST_BYTES = 256 << 20 };
 
@@ -65,17 +66,13 @@ char *study_store_key(cli_study *s, const sph2d_study_run *run)
     if (study_scene_open(s, run, &file) != CLI_EXIT_SUCCESS)
         return NULL;
     const sph2d_scene *scene = sph2d_scene_file_scene(file);
-    size_t length = sph2d_scene_text(scene, NULL, 0), size = 0;
+    study_text page;
+    size_t length = sph2d_scene_text(scene, NULL, 0);
     char *text = malloc(length + 1), *key = NULL;
-    FILE *out = text != NULL && length > 0 ? open_memstream(&key, &size) : NULL;
-    if (out != NULL) {
+    if (text != NULL && length > 0 && study_text_begin(&page)) {
         sph2d_scene_text(scene, text, length + 1);
-        put_key(s, scene, text, out);
-        bool failed = ferror(out) != 0;
-        if (fclose(out) != 0 || failed) {
-            free(key);
-            key = NULL;
-        }
+        put_key(s, scene, text, page.out);
+        key = study_text_take(&page);
     }
     free(text);
     sph2d_scene_file_destroy(file);
@@ -124,20 +121,12 @@ bool study_store_find(cli_study *s, const char *key, study_record *record)
 
 int study_store_keep(cli_study *s, const char *key, const study_record *record)
 {
-    char *text = NULL;
-    size_t size = 0;
+    study_text page;
     if (s->options->output == NULL)
         return CLI_EXIT_SUCCESS;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
+    if (!study_text_begin(&page))
         return study_told(s, SPH2D_NOMEM, NULL, NULL);
-    fputs(key, out);
-    study_record_write(record, out);
-    bool failed = ferror(out) != 0;
-    const char *path = path_of(s, key);
-    sph2d_status status = SPH2D_NOMEM;
-    if (fclose(out) == 0 && !failed && path != NULL)
-        status = sph2d_text_write(path, text, size, &s->report);
-    free(text);
-    return study_told(s, status, NULL, NULL);
+    fputs(key, page.out);
+    study_record_write(record, page.out);
+    return study_told(s, study_text_write(&page, path_of(s, key), &s->report), NULL, NULL);
 }
