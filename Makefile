@@ -232,12 +232,14 @@ $(BUILD)/variant: $(if $(filter $(VARIANT),$(file <$(BUILD)/variant)),,FORCE)
 	@mkdir -p $(@D) && echo '$(VARIANT)' >$@
 FORCE:
 
-# What the times of a study were taken with: told by --version, and a new commit compiles one file.
+# What the times of a study were taken with: told by --version, and a new commit compiles one file. Rows that were run
+# are found again as long as the source is the same.
 COMMIT = $(or $(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null),none)
 TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
+SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
 	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
-	    COMMIT '$(COMMIT)' >$@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+	    COMMIT '$(COMMIT)' SOURCE "$$(cat $(SOURCE_FILES) | cksum | tr ' ' -)" >$@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 $(OBJ)/cli/build.o: | $(BUILD)/gen/build_info.h
 
 # The shaders become arrays of numbers, since ISO C promises string literals of 4095 characters only.
@@ -286,6 +288,9 @@ test-mutants: ## does a wrong formula fail a test? changes each constant and sig
 OTHER_CC := $(if $(CLANG),gcc,clang)
 report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (20 minutes)
 	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report --jobs "$$(nproc)" --repeat 3
+
+report-readme: ## puts the table of the last report into README.md
+	sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' README.md
 
 report-full: $(BUILD)/sph2d ## the same with the rows that take long (hours)
 	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report-full --jobs "$$(nproc)" --repeat 3 --all
@@ -402,6 +407,6 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo report report-full test test-sanitize test-mutants test-full check-headers check-symbols check-install \
+.PHONY: all lib cli examples packages demo report report-readme report-full test test-sanitize test-mutants test-full check-headers check-symbols check-install \
     check-lint check-walls format install uninstall dist clean help FORCE
 endif

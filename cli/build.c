@@ -13,6 +13,7 @@
 
 const char *const build_compiler = BUILD_COMPILER;
 const char *const build_flags = BUILD_FLAGS;
+const char *const build_source = BUILD_SOURCE;
 const char *const build_commit = BUILD_COMMIT;
 
 char *build_processor(char *out, size_t size)

@@ -10,6 +10,8 @@
 extern const char *const build_compiler;
 /** Flags of the compiler but for warnings; those of one instruction set come on top. */
 extern const char *const build_flags;
+/** A checksum of all that the program was compiled from. */
+extern const char *const build_source;
 /** Of the source, with "-dirty" where files were changed; "none" outside a repository. */
 extern const char *const build_commit;
 

@@ -27,22 +27,6 @@ static uint64_t add_to_hash(uint64_t hash, const void *bytes, size_t count)
 
 static const uint64_t HASH_START = UINT64_C(0xcbf29ce484222325);
 
-/* What this program is: other code may give other numbers, and other times. 0 where the system does not show it. */
-static uint64_t program_hash(void)
-{
-    static uint64_t hash;
-    FILE *self = hash == 0 ? fopen("/proc/self/exe", "rb") : NULL;
-    if (self == NULL)
-        return hash;
-    unsigned char buffer[1 << 16];
-    size_t count;
-    hash = HASH_START;
-    while ((count = fread(buffer, 1, sizeof buffer, self)) > 0)
-        hash = add_to_hash(hash, buffer, count);
-    fclose(self);
-    return hash;
-}
-
 /* ---- keys -------------------------------------------------------------------------------------------------------- */
 
 static void put_key(const cli_study *s, const sph2d_scene *scene, const char *text, FILE *out)
@@ -54,7 +38,7 @@ static void put_key(const cli_study *s, const sph2d_scene *scene, const char *te
         if (sph2d_isa_available((sph2d_isa)i))
             isa = (sph2d_isa)i;
     uint64_t hash = add_to_hash(HASH_START, particles->items, particles->count * sizeof *particles->items);
-    fprintf(out, "sph2d %s, program %016" PRIx64 "\n", sph2d_version(), program_hash());
+    fprintf(out, "sph2d %s, source %s, %s, %s\n", sph2d_version(), build_source, build_compiler, build_flags);
     fprintf(out, "threads %d, isa %s, repeat %" PRIu64 ", %s\n", s->threads.count, sph2d_isa_name(isa), s->repeat,
             build_processor(processor, sizeof processor));
     fprintf(out, "particles from a file: %016" PRIx64 "\n%s", hash, text);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_store.h
  *  Rows that were run are kept in DIR/rows, so that an interrupted study goes on. A row is found again only when
- *  everything that it depends on is the same: the program, its scene with all values, threads and instruction set. */
+ *  everything that it depends on is the same: source, compiler and flags of the program, the processor, threads and
+ *  instruction set, and its scene with all values. */
 #ifndef SPH2D_CLI_STUDY_STORE_H
 #define SPH2D_CLI_STUDY_STORE_H
 
