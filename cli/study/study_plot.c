@@ -11,6 +11,7 @@
 
 #include "../exit.h"
 #include "../message.h"
+#include "../text.h"
 #include "study_front.h"
 #include "study_measure.h"
 #include "study_text.h"
@@ -87,10 +88,32 @@ static void clean(char *text)
             *text = ' ';
 }
 
+/* The name of a row without "spacing=0.02", or what else rows that belong together differ in; false when the name does
+ * not say that. */
+static bool write_common_name(const cli_study *s, const sph2d_study_run *run, char out[LABEL_SIZE])
+{
+    const char *along = s->study->along, *point = strrchr(along, '.'), *value = study_setting(run, along);
+    char setting[LABEL_SIZE];
+    int length =
+        snprintf(setting, sizeof setting, "%s=%s", point != NULL ? point + 1 : along, value != NULL ? value : "");
+    const char *at = value != NULL && length < LABEL_SIZE ? strstr(run->name, setting) : NULL;
+    if (at == NULL || strlen(run->name) == (size_t)length)
+        return false;
+    const char *behind = at + length;
+    bool last = *behind == '\0';
+    size_t before = (size_t)(at - run->name) - (last ? strlen(", ") : 0);
+    snprintf(out, LABEL_SIZE, "%.*s%s", (int)before, run->name, last ? "" : behind + strspn(behind, ", "));
+    text_whole(out);
+    clean(out);
+    return true;
+}
+
 /* "kernel=quintic, support_ratio=3": the settings that rows which belong together have in common. */
 static void write_label(const cli_study *s, const sph2d_study_run *run, char out[LABEL_SIZE])
 {
     size_t used = 0;
+    if (s->study->vary_count > 0 && write_common_name(s, run, out))
+        return;
     for (size_t i = 0; i < run->override_count && used < LABEL_SIZE; ++i) {
         const char *path = run->overrides[i].path, *point = strrchr(path, '.');
         if (strcmp(path, s->study->along) == 0 || is_hidden(run, i))
@@ -100,6 +123,7 @@ static void write_label(const cli_study *s, const sph2d_study_run *run, char out
     }
     if (used == 0)
         snprintf(out, LABEL_SIZE, "the scene");
+    text_whole(out);
     clean(out);
 }
 
@@ -197,7 +221,7 @@ static void put_tics(const cli_study *s, FILE *out, axis what)
     if (span == 0) /* gnuplot finds no range for one number */
         fprintf(out, "set %crange [%.9g:%.9g]; ", what == AXIS_ERROR ? 'y' : 'x', middle / 2, 2 * middle);
     else
-        fprintf(out, "unset %crange; ", what == AXIS_ERROR ? 'y' : 'x');
+        fprintf(out, "set autoscale %cfix; ", what == AXIS_ERROR ? 'y' : 'x');
     const char *before = "(";
     fprintf(out, "set %ctics ", what == AXIS_ERROR ? 'y' : 'x');
     for (int decade = -15; decade <= 9; ++decade) {

@@ -102,6 +102,10 @@ while read -r study time style; do
     case $code in
     0) ;;
     130 | 143) exit $code ;; # somebody asked to stop
+    1) # a row that a guard stopped is a row that says so; a bound that is missed is a failure
+        ! grep -q 'exceeds the bound\|has no value, where' "$folder/$name.log" ||
+            { failed=$((failed + 1)) && grep 'the bound\|has no value, where' "$folder/$name.log" >&2; }
+        ;;
     *) failed=$((failed + 1)) && tail -n 5 "$folder/$name.log" >&2 ;;
     esac
     # shellcheck disable=SC2086 # style and field are two words
@@ -131,4 +135,4 @@ mv "$page" "$folder/index.html"
 } >"$folder/.cases.md.new"
 mv "$folder/.cases.md.new" "$folder/cases.md"
 echo "$folder/index.html"
-[ $failed = 0 ] || { echo "$failed studies missed a bound or had a row that failed" >&2 && exit 1; }
+[ $failed = 0 ] || { echo "studies that failed or missed a bound: $failed" >&2 && exit 1; }
