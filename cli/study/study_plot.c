@@ -216,7 +216,7 @@ static void put_tics(const cli_study *s, FILE *out, axis what)
     } grades[] = {{1, "1 1.5 2 3 4 5 7"}, {4, "1 2 5"}, {INFINITY, "1"}};
     size_t grade = 0;
     double middle, span = decades(s, what, &middle);
-    while (span >= grades[grade].most && grade < 2)
+    while (grade < 2 && span >= grades[grade].most)
         ++grade;
     if (span == 0) /* gnuplot finds no range for one number */
         fprintf(out, "set %crange [%.9g:%.9g]; ", what == AXIS_ERROR ? 'y' : 'x', middle / 2, 2 * middle);
