@@ -161,7 +161,8 @@ RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shade
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
-TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,record.c reduce.c reference.c))
+TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,front.c order.c record.c \
+    reduce.c reference.c refine.c settings.c))
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
 EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
 
@@ -239,7 +240,8 @@ TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(
 SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
 	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
-	    COMMIT '$(COMMIT)' SOURCE "$$(cat $(SOURCE_FILES) | cksum | tr ' ' -)" >$@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+	    COMMIT '$(COMMIT)' SOURCE "$$(cat $(SOURCE_FILES) | cksum | tr ' ' -)" >$@.new && \
+	    { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 $(OBJ)/cli/build.o: | $(BUILD)/gen/build_info.h
 
 # The shaders become arrays of numbers, since ISO C promises string literals of 4095 characters only.
@@ -286,15 +288,6 @@ test-mutants: ## does a wrong formula fail a test? changes each constant and sig
 
 # The long tests last, so that their summary closes the output.
 OTHER_CC := $(if $(CLANG),gcc,clang)
-report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (20 minutes)
-	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report --jobs "$$(nproc)" --repeat 3
-
-report-readme: ## puts the table of the last report into README.md
-	sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' README.md
-
-report-full: $(BUILD)/sph2d ## the same with the rows that take long (hours)
-	$(hush)tests/report/report.sh $(BUILD)/sph2d $(BUILD)/report-full --jobs "$$(nproc)" --repeat 3 --all
-
 test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
 	$(hush)$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test
 	$(hush)$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test
@@ -302,6 +295,18 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
 	$(hush)$(MAKE) test-sanitize
 	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+
+# ---- what an error costs ---------------------------------------------------------------------------------------------
+REPORT := tests/report/report.sh $(BUILD)/sph2d
+report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (25 minutes)
+	$(hush)$(REPORT) $(BUILD)/report --jobs "$$(nproc)" --repeat 3
+
+report-full: $(BUILD)/sph2d ## the same with the rows that take long, in BUILD/report-full (hours)
+	$(hush)$(REPORT) $(BUILD)/report-full --jobs "$$(nproc)" --repeat 3 --all
+
+report-readme: ## puts the table of the last report into README.md
+	$(hush)sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' \
+	    -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' README.md
 
 # ---- checks ----------------------------------------------------------------------------------------------------------
 HEADERS := $(filter-out $(if $(WITH_RENDER),,%/render.h),$(sort $(wildcard include/sph2d/*.h)))
@@ -407,6 +412,6 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo report report-readme report-full test test-sanitize test-mutants test-full check-headers check-symbols check-install \
-    check-lint check-walls format install uninstall dist clean help FORCE
+.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full report report-full report-readme \
+    check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

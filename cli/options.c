@@ -202,30 +202,14 @@ static bool take_gl(cli_options *options, const char *name, const char *value)
     return true;
 }
 
-static bool take_threads(cli_options *options, const char *name, const char *value)
+static bool take_count(int *count, long most, const char *name, const char *option, const char *value)
 {
-    long threads;
-    if (!parse_count(value, 1, 1024, &threads))
-        return bad_value(name, "threads", value, "a number from 1 to 1024");
-    options->threads = (int)threads;
-    return true;
-}
-
-static bool take_jobs(cli_options *options, const char *name, const char *value)
-{
-    long jobs;
-    if (!parse_count(value, 1, 1024, &jobs))
-        return bad_value(name, "jobs", value, "a number from 1 to 1024");
-    options->jobs = (int)jobs;
-    return true;
-}
-
-static bool take_repeat(cli_options *options, const char *name, const char *value)
-{
-    long repeat;
-    if (!parse_count(value, 1, 100, &repeat))
-        return bad_value(name, "repeat", value, "a number from 1 to 100");
-    options->repeat = (int)repeat;
+    long number;
+    char wanted[TEXT_SIZE];
+    snprintf(wanted, sizeof wanted, "a number from 1 to %ld", most);
+    if (!parse_count(value, 1, most, &number))
+        return bad_value(name, option, value, wanted);
+    *count = (int)number;
     return true;
 }
 
@@ -246,24 +230,16 @@ static bool take_radius(cli_options *options, const char *name, const char *valu
     return true;
 }
 
-static bool take_option(cli_options *options, const char *name, int id, char *value)
+/* Options that only say that something is so; false for one that is none of them. */
+static bool take_flag(cli_options *options, int id)
 {
     switch (id) {
-    case 'o':
-        options->output = value;
-        return true;
     case 'f':
         options->force = true;
         return true;
-    case 's':
-        return take_override(options, name, value);
     case 'n':
         options->dry_run = true;
         return true;
-    case 'j':
-        return take_threads(options, name, value);
-    case 'J':
-        return take_jobs(options, name, value);
     case 'q':
         options->quiet = true;
         return true;
@@ -282,22 +258,39 @@ static bool take_option(cli_options *options, const char *name, int id, char *va
     case OPTION_NO_COLOR:
         options->no_color = true;
         return true;
+    case OPTION_NO_FRAMES:
+        options->no_frames = true;
+        return true;
+    case OPTION_ALL:
+        options->all = true;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool take_value(cli_options *options, const char *name, int id, char *value)
+{
+    switch (id) {
+    case 'o':
+        options->output = value;
+        return true;
+    case 's':
+        return take_override(options, name, value);
+    case 'j':
+        return take_count(&options->threads, 1024, name, "threads", value);
+    case 'J':
+        return take_count(&options->jobs, 1024, name, "jobs", value);
     case OPTION_PROGRESS:
         return take_progress(options, name, value);
     case OPTION_ISA:
         return take_isa(options, name, value);
-    case OPTION_NO_FRAMES:
-        options->no_frames = true;
-        return true;
     case OPTION_REPEAT:
-        return take_repeat(options, name, value);
+        return take_count(&options->repeat, 100, name, "repeat", value);
     case OPTION_TARGET:
         options->percent = strchr(value, '%') != NULL;
         return parse_fraction(value, &options->target) ||
                bad_value(name, "target", value, "an error above 0, such as 1% or 0.01");
-    case OPTION_ALL:
-        options->all = true;
-        return true;
     case OPTION_TEMPLATE:
         options->template_name = value;
         return true;
@@ -399,7 +392,7 @@ bool options_parse(cli_options *options, const char *name, unsigned command, int
             explain_fault(name, command, id, argv[optind > before ? optind - 1 : optind]);
             return false;
         }
-        if (!take_option(options, name, id, optarg))
+        if (!take_flag(options, id) && !take_value(options, name, id, optarg))
             return false;
         before = optind;
     }

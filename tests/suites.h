@@ -51,6 +51,7 @@
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \
     X(study_rows)                                                                                                      \
+    X(study_front)                                                                                                     \
     X(study_record)                                                                                                    \
     X(report)                                                                                                          \
     RENDER_SUITES(X)

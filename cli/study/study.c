@@ -19,6 +19,7 @@
 #include "study_page.h"
 #include "study_plot.h"
 #include "study_pool.h"
+#include "study_refine.h"
 #include "study_scene.h"
 #include "study_table.h"
 
@@ -140,7 +141,7 @@ static int refine(cli_study *s)
         size_t first = s->row_count;
         int told = study_told(s, study_measure_all(s, false), NULL, NULL);
         if (told == CLI_EXIT_SUCCESS)
-            told = study_told(s, study_front_refine(s, step), NULL, NULL);
+            told = study_told(s, study_refine(s, step), NULL, NULL);
         if (told != CLI_EXIT_SUCCESS)
             return told;
         told = study_pool_run(s, first);

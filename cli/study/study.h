@@ -55,6 +55,12 @@ typedef struct cli_study {
     sph2d_report report;
 } cli_study;
 
+/** Whether a row came to its end, so that it has numbers. */
+static inline bool study_row_counts(const study_row *row)
+{
+    return row->there && row->record.end == STUDY_FINISHED;
+}
+
 /** Tells what the report says, faults of a row's overrides at their places in the study, and returns the exit code for
  *  `status`. `scene` is for the places of the others, `row` for those of the overrides; either may be NULL. */
 int study_told(cli_study *s, sph2d_status status, const sph2d_scene_file *scene, const sph2d_study_run *row);

@@ -22,22 +22,10 @@ void study_front_mark(cli_study *s);
 const study_row *study_front_cheapest(const cli_study *s, double target);
 const study_row *study_front_best(const cli_study *s);
 
-/** Adds the rows of refinement `step`: the rows on the front of those with the smallest spacing so far, each with the
- *  step's overrides on top. Errors: SPH2D_NOMEM. */
-sph2d_status study_front_refine(cli_study *s, size_t step);
+/** Whether a row is on the front of those with at least the spacing `from` and at most `to`. */
+bool study_front_holds(const cli_study *s, const study_row *row, double from, double to);
 
-/** What the study's `along` key is in a row: its spacing, or the number that it sets; NaN where it sets none. */
-double study_along(const cli_study *s, const study_row *row);
-
-/** Whether two rows differ in nothing but the `along` key. */
-bool study_belong(const cli_study *s, const study_row *a, const study_row *b);
-
-/** The order that the errors of rows show which belong to `row`: the slope of log(error) over log(along), by least
- *  squares. *count is how many rows that are; NaN below two values. */
-double study_front_order(const cli_study *s, const study_row *row, size_t *count);
-
-/** "For an error of 1 % (speed L1) the cheapest is 'coarse': 0.14 % in 0.31 CPU s.", or what is to be said instead when
- *  no row is good enough; "" when none has an error. Returns `out`, cut at `size`. */
-char *study_verdict(const cli_study *s, char *out, size_t size);
+/** The row that `finest` means: of those that finished with the smallest spacing the last one; row_count for none. */
+size_t study_finest(const cli_study *s);
 
 #endif

@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "../message.h"
+#include "study_front.h"
+#include "study_order.h"
 #include "study_scene.h"
 
 /* Places along the line of a profile that the finest run is compared at. */
@@ -243,68 +245,7 @@ static void measure_row(cli_study *s, study_row *row, const study_row *finest, b
     }
 }
 
-/* ---- orders ------------------------------------------------------------------------------------------------------ */
-
-const char *study_setting(const sph2d_study_run *run, const char *path)
-{
-    const char *value = NULL;
-    for (size_t i = 0; i < run->override_count; ++i)
-        if (strcmp(run->overrides[i].path, path) == 0)
-            value = run->overrides[i].value;
-    return value;
-}
-
-static bool settings_within(const sph2d_study_run *a, const sph2d_study_run *b, const char *but)
-{
-    for (size_t i = 0; i < a->override_count; ++i) {
-        const char *path = a->overrides[i].path, *other = study_setting(b, path);
-        if (strcmp(path, but) != 0 && (other == NULL || strcmp(study_setting(a, path), other) != 0))
-            return false;
-    }
-    return true;
-}
-
-bool study_same_but(const char *key, const sph2d_study_run *a, const sph2d_study_run *b)
-{
-    return settings_within(a, b, key) && settings_within(b, a, key);
-}
-
-/* The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
- * among rows that are written one by one, else the nearest that is coarser. */
-static const study_row *coarser(const cli_study *s, const study_row *fine)
-{
-    const study_row *found = NULL;
-    for (const study_row *row = s->rows; row < fine; ++row) {
-        if (!study_row_counts(row) || !(row->record.spacing > fine->record.spacing))
-            continue;
-        bool same = study_same_but("spacing", &row->run, &fine->run);
-        bool better = found != NULL && study_same_but("spacing", &found->run, &fine->run);
-        if (same || (s->study->vary_count == 0 && !better))
-            found = row;
-    }
-    return found;
-}
-
-static void tell_orders(cli_study *s, study_row *fine)
-{
-    const study_row *coarse = coarser(s, fine);
-    for (size_t i = 0; i < s->study->measure_count && coarse != NULL; ++i)
-        if (s->study->measures[i].order)
-            fine->values[i].order = study_order(coarse->values[i].error, fine->values[i].error, coarse->record.spacing,
-                                                fine->record.spacing);
-}
-
 /* ---- all rows ---------------------------------------------------------------------------------------------------- */
-
-size_t study_finest(const cli_study *s)
-{
-    size_t finest = s->row_count;
-    for (size_t r = 0; r < s->row_count; ++r)
-        if (study_row_counts(&s->rows[r]) &&
-            (finest == s->row_count || s->rows[r].record.spacing <= s->rows[finest].record.spacing))
-            finest = r;
-    return finest;
-}
 
 sph2d_status study_measure_all(cli_study *s, bool tell)
 {
@@ -316,9 +257,7 @@ sph2d_status study_measure_all(cli_study *s, bool tell)
         if (study_row_counts(&s->rows[r]))
             measure_row(s, &s->rows[r], finest < s->row_count ? &s->rows[finest] : NULL, tell, &fine);
     }
-    for (size_t r = 0; r < s->row_count; ++r)
-        if (study_row_counts(&s->rows[r]))
-            tell_orders(s, &s->rows[r]);
+    study_order_all(s);
     return fine ? SPH2D_OK : SPH2D_NOMEM;
 }
 

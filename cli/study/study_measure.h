@@ -23,19 +23,4 @@ sph2d_status study_measure_all(cli_study *s, bool tell);
 /** Tells every error that is above its bound and returns how many there are. */
 size_t study_measure_misses(const cli_study *s);
 
-/** The value that a row sets a key to in the end; NULL where it leaves the scene's. */
-const char *study_setting(const sph2d_study_run *run, const char *path);
-
-/** Whether two rows have the same settings but for one key. */
-bool study_same_but(const char *key, const sph2d_study_run *a, const sph2d_study_run *b);
-
-/** The row that `finest` means: of those that finished with the smallest spacing the last one; row_count for none. */
-size_t study_finest(const cli_study *s);
-
-/** Whether a row came to its end, so that it has numbers. */
-static inline bool study_row_counts(const study_row *row)
-{
-    return row->there && row->record.end == STUDY_FINISHED;
-}
-
 #endif

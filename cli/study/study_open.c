@@ -14,6 +14,7 @@
 #include "study_front.h"
 #include "study_scene.h"
 #include "study_text.h"
+#include "study_verdict.h"
 
 /* ---- a study for a scene ----------------------------------------------------------------------------------------- */
 

@@ -2,6 +2,7 @@
 /** @file study_page.c
  *  The study as one page for a browser: no script, nothing from elsewhere, wide tables scroll by themselves. */
 #include "study_page.h"
+#include "study_verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +11,6 @@
 #include "../build.h"
 #include "../exit.h"
 #include "study_cells.h"
-#include "study_front.h"
 #include "study_scene.h"
 #include "study_table.h"
 #include "study_text.h"
@@ -112,7 +112,8 @@ static void put_command(const cli_study *s, FILE *out)
     if (s->options->repeat > 0)
         fprintf(out, " --repeat %d", s->options->repeat);
     if (s->options->target > 0)
-        fprintf(out, " --target %g", s->options->target);
+        fprintf(out, s->options->percent ? " --target %g%%" : " --target %g",
+                s->options->percent ? 100 * s->options->target : s->options->target);
     fputs(" -o DIR</code></p>\n", out);
 }
 

@@ -13,7 +13,8 @@
 #include "../message.h"
 #include "../text.h"
 #include "study_front.h"
-#include "study_measure.h"
+#include "study_order.h"
+#include "study_settings.h"
 #include "study_text.h"
 
 /* With more settings than this only those that reach the front have a colour and a name. */
@@ -31,7 +32,7 @@ static bool has_error(const cli_study *s, const study_row *row)
 static int picture_count(const cli_study *s)
 {
     for (size_t r = 0; r < s->row_count; ++r)
-        if (has_error(s, &s->rows[r]) && study_along(s, &s->rows[r]) > 0)
+        if (has_error(s, &s->rows[r]) && study_order_along(s, &s->rows[r]) > 0)
             return 2;
     return 1;
 }
@@ -64,7 +65,7 @@ static void find_lines(drawing *d)
     for (size_t r = 0; r < s->row_count; ++r) {
         d->leader[r] = r;
         for (size_t k = 0; k < r && d->leader[r] == r && has_error(s, &s->rows[r]); ++k)
-            if (leads(d, k) && study_belong(s, &s->rows[k], &s->rows[r]))
+            if (leads(d, k) && study_order_belong(s, &s->rows[k], &s->rows[r]))
                 d->leader[r] = k;
         d->on_front[d->leader[r]] = d->on_front[d->leader[r]] || s->rows[r].on_front;
         d->lines += leads(d, r);
@@ -88,38 +89,17 @@ static void clean(char *text)
             *text = ' ';
 }
 
-/* The name of a row without "spacing=0.02", or what else rows that belong together differ in; false when the name does
- * not say that. */
-static bool write_common_name(const cli_study *s, const sph2d_study_run *run, char out[LABEL_SIZE])
-{
-    const char *along = s->study->along, *point = strrchr(along, '.'), *value = study_setting(run, along);
-    char setting[LABEL_SIZE];
-    int length =
-        snprintf(setting, sizeof setting, "%s=%s", point != NULL ? point + 1 : along, value != NULL ? value : "");
-    const char *at = value != NULL && length < LABEL_SIZE ? strstr(run->name, setting) : NULL;
-    if (at == NULL || strlen(run->name) == (size_t)length)
-        return false;
-    const char *behind = at + length;
-    bool last = *behind == '\0';
-    size_t before = (size_t)(at - run->name) - (last ? strlen(", ") : 0);
-    snprintf(out, LABEL_SIZE, "%.*s%s", (int)before, run->name, last ? "" : behind + strspn(behind, ", "));
-    text_whole(out);
-    clean(out);
-    return true;
-}
-
 /* "kernel=quintic, support_ratio=3": the settings that rows which belong together have in common. */
 static void write_label(const cli_study *s, const sph2d_study_run *run, char out[LABEL_SIZE])
 {
-    size_t used = 0;
-    if (s->study->vary_count > 0 && write_common_name(s, run, out))
-        return;
-    for (size_t i = 0; i < run->override_count && used < LABEL_SIZE; ++i) {
-        const char *path = run->overrides[i].path, *point = strrchr(path, '.');
+    bool named = s->study->vary_count > 0 && study_name_without(run, s->study->along, out, LABEL_SIZE) != NULL;
+    size_t used = named ? strlen(out) : 0;
+    for (size_t i = 0; i < run->override_count && !named && used < LABEL_SIZE; ++i) {
+        const char *path = run->overrides[i].path;
         if (strcmp(path, s->study->along) == 0 || is_hidden(run, i))
             continue;
-        used += (size_t)snprintf(out + used, LABEL_SIZE - used, "%s%s=%s", used > 0 ? ", " : "",
-                                 point != NULL ? point + 1 : path, run->overrides[i].value);
+        used += (size_t)snprintf(out + used, LABEL_SIZE - used, "%s%s=%s", used > 0 ? ", " : "", study_key(path),
+                                 run->overrides[i].value);
     }
     if (used == 0)
         snprintf(out, LABEL_SIZE, "the scene");
@@ -165,7 +145,7 @@ static size_t collect(const drawing *d, size_t leader, point *room)
         const study_row *row = &s->rows[r];
         bool meant = leader < s->row_count ? d->leader[r] == leader : row->on_front;
         if (meant && has_error(s, row))
-            room[count++] = (point){row->record.cpu, study_front_error(s, row), study_along(s, row)};
+            room[count++] = (point){row->record.cpu, study_front_error(s, row), study_order_along(s, row)};
     }
     return count;
 }
@@ -184,7 +164,9 @@ typedef enum axis { AXIS_TIME, AXIS_ALONG, AXIS_ERROR } axis;
 
 static double on_axis(const cli_study *s, const study_row *row, axis what)
 {
-    return what == AXIS_TIME ? row->record.cpu : what == AXIS_ALONG ? study_along(s, row) : study_front_error(s, row);
+    return what == AXIS_TIME    ? row->record.cpu
+           : what == AXIS_ALONG ? study_order_along(s, row)
+                                : study_front_error(s, row);
 }
 
 /* How many decades the rows take up; *middle is somewhere among them. */
@@ -262,7 +244,7 @@ static void put_plot(const drawing *d, FILE *out, bool time)
         if (!leads(d, r))
             continue;
         size_t count;
-        double order = study_front_order(s, row, &count);
+        double order = study_order_fit(s, row, &count);
         bool named = is_named(d, r);
         fprintf(out, "$rows%zu using %d:2 with linespoints ", number++, time ? 1 : 3);
         write_label(s, &row->run, label);

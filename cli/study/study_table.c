@@ -2,6 +2,7 @@
 /** @file study_table.c
  *  The rows of a study as a table for people. */
 #include "study_table.h"
+#include "study_verdict.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -12,7 +13,6 @@
 #include "../build.h"
 #include "../message.h"
 #include "study_cells.h"
-#include "study_front.h"
 
 /* ---- the layout -------------------------------------------------------------------------------------------------- */
 

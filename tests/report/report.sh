@@ -3,8 +3,8 @@
 #
 # Runs the studies of tests/report/studies, or of the list $STUDIES, with the options given, and writes
 # FOLDER/index.html, which opens from disk, FOLDER/cases.md, the same rows as a table for the README, and a folder with
-# the files of each study. A study that fails is a section that says so. Interrupted, it
-# goes on where it stopped. Needs base64 and awk; gnuplot for the plots, and pictures where the build can draw.
+# the files of each study. A study that fails is a section that says so. Interrupted, it goes on where it stopped.
+# Needs base64 and awk; gnuplot for the plots, and pictures where the build can draw.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 sph2d=$(realpath -e "$1") folder=$2
@@ -86,9 +86,10 @@ rows() { # NAME
                 if (head[i] ~ / order$/ && order == "" && row[i] != "nan") order = sprintf("%.2f", row[i])
             }
             if (row[at["end"]] != "finished") errors = row[at["end"]]
-            printf "| %s | %s | %s | %s | %d | %d | %s | %.2g |\n", NR == 2 ? "`" name "`" : "", row[at["name"]], errors, order,
-                row[at["particles"]], row[at["steps"]], sprintf("%.2f", row[at["cpu [s]"]]),
-                (row[at["cpu [s]"]] > 0 ? row[at["particle-steps"]] / row[at["cpu [s]"]] / 1e6 : 0)
+            cpu = row[at["cpu [s]"]]
+            printf "| %s | %s | %s | %s | %d | %d | %.2f | %.2g |\n", NR == 2 ? "`" name "`" : "", row[at["name"]],
+                errors, order, row[at["particles"]], row[at["steps"]], cpu,
+                cpu > 0 ? row[at["particle-steps"]] / cpu / 1e6 : 0
         }' "$folder/$1/study.csv"
 }
 
@@ -115,8 +116,9 @@ done < <(sed '/^#/d' "${STUDIES:-tests/report/studies}")
 {
     pages=("$folder"/*/study.html)
     sed -n '1,/<\/head>/p' "${pages[0]}" | sed 's|<title>.*|<title>sph2d: error and time</title>|'
-    printf '<body>\n<h1>sph2d: what an error costs</h1>\n<p>%s</p>\n<p class="conditions">%s</p>\n<ul>\n' \
-        'Every number comes from the command that stands above it. CPU seconds are of stepping alone.' "$(date -u '+%F %R UTC')"
+    printf '<body>\n<h1>sph2d: what an error costs</h1>\n<p>%s</p>\n' \
+        'Every number comes from the command that stands above it. CPU seconds are of stepping alone.'
+    printf '<p class="conditions">%s</p>\n<ul>\n' "$(date -u '+%F %R UTC')"
     for name in "${names[@]}"; do printf '<li><a href="#%s">%s</a></li>\n' "$name" "$name"; done
     printf '</ul>\n'
     for i in "${!names[@]}"; do section "${names[i]}" "${times[i]}"; done
