@@ -34,6 +34,8 @@ static const struct fault {
     /* refine */
     {SCENE "refine: {}\n", SPH2D_CODE_WRONG_TYPE, "refine", 2, 9, "expected a list, got a mapping", ""},
     {SCENE "refine: [3]\n", SPH2D_CODE_WRONG_TYPE, "refine[0]", 2, 10, "expected a mapping, got '3'", ""},
+    {SCENE "refine: [{set: {}}]\n", SPH2D_CODE_MISSING_KEY, "refine[0]", 2, 10, "a refinement must set a key",
+     "set: {spacing: 0.01}"},
     {SCENE "refine: [{sett: {}}]\n", SPH2D_CODE_UNKNOWN_KEY, "refine[0].sett", 2, 11, "'sett'", "did you mean 'set'?"},
     {SCENE "refine: [{set: [1]}]\n", SPH2D_CODE_WRONG_TYPE, "refine[0].set", 2, 16, "a mapping, got a list", ""},
     /* runs */

@@ -256,6 +256,18 @@ static void check_names(checker *c, const sph2d_study *study)
             }
 }
 
+/** A step that changes nothing would run the same rows again. Where there are faults it may be one of them. */
+static void check_refinements(checker *c, const sph2d_study *study)
+{
+    for (size_t i = 0; i < study->refinement_count; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "refine[%zu]", i);
+        if (study->refinements[i].override_count == 0 && c->faults->errors == 0)
+            sph2d_diagnostic_hint(fault(c, SPH2D_CODE_MISSING_KEY, name, "a refinement must set a key"),
+                                  "set: {spacing: 0.01}");
+    }
+}
+
 static bool sets(const sph2d_study_run *runs, size_t count, const char *path)
 {
     for (size_t i = 0; i < count; ++i)
@@ -284,6 +296,7 @@ void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d
     check_target(&c, study);
     check_judge(&c, study);
     check_names(&c, study);
+    check_refinements(&c, study);
     if (study->along && is_sound(&c, "along") && !sph2d__faults_touch(faults, "vary") &&
         !sph2d__faults_touch(faults, "runs"))
         check_along(&c, study);
