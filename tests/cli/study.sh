@@ -228,6 +228,14 @@ expect 64 "$SPH2D" study && says 'a study file must be given'
 expect 64 "$SPH2D" study a b
 expect 64 "$SPH2D" run "$TINY" --all && says 'not an option of this command'
 
+# Liquid that is worth two threads: those of the study itself must not be missing in the rows.
+cat >threads.yaml <<'END'
+scene: scene.yaml
+runs: [{set: {spacing: 0.003, run.until: 0.001}}, {set: {spacing: 0.0029, run.until: 0.001}}]
+END
+expect 0 timeout 60 "$SPH2D" study threads.yaml -q --threads 2
+expect 0 timeout 60 env OMP_NUM_THREADS=2 "$SPH2D" study threads.yaml -q
+
 # A signal in the second row: the first is in the table, and on disk.
 cat >long.yaml <<'END'
 scene: scene.yaml

@@ -89,7 +89,7 @@ rows() { # NAME
             cpu = row[at["cpu [s]"]]
             printf "| %s | %s | %s | %s | %d | %d | %.2f | %.2g |\n", NR == 2 ? "`" name "`" : "", row[at["name"]],
                 errors, order, row[at["particles"]], row[at["steps"]], cpu,
-                cpu > 0 ? row[at["particle-steps"]] / cpu / 1e6 : 0
+                (cpu > 0 ? row[at["particle-steps"]] / cpu / 1e6 : 0)
         }' "$folder/$1/study.csv"
 }
 
