@@ -213,8 +213,8 @@ static int take(cli_folder *f, const char *path, folder_clearing clearing)
 {
     *f = (cli_folder){path, -1, NULL};
     int code = take_lock(f);
-    if (code == CLI_EXIT_SUCCESS)
-        code = clean(f, "", clearing);
+    if (code == CLI_EXIT_SUCCESS) /* a study's last results stay until there are new ones */
+        code = clean(f, "", clearing == FOLDER_CLEAR_STUDY ? FOLDER_KEEP : clearing);
     /* A run's frames have a folder of their own, and a study's rows. */
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_STUDY)
         code = clean(f, "rows/", FOLDER_KEEP);
@@ -236,6 +236,11 @@ int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing)
             rmdir(frames);
     }
     return code;
+}
+
+int folder_clear_study(cli_folder *f)
+{
+    return clean(f, "", FOLDER_CLEAR_STUDY);
 }
 
 int folder_open_again(cli_folder *f, const char *path)

@@ -18,7 +18,7 @@ typedef struct cli_folder {
 typedef enum folder_clearing {
     FOLDER_KEEP,
     FOLDER_CLEAR_RUN,   /**< all that a run writes but its probes, which it overwrites */
-    FOLDER_CLEAR_STUDY, /**< series, plots and pages of a study; not its rows */
+    FOLDER_CLEAR_STUDY, /**< nothing yet: folder_clear_study() does when there is something new */
     FOLDER_CLEAR_FRAMES /**< frames alone: the snapshots beside them may be the ones being drawn */
 } folder_clearing;
 
@@ -35,6 +35,9 @@ int folder_refuse(const char *path, bool force);
 /** Makes the folder where needed, locks it and removes temporary files that an earlier run left, and what `clearing`
  *  says. Returns an exit code. */
 int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing);
+
+/** Removes series, plots and pages that a study left; not its rows. Returns an exit code. */
+int folder_clear_study(cli_folder *f);
 
 /** Locks a folder that an earlier run wrote, and removes its temporary files. Returns an exit code. */
 int folder_open_again(cli_folder *f, const char *path);

@@ -64,14 +64,36 @@ static int make_rows(cli_study *s)
     return CLI_EXIT_SUCCESS;
 }
 
-/* The scene of each row, and what the refinements change of the first. */
+/* What a refinement's row points at is its own. */
+static void free_row(study_row *row)
+{
+    if (row->owned) {
+        free((void *)(uintptr_t)row->run.name);
+        free((void *)(uintptr_t)row->run.overrides);
+        free((void *)(uintptr_t)row->run.places);
+    }
+    study_record_free(&row->record);
+    free(row->values);
+}
+
+/* What a refinement makes of the first run. */
+static int check_refinement(cli_study *s, const sph2d_study_run *step)
+{
+    study_row row;
+    int code = study_refine_row(&row, &s->study->runs[0], step, 0) ? study_scene_check(s, &row.run, false)
+                                                                   : study_told(s, SPH2D_NOMEM, NULL, NULL);
+    free_row(&row);
+    return code;
+}
+
+/* The scene of each row. */
 static int check_scenes(cli_study *s)
 {
     int code = CLI_EXIT_SUCCESS;
     for (size_t i = 0; i < s->study->run_count && code == CLI_EXIT_SUCCESS; ++i)
         code = study_scene_check(s, &s->study->runs[i], is_wanted(s, &s->study->runs[i]));
     for (size_t i = 0; i < s->study->refinement_count && code == CLI_EXIT_SUCCESS; ++i)
-        code = study_scene_check(s, &s->study->refinements[i], false);
+        code = check_refinement(s, &s->study->refinements[i]);
     return code;
 }
 
@@ -179,7 +201,9 @@ static int run_rows(cli_study *s)
     int told = study_told(s, study_measure_all(s, true), NULL, NULL);
     study_front_mark(s);
     code = code != CLI_EXIT_SUCCESS ? code : refined != CLI_EXIT_SUCCESS ? refined : told;
-    int written = study_csv_write(s);
+    int written = s->options->output != NULL ? folder_clear_study(&s->folder) : CLI_EXIT_SUCCESS;
+    if (written == CLI_EXIT_SUCCESS)
+        written = study_csv_write(s);
     if (written == CLI_EXIT_SUCCESS)
         written = study_open_write(s);
     if (written == CLI_EXIT_SUCCESS)
@@ -200,18 +224,6 @@ static int finish(const cli_study *s, int code)
     if (s->options->json)
         study_json_print(s, end, code == CLI_EXIT_SUCCESS);
     return signal != 0 ? 128 + signal : code;
-}
-
-/* What a refinement's row points at is its own. */
-static void free_row(study_row *row)
-{
-    if (row->owned) {
-        free((void *)(uintptr_t)row->run.name);
-        free((void *)(uintptr_t)row->run.overrides);
-        free((void *)(uintptr_t)row->run.places);
-    }
-    study_record_free(&row->record);
-    free(row->values);
 }
 
 static void end(cli_study *s)

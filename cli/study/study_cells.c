@@ -149,12 +149,19 @@ static bool is_shown(const cli_study *s, study_column_kind kind)
                                        : true;
 }
 
-size_t study_cells_list(const cli_study *s, study_column *out)
+/* The columns of one kind after the other, those that say something. */
+static size_t list_kinds(const cli_study *s, study_column *out, study_column_kind from, study_column_kind to)
 {
     size_t count = 0;
-    for (study_column_kind kind = STUDY_COLUMN_NAME; kind < STUDY_COLUMN_VALUE; ++kind)
+    for (study_column_kind kind = from; kind <= to; ++kind)
         if (is_shown(s, kind))
             out[count++] = (study_column){kind, 0};
+    return count;
+}
+
+static size_t list_measures(const cli_study *s, study_column *out)
+{
+    size_t count = 0;
     for (size_t i = 0; i < s->study->measure_count; ++i) {
         const sph2d_study_measure *m = &s->study->measures[i];
         if (study_has_value(m))
@@ -165,6 +172,14 @@ size_t study_cells_list(const cli_study *s, study_column *out)
             out[count++] = (study_column){STUDY_COLUMN_ORDER, i};
     }
     return count;
+}
+
+/* What people look for comes first: the errors and what they cost. */
+size_t study_cells_list(const cli_study *s, study_column *out)
+{
+    size_t count = list_kinds(s, out, STUDY_COLUMN_NAME, STUDY_COLUMN_CPU);
+    count += list_measures(s, out + count);
+    return count + list_kinds(s, out + count, STUDY_COLUMN_WALL, STUDY_COLUMN_RATE);
 }
 
 /* Words stand left, numbers right. */

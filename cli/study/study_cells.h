@@ -12,10 +12,10 @@ typedef enum study_column_kind {
     STUDY_COLUMN_NAME,
     STUDY_COLUMN_END,
     STUDY_COLUMN_FRONT,
-    STUDY_COLUMN_PARTICLES,
-    STUDY_COLUMN_STEPS,
     STUDY_COLUMN_CPU,
     STUDY_COLUMN_WALL,
+    STUDY_COLUMN_PARTICLES,
+    STUDY_COLUMN_STEPS,
     STUDY_COLUMN_START,
     STUDY_COLUMN_PROBES,
     STUDY_COLUMN_RATE,
@@ -45,7 +45,8 @@ static inline size_t study_cells_most(const cli_study *s)
     return STUDY_COLUMN_VALUE + 3 * s->study->measure_count;
 }
 
-/** The columns that say something; `out` has room for study_cells_most(). Returns how many there are. */
+/** The columns that say something, errors and CPU time before the rest; `out` has room for study_cells_most(). Returns
+ * how many there are. */
 size_t study_cells_list(const cli_study *s, study_column *out);
 
 /** The heading of a column, and what it says of a row that is there. */

@@ -58,44 +58,36 @@ static void put_measure(FILE *out, const sph2d_probe *exact, const sph2d_probe *
         fprintf(out,
                 "  - {name: kinetic energy, probe: %s, column: kinetic, finest: true, norm: mean, relative: true, "
                 "order: true}\n",
-                energy->name);
+                energy != NULL ? energy->name : "energy");
 }
 
-/* What the command line changes of the scene belongs to the study. */
-static void put_overrides(FILE *out, const cli_options *options)
+/* What the command line changes of the scene belongs to the study, and the probe that it needs. */
+static void put_run(FILE *out, const sph2d_scene *scene, const cli_options *options, bool probe)
 {
-    const char *before = "\nruns:\n  - set: {";
+    const char *before = "\nruns:\n  - name: scene\n    set: {";
     for (size_t i = 0; i < options->override_count; ++i, before = ", ") {
         fputs(before, out);
         put_quoted(out, options->overrides[i].path);
         fprintf(out, ": %s", options->overrides[i].value);
     }
-    if (options->override_count > 0)
+    if (probe)
+        fprintf(out, "%sprobes: [{name: energy, kind: energy, every: %.4g}]", before, scene->run.until / 100);
+    if (probe || options->override_count > 0)
         fputs("}", out);
 }
 
 static void put_study(FILE *out, const char *path, const sph2d_scene *scene, const cli_options *options)
 {
-    const sph2d_probe *exact = find_probe(scene, SPH2D_PROBE_ERROR);
+    const sph2d_probe *exact = find_probe(scene, SPH2D_PROBE_ERROR), *energy = find_probe(scene, SPH2D_PROBE_ENERGY);
     double dx = scene->spacing;
     fprintf(out, "# What the error of a scene costs: made by sph2d study, to be changed at will.\nscene: ");
     put_quoted(out, path);
-    put_overrides(out, options);
+    put_run(out, scene, options, exact == NULL && energy == NULL);
     fprintf(out, "\nvary:\n  spacing: [%.4g, %.4g, %.15g]\n", 2 * dx, sqrt(2) * dx, dx);
     put_stiffness(out, &scene->method);
     fprintf(out, "refine:\n  - {set: {spacing: %.4g}}\nmeasures:\n", dx / sqrt(2));
-    put_measure(out, exact, find_probe(scene, SPH2D_PROBE_ENERGY));
+    put_measure(out, exact, energy);
     fprintf(out, "repeat: 1\n");
-}
-
-static int refuse_without_probe(cli_study *s)
-{
-    sph2d_diagnostic *d = sph2d_report_add(&s->report, SPH2D_ERROR, SPH2D_CODE_MISSING_KEY, "probes",
-                                           "the scene has no probe that tells how right it is");
-    sph2d_diagnostic_hint(d, "add {name: energy, kind: energy, every: 0.01}, or write a study");
-    if (d != NULL)
-        snprintf(d->file, sizeof d->file, "%s", s->path);
-    return study_told(s, SPH2D_SCENE, NULL, NULL);
 }
 
 static int open_scene(cli_study *s)
@@ -108,10 +100,9 @@ static int open_scene(cli_study *s)
         return study_told(s, status, NULL, NULL);
     sph2d_report_clear(&s->report);
     const sph2d_scene *scene = sph2d_scene_file_scene(file);
-    bool judged = find_probe(scene, SPH2D_PROBE_ERROR) != NULL || find_probe(scene, SPH2D_PROBE_ENERGY) != NULL;
     char *path = realpath(s->path, NULL);
     status = SPH2D_NOMEM;
-    if (judged && path != NULL && study_text_begin(&text)) {
+    if (path != NULL && study_text_begin(&text)) {
         put_study(text.out, path, scene, s->options);
         s->made = study_text_take(&text);
     }
@@ -119,7 +110,7 @@ static int open_scene(cli_study *s)
         status = sph2d_study_file_parse(s->made, strlen(s->made), s->path, &s->file, &s->report);
     free(path);
     sph2d_scene_file_destroy(file);
-    return judged ? study_told(s, status, NULL, NULL) : refuse_without_probe(s);
+    return study_told(s, status, NULL, NULL);
 }
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */

@@ -13,8 +13,19 @@
 
 /* ---- between two rows -------------------------------------------------------------------------------------------- */
 
+/* Whether two rows set the same keys, to whatever values. */
+static bool same_keys(const sph2d_study_run *a, const sph2d_study_run *b)
+{
+    bool same = true;
+    for (size_t i = 0; i < a->override_count; ++i)
+        same = same && study_setting(b, a->overrides[i].path) != NULL;
+    for (size_t i = 0; i < b->override_count; ++i)
+        same = same && study_setting(a, b->overrides[i].path) != NULL;
+    return same;
+}
+
 /* The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
- * among rows that are written one by one, else the nearest that is coarser. */
+ * among rows that are written one by one, else the nearest that is coarser and sets the same keys. */
 static const study_row *coarser(const cli_study *s, const study_row *fine)
 {
     const study_row *found = NULL;
@@ -23,7 +34,7 @@ static const study_row *coarser(const cli_study *s, const study_row *fine)
             continue;
         bool same = study_same_but("spacing", &row->run, &fine->run);
         bool better = found != NULL && study_same_but("spacing", &found->run, &fine->run);
-        if (same || (s->study->vary_count == 0 && !better))
+        if (same || (s->study->vary_count == 0 && !better && same_keys(&row->run, &fine->run)))
             found = row;
     }
     return found;

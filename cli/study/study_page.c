@@ -29,7 +29,9 @@ static const char style[] =
     "figure { display: inline-block; margin: 0.5rem 0.5rem 0.5rem 0; max-width: 100%; vertical-align: top; }\n"
     "figure img { width: 30rem; max-width: 100%; height: auto; }\n"
     "figcaption, .conditions { color: #555; font-size: 0.85rem; }\n"
-    ".verdict { font-weight: 600; }\n";
+    ".verdict { font-weight: 600; }\n"
+    "@media (max-width: 40rem) { td:first-child, th:first-child { white-space: normal; min-width: 5rem; "
+    "max-width: 9rem; } }\n";
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 
@@ -136,6 +138,24 @@ static void put_first_comment(FILE *out, const char *text)
     fputs("</p>\n", out);
 }
 
+/* What the study's own first comment says of its rows. */
+static void put_study_comment(const cli_study *s, FILE *out)
+{
+    char line[512];
+    const char *before = "<p>";
+    FILE *in = s->made == NULL ? fopen(s->path, "r") : NULL;
+    while (in != NULL && fgets(line, sizeof line, in) != NULL && line[0] == '#') {
+        line[strcspn(line, "\r\n")] = '\0';
+        fputs(before, out);
+        put(out, line + strspn(line, "# "));
+        before = " ";
+    }
+    if (before[0] == ' ')
+        fputs("</p>\n", out);
+    if (in != NULL)
+        fclose(in);
+}
+
 static void put_scene(cli_study *s, FILE *out)
 {
     sph2d_scene_file *file;
@@ -147,6 +167,7 @@ static void put_scene(cli_study *s, FILE *out)
     fputs("</h2>\n", out);
     if (text[0] == '#')
         put_first_comment(out, text);
+    put_study_comment(s, out);
     sph2d_scene_file_destroy(file);
 }
 
@@ -215,8 +236,10 @@ static void put_page(cli_study *s, FILE *out)
     put_command(s, out);
     put_paragraph(out, "verdict", study_verdict(s, verdict, sizeof verdict));
     put_table(s, out);
-    put_plot(s, out, "error_time", "Error against CPU time; the line is the front.");
-    put_plot(s, out, "error_along", "Error against what rows differ in; the order is the slope.");
+    put_plot(s, out, "error_time",
+             "Error against CPU time. Black: the front, rows that no other beats in both. Grey: other settings.");
+    put_plot(s, out, "error_along",
+             "Error against what the rows of a line differ in; the order is the slope of its best fit.");
     fputs("</section>\n", out);
     put_conditions(s, out);
     fputs("</body>\n</html>\n", out);

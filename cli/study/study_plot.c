@@ -28,13 +28,21 @@ static bool has_error(const cli_study *s, const study_row *row)
     return study_front_error(s, row) > 0;
 }
 
-/* Against the `along` key there is a picture where a row sets it. */
+/* A picture needs two points; against the `along` key, two of rows that belong together. */
 static int picture_count(const cli_study *s)
 {
-    for (size_t r = 0; r < s->row_count; ++r)
-        if (has_error(s, &s->rows[r]) && study_order_along(s, &s->rows[r]) > 0)
-            return 2;
-    return 1;
+    size_t points = 0;
+    int count = 0;
+    for (size_t r = 0; r < s->row_count; ++r) {
+        if (!has_error(s, &s->rows[r]))
+            continue;
+        count = ++points > 1 && count == 0 ? 1 : count;
+        for (size_t k = 0; k < r; ++k)
+            if (has_error(s, &s->rows[k]) && study_order_belong(s, &s->rows[k], &s->rows[r]) &&
+                study_order_along(s, &s->rows[k]) != study_order_along(s, &s->rows[r]))
+                return 2;
+    }
+    return count;
 }
 
 /* ---- settings ---------------------------------------------------------------------------------------------------- */
@@ -360,10 +368,7 @@ static sph2d_status write_script(cli_study *s)
 
 int study_plot(cli_study *s)
 {
-    bool any = false;
-    for (size_t r = 0; r < s->row_count; ++r)
-        any = any || has_error(s, &s->rows[r]);
-    if (s->options->output == NULL || s->rows == NULL || !any)
+    if (s->options->output == NULL || s->rows == NULL || picture_count(s) == 0)
         return CLI_EXIT_SUCCESS;
     int code = study_told(s, write_script(s), NULL, NULL);
     return code == CLI_EXIT_SUCCESS ? draw(s) : code;

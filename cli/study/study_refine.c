@@ -41,8 +41,7 @@ static void name_row(char *name, size_t size, const sph2d_study_run *base, const
         snprintf(name + used, size - used, ", %s", step->name);
 }
 
-/* A row that goes on from `base` with the overrides of `step` on top. The row owns its lists and its name. */
-static bool make_row(study_row *row, const sph2d_study_run *base, const sph2d_study_run *step, size_t measures)
+bool study_refine_row(study_row *row, const sph2d_study_run *base, const sph2d_study_run *step, size_t measures)
 {
     size_t count = base->override_count + step->override_count;
     size_t size = strlen(base->name) + 2 * strlen(step->name) + 64;
@@ -81,7 +80,7 @@ sph2d_status study_refine(cli_study *s, size_t step)
         if (!is_reference && !study_front_holds(s, &s->rows[r], spacing, spacing))
             continue;
         study_row *row = &s->rows[s->row_count];
-        fine = make_row(row, &s->rows[r].run, &s->study->refinements[step], s->study->measure_count);
+        fine = study_refine_row(row, &s->rows[r].run, &s->study->refinements[step], s->study->measure_count);
         row->number = ++s->row_count;
     }
     return fine ? SPH2D_OK : SPH2D_NOMEM;
