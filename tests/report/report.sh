@@ -120,7 +120,7 @@ done < <(sed '/^#/d' "${STUDIES:-tests/report/studies}")
     printf '<p>%s</p>\n' \
         'Every table comes from the command above it, run in the root of the source; DIR is any new folder. A picture is of
 the scene as its file has it, which may be finer than the rows.' \
-        'CPU s are of stepping alone; they vary by a fifth on a busy machine. Front: no other row has a smaller error in
+        'CPU s are of stepping alone; beside other work they can double. Front: no other row has a smaller error in
 less time. Errors are parts of one unless the heading says otherwise; "-" has no value. c0 is the speed of sound, dx the
 spacing, H a support radius or the depth, t* a time times sqrt(g/H); L1 is a mean error, Linf a largest one.'
     sed -n '/^<p class="conditions">/p' "${pages[0]}"
