@@ -6,7 +6,8 @@
 
 #include "study.h"
 
-/** Fills in the orders of all rows, each from the nearest coarser row before it with the same settings. */
+/** Fills in the orders of all rows, each from the nearest coarser row before it with the same settings; among rows that
+ *  are written one by one, else from the nearest that sets the same keys. */
 void study_order_all(cli_study *s);
 
 /** What the study's `along` key is in a row: its spacing, or the number that it sets; NaN where it sets none. */
