@@ -84,6 +84,9 @@ static void print_steps(const sph2d_summary *s)
     for (int i = 0; i < 4; ++i)
         if (s->limited_by[i] > 0)
             text_row("", "%s: %" PRIu64, limit_names[i], s->limited_by[i]);
+    if (s->iterations > 0)
+        text_row("pressure solver", "%.3g iterations a step; not done after %" PRIu64 " steps",
+                 ratio((double)s->iterations, (double)s->steps), s->unconverged);
 }
 
 static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
@@ -159,6 +162,8 @@ static void add_steps(cli_json *line, const sph2d_summary *s)
     for (int i = 0; i < 4; ++i)
         json_count(line, limit_names[i], s->limited_by[i]);
     json_close_object(line);
+    json_count(line, "iterations", s->iterations);
+    json_count(line, "unconverged", s->unconverged);
 }
 
 static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,

@@ -24,6 +24,8 @@
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
+    X(projection)                                                                                                      \
+    X(features)                                                                                                        \
     X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \

@@ -99,6 +99,16 @@ static const char *const goldens[] = {
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "method:\n  name: constraint\n  damping: 5\n  tolerance: 1e-06\n  max_iterations: 50\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "method:\n  name: pcisph\n  criterion: mean\n  min_iterations: 2\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
     /* nothing but what must be there; what it starts with is one of four lists */
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
     "blocks:\n"

@@ -61,13 +61,14 @@ typedef enum sph2d_side {
 
 /** How walls push. */
 typedef enum sph2d_wall_form {
-    SPH2D_WALL_DEFAULT = 0, /**< the method's: muller spring (obstacles heavy), wcsph generalised */
+    SPH2D_WALL_DEFAULT = 0, /**< the method's: muller spring (obstacles heavy), the others generalised */
     SPH2D_WALL_SPRING = 1,  /**< a spring along the normal within half a spacing of the side: muller, sides only */
     SPH2D_WALL_HEAVY = 2,   /**< fixed boundary particles, heavy enough to hold rest density alone, acting by pressure:
-                                 muller */
+                                 muller, pcisph, constraint */
     SPH2D_WALL_REFLECT = 3, /**< boundary particles that reflect what comes within one spacing; for large steps */
-    SPH2D_WALL_GENERALISED = 4 /**< layers of boundary particles that take the liquid's pressure on, with its weight:
-                                    wcsph (Adami, Hu & Adams 2012) */
+    SPH2D_WALL_GENERALISED = 4 /**< layers of boundary particles: wcsph, where they take the liquid's pressure on with
+                                  its weight (Adami, Hu & Adams 2012), and pcisph and constraint, where they count as
+                                  liquid of the pressure in front (Akinci et al. 2012) */
 } sph2d_wall_form;
 
 /** Whether liquid slides along walls. */
@@ -76,12 +77,22 @@ typedef enum sph2d_slip {
     SPH2D_SLIP_NONE = 1  /**< liquid at a wall moves with it */
 } sph2d_slip;
 
+/** What method pcisph keeps below max_compression in every step. */
+typedef enum sph2d_criterion {
+    SPH2D_CRITERION_MAX = 0, /**< the largest compression of a particle */
+    SPH2D_CRITERION_MEAN = 1 /**< the mean over particles */
+} sph2d_criterion;
+
 /** Which solver moves the liquid. */
 typedef enum sph2d_method {
     SPH2D_METHOD_MULLER = 0, /**< summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with
                                   two-dimensional kernel constants */
-    SPH2D_METHOD_WCSPH = 1   /**< weakly compressible with an error that is known: density by the continuity equation
+    SPH2D_METHOD_WCSPH = 1,  /**< weakly compressible with an error that is known: density by the continuity equation
                                   with diffusion, physical viscosity, particle shifting, generalised walls */
+    SPH2D_METHOD_PCISPH = 2, /**< predictive-corrective incompressible: pressure by prediction and correction, for stiff
+                                  liquids at large steps (Solenthaler & Pajarola 2009) */
+    SPH2D_METHOD_CONSTRAINT = 3 /**< Constraint Fluids: summation density kept by constraints, for stiff liquids at
+                                   large steps (Bodin, Lacoursiere & Servin 2011) */
 } sph2d_method;
 
 /** How method wcsph takes derivatives. */
@@ -165,8 +176,8 @@ typedef struct sph2d_central_force {
 typedef struct sph2d_fluid {
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
-    double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. Methods muller and wcsph with
-                                 symmetric operators. Surfaces meet layered walls at a right angle; other walls are not
+    double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. All methods but wcsph with
+                                 fitted operators. Surfaces meet layered walls at a right angle; other walls are not
                                  wetted */
 } sph2d_fluid;
 
@@ -177,7 +188,7 @@ typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_sw
 typedef struct sph2d_method_options {
     sph2d_method name;                   /**< default muller */
     sph2d_operators operators;           /**< wcsph; default symmetric */
-    sph2d_kernel kernel;                 /**< wcsph, symmetric operators; default wendland_c2 */
+    sph2d_kernel kernel;                 /**< wcsph with symmetric operators, pcisph, constraint; default wendland_c2 */
     sph2d_state_equation state_equation; /**< wcsph; default linear */
     sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators; default morris */
     double density_diffusion;            /**< wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where
@@ -190,16 +201,26 @@ typedef struct sph2d_method_options {
                                        other apart all the same (Sun et al. 2018); momentum is then not kept to
                                        round-off; default on */
     double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
-                                 wcsph 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with
-                               h the height of the liquid above the lowest side, U its fastest start or source, pull the
-                               strongest interaction's acceleration * radius / 2, and 2 for the swing after a release */
+                                 the others 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) /
+                                 max_compression with h the height of the liquid above the lowest side, U its fastest
+                                 start or source, pull the strongest interaction's acceleration * radius / 2, and 2 for
+                                 the swing after a release. pcisph keeps it in every step, and its sound speed is for a
+                                 tenth of it */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
-                                 3.0 with symmetric and 2.5 with fitted operators */
-    double cfl;       /**< step limit: dt <= cfl H / (c0 + v_max), 0.01 to 0.9; default 0: the method's, muller 0.4,
-                           wcsph 0.3 with symmetric and 0.5 with fitted operators */
+                                 3.0 with symmetric and 2.5 with fitted operators, pcisph and constraint 2.4 */
+    double cfl; /**< step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9;
+                     default 0: the method's, muller 0.4, wcsph 0.3 with symmetric and 0.5 with fitted operators,
+                     pcisph and constraint 0.4 dx/H */
     double time_step; /**< fixed step [s]; default 0: adaptive */
+    double damping;   /**< constraint: steps within which a compression fades, n of SPOOK, >= 0; below 2 a rigid liquid
+                           rings; default 2 */
+    double tolerance; /**< constraint: mean compression, of either sign, that a step may leave to correct, 1e-12 to 0.1;
+                           default 0: a hundredth of max_compression */
+    sph2d_criterion criterion; /**< pcisph: what is kept below max_compression; default max */
+    uint64_t min_iterations;   /**< pcisph: least iterations of a step, 1 to 100000; default 3 */
+    uint64_t max_iterations;   /**< pcisph, constraint: most iterations of a step, 1 to 100000; default 1000 */
 } sph2d_method_options;
 
 /** Random displacement of a block's particles: each coordinate by up to `amplitude` spacings, evenly spread. */
@@ -287,7 +308,8 @@ typedef struct sph2d_motion {
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
     sph2d_motion motion;  /**< default: none, it stands */
-    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; default: the method's */
+    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; the others: all
+                               three; default: the method's */
     double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
 } sph2d_obstacle;
 

@@ -160,6 +160,8 @@ typedef struct sph2d_summary {
     uint64_t left_open[4];     /**< lost through open sides: left, right, bottom, top */
     uint64_t backstop_hits;    /**< times the swept test against walls had to hold a particle */
     uint64_t reflections;      /**< immediate reflections at boundary particles */
+    uint64_t iterations;       /**< of the pressure solver, summed over the steps */
+    uint64_t unconverged;      /**< steps after which the pressure solver was not done */
     uint64_t limited_by[4];    /**< steps whose length was set by: acoustic, force, viscous limit, the scene */
     double time_step_min, time_step_max; /**< [s] */
     double neighbours; /**< mean number inside the support at the last sample, without the particle itself */

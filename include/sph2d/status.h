@@ -65,6 +65,7 @@ typedef enum sph2d_status {
     X(ESCAPED, "R302", "guard: a particle escaped through a wall")                                                     \
     X(STEP_COLLAPSE, "R303", "guard: the time step collapsed")                                                         \
     X(STEP_TOO_LARGE, "R304", "guard: a particle moves farther than its support radius in one fixed step")             \
+    X(NOT_CONVERGED, "R305", "guard: the pressure solver did not come to an end for many steps")                       \
     X(GL_MISSING, "P401", "no OpenGL context of the wanted kind")                                                      \
     X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
     X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")

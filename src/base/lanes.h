@@ -9,6 +9,7 @@
 #define SPH2D_BASE_LANES_H
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #define SPH2D__INLINE static inline __attribute__((always_inline))
@@ -37,6 +38,32 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
     __mmask8 below = _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm512_mask_mov_pd((__m512d)no, below, (__m512d)yes);
 }
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(limit), _CMP_LT_OQ);
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_t *index)
+{
+    return (sph2d__lanes){from[index[0]], from[index[1]], from[index[2]], from[index[3]],
+                          from[index[4]], from[index[5]], from[index[6]], from[index[7]]};
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const uint32_t *index)
+{
+    return (sph2d__lanes)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i_u *)index), from, 8);
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_load_float(const float *from)
+{
+    return (sph2d__lanes)_mm512_cvtps_pd(_mm256_loadu_ps(from));
+}
+SPH2D__INLINE void sph2d__lanes_store_float(float *to, sph2d__lanes a)
+{
+    _mm256_storeu_ps(to, _mm512_cvtpd_ps((__m512d)a));
+}
+SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
+{
+    __m256i index = _mm256_add_epi32(_mm256_set1_epi32((int)first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    _mm256_storeu_si256((__m256i_u *)to, _mm256_maskz_compress_epi32((__mmask8)which, index));
+}
 
 #elif defined(__AVX__)
 #include <immintrin.h>
@@ -61,6 +88,22 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
 {
     __m256d below = _mm256_cmp_pd((__m256d)a, _mm256_set1_pd(limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm256_blendv_pd((__m256d)no, (__m256d)yes, below);
+}
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return (unsigned)_mm256_movemask_pd(_mm256_cmp_pd((__m256d)a, _mm256_set1_pd(limit), _CMP_LT_OQ));
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_t *index)
+{
+    return (sph2d__lanes){from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_load_float(const float *from)
+{
+    return (sph2d__lanes)_mm256_cvtps_pd(_mm_loadu_ps(from));
+}
+SPH2D__INLINE void sph2d__lanes_store_float(float *to, sph2d__lanes a)
+{
+    _mm_storeu_ps(to, _mm256_cvtpd_ps((__m256d)a));
 }
 
 #else
@@ -87,6 +130,45 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
 {
     return (sph2d__lanes){a[0] < limit ? yes[0] : no[0], a[1] < limit ? yes[1] : no[1]};
 }
+/** A bit for each lane that is below the limit, the first lane's the lowest. */
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return (a[0] < limit) | (unsigned)(a[1] < limit) << 1;
+}
+/** from[index[l]] in lane l. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_t *index)
+{
+    return (sph2d__lanes){from[index[0]], from[index[1]]};
+}
+/** The values at `from`, of any alignment. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_load_float(const float *from)
+{
+    return (sph2d__lanes){from[0], from[1]};
+}
+/** Writes the lanes at `to`, of any alignment. */
+SPH2D__INLINE void sph2d__lanes_store_float(float *to, sph2d__lanes a)
+{
+    to[0] = (float)a[0];
+    to[1] = (float)a[1];
+}
+#endif
+
+#ifndef __AVX512F__
+/** The same where little is computed with it: by one instruction where there is a good one. What follows that waits for
+ *  all lanes, and so does what follows that: in a sum of two products it takes 2/3 of the time, before a kernel 3
+ * times. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const uint32_t *index)
+{
+    return sph2d__lanes_gather(from, index);
+}
+/** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
+SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
+{
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        *to = first + (uint32_t)l;
+        to += which >> l & 1;
+    }
+}
 #endif
 
 /** The values at `from`, of any alignment. */
@@ -101,6 +183,13 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_load(const double *from)
 SPH2D__INLINE void sph2d__lanes_store(double *to, sph2d__lanes a)
 {
     memcpy(to, &a, sizeof a);
+}
+
+/** `a` in lanes where left > right, 0 in the others. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_where(sph2d__lanes left, sph2d__lanes right, sph2d__lanes a)
+{
+    typedef int64_t bits __attribute__((vector_size(sizeof(sph2d__lanes))));
+    return (sph2d__lanes)((bits)(left > right) & (bits)a);
 }
 
 /** Sum over the lanes, from the first to the last. */

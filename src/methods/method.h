@@ -22,6 +22,7 @@ const char *sph2d__limit_name(sph2d__limit limit);
 typedef enum sph2d__integrator {
     SPH2D__LEAPFROG,   /**< kick, drift, evaluate, kick: density is a sum */
     SPH2D__MIDPOINT,   /**< kick, half drift, density by its rate, half drift, evaluate, kick: reversible too */
+    SPH2D__PROJECTED,  /**< evaluate, project, kick, drift: pressures keep the density of the places that come next */
     SPH2D__RUNGE_KUTTA /**< three stages of Shu & Osher 1988, third order: rates of place, velocity and density */
 } sph2d__integrator;
 
@@ -33,10 +34,13 @@ typedef struct sph2d__method {
     /** Sets what follows from the scene's numbers and the walls. */
     void (*prepare)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The
-     *  cells are up to date. */
-    void (*evaluate)(sph2d__system *system);
+     *  cells are up to date. SPH2D__PROJECTED: acceleration without that of pressure. False when memory is short. */
+    bool (*evaluate)(sph2d__system *system);
     /** SPH2D__MIDPOINT: change of density of every particle at its present position and velocity. NULL otherwise. */
     void (*density_rate)(sph2d__system *system);
+    /** SPH2D__PROJECTED: adds the acceleration by the pressures that keep the density over the system's step. NULL
+     *  otherwise. */
+    void (*project)(sph2d__system *system);
     /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;

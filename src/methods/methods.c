@@ -5,7 +5,9 @@
 
 #include <math.h>
 
+#include "methods/constraint.h"
 #include "methods/muller.h"
+#include "methods/pcisph.h"
 #include "methods/tension.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_fitted.h"
@@ -20,6 +22,10 @@ const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
 {
     if (options->name == SPH2D_METHOD_MULLER)
         return &sph2d__muller;
+    if (options->name == SPH2D_METHOD_PCISPH)
+        return &sph2d__pcisph;
+    if (options->name == SPH2D_METHOD_CONSTRAINT)
+        return &sph2d__constraint;
     return options->operators == SPH2D_OPERATORS_FITTED ? &sph2d__wcsph_fitted : &sph2d__wcsph;
 }
 

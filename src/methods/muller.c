@@ -69,7 +69,7 @@ static double pressure_of(const sph2d__system *s, double density)
     return p > 0 ? p : 0;
 }
 
-static void evaluate(sph2d__system *s)
+static bool evaluate(sph2d__system *s)
 {
     const sph2d__muller_passes *pass = passes(s->isa);
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
@@ -89,6 +89,7 @@ static void evaluate(sph2d__system *s)
     }
     pass->force(s);
     sph2d__tension_add(s);
+    return true;
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

@@ -5,14 +5,16 @@
 #define SPH2D_METHODS_SYSTEM_H
 
 #include "particles/cells.h"
+#include "particles/neighbours.h"
 #include "physics/body.h"
 #include "sph2d/sim.h"
 
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
-    bool walls_press;   /**< some boundary particle acts by pressure */
-    bool walls_reflect; /**< some boundary particle reflects */
+    sph2d__neighbours neighbours, wall_neighbours; /**< of fluid and boundary particles, in methods that keep them */
+    bool walls_press;                              /**< some boundary particle acts by pressure */
+    bool walls_reflect;                            /**< some boundary particle reflects */
 
     double spacing;         /**< dx [m] */
     double support;         /**< support radius H [m] */
@@ -33,7 +35,14 @@ typedef struct sph2d__system {
 
     double step;    /**< length of the step that is being taken [s] */
     double speed;   /**< largest speed of a particle when the step began [m/s] */
+    double hardest; /**< largest pressure then, that of the scene's head at least [Pa] */
+    double head;    /**< g h + U^2/2 + pull of the scene as it starts, or what its sound speed is meant for [m^2/s^2] */
     double densest; /**< largest density of a particle then, the rest density at least [kg/m^3] */
+
+    uint64_t iterations; /**< of the pressure solver in the step that was taken */
+    bool unconverged;    /**< it was not done then */
+    double left;         /**< compression that it left */
+    double wanted;       /**< and what it should have left at most */
 
     sph2d__memory *memory;
     int threads;

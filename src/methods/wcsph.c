@@ -55,7 +55,7 @@ static void density_rate(sph2d__system *s)
     RUN(rate, s);
 }
 
-static void evaluate(sph2d__system *s)
+static bool evaluate(sph2d__system *s)
 {
     set_volumes(s);
     sph2d__state_equation_apply(s, &s->fluid);
@@ -63,6 +63,7 @@ static void evaluate(sph2d__system *s)
         RUN(wall, s);
     RUN(force, s);
     sph2d__tension_add(s);
+    return true;
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

@@ -50,10 +50,11 @@ static void prepare(sph2d__system *s)
     s->residual_gain = sph2d__fitted_residual_gain(s->support / s->spacing);
 }
 
-static void evaluate(sph2d__system *s)
+static bool evaluate(sph2d__system *s)
 {
     passes(s->isa)->rates(s);
     sph2d__state_equation_apply(s, &s->fluid);
+    return true;
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

@@ -10,7 +10,7 @@
 
 #include "base/memory.h"
 
-/** Doubles behind the last particle that a block of lanes may read. */
+/** Doubles behind the last particle that a block of lanes may read, and write where nothing else is. */
 enum { SPH2D__PADDING = 16 };
 
 /** The arrays of doubles. */
@@ -42,7 +42,17 @@ enum { SPH2D__PADDING = 16 };
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
-    X(start_x) /* position, velocity and density when the step began */                                                \
+    X(push_x) /* what pressures, or the direction of a search, push a particle */                                      \
+    X(push_y)                                                                                                          \
+    X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
+    X(next_y)                                                                                                          \
+    X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \
+    X(diagonal)   /* of the matrix of a pressure solver, then its inverse */                                           \
+    X(multiplier) /* dt^2 p/rho0 while it is solved for [m^2] */                                                       \
+    X(residual)   /* compression that is left to correct */                                                            \
+    X(direction)  /* of the search */                                                                                  \
+    X(product)    /* the matrix times the direction */                                                                 \
+    X(start_x)    /* position, velocity and density when the step began */                                             \
     X(start_y)                                                                                                         \
     X(start_vx)                                                                                                        \
     X(start_vy)                                                                                                        \

@@ -8,21 +8,27 @@
 #include "scene/derive.h"
 #include "scene/resolve.h"
 
-/** The three solvers, as bits. */
-enum { MULLER = 1, SYMMETRIC = 2, FITTED = 4 };
+/** The solvers, as bits. */
+enum { MULLER = 1, SYMMETRIC = 2, FITTED = 4, PCISPH = 8, CONSTRAINT = 16, PROJECTED = PCISPH | CONSTRAINT };
 
 static int solver_of(const sph2d_method_options *m)
 {
-    if (m->name != SPH2D_METHOD_WCSPH)
+    if (m->name == SPH2D_METHOD_MULLER)
         return MULLER;
+    if (m->name == SPH2D_METHOD_PCISPH)
+        return PCISPH;
+    if (m->name == SPH2D_METHOD_CONSTRAINT)
+        return CONSTRAINT;
     return m->operators == SPH2D_OPERATORS_FITTED ? FITTED : SYMMETRIC;
 }
 
 static const char *solver_name(int solver)
 {
-    return solver == MULLER   ? "method muller"
-           : solver == FITTED ? "method wcsph with fitted operators"
-                              : "method wcsph";
+    return solver == MULLER       ? "method muller"
+           : solver == PCISPH     ? "method pcisph"
+           : solver == CONSTRAINT ? "method constraint"
+           : solver == FITTED     ? "method wcsph with fitted operators"
+                                  : "method wcsph";
 }
 
 /** Refuses a feature that is used and that only other solvers have. */
@@ -37,14 +43,21 @@ static void refuse(sph2d__checker *c, const char *path, bool used, int have, con
     sph2d_diagnostic_hint(d, "%s", hint);
 }
 
+/** The options with the tolerance that they have by themselves. */
+static sph2d_method_options without_tolerance(sph2d_method_options m)
+{
+    m.tolerance = 0;
+    return sph2d__method_resolve(m);
+}
+
 static void check_options(sph2d__checker *c)
 {
     const sph2d_method_options *m = &c->scene->method, standard = sph2d_scene_default().method;
     const char *wcsph = "take `method: {name: wcsph}`", *symmetric = "leave it out, or take `operators: symmetric`";
-    bool muller = m->name == SPH2D_METHOD_MULLER;
-    const char *hint = muller ? wcsph : symmetric;
-    refuse(c, "method.operators", muller && m->operators != standard.operators, 0, wcsph);
-    refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC, hint);
+    bool other = m->name != SPH2D_METHOD_WCSPH;
+    const char *hint = other ? wcsph : symmetric;
+    refuse(c, "method.operators", other && m->operators != standard.operators, 0, wcsph);
+    refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC | PROJECTED, hint);
     refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);
     refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity, SYMMETRIC, hint);
@@ -52,7 +65,15 @@ static void check_options(sph2d__checker *c)
            wcsph);
     refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.tensile_control", m->tensile_control != standard.tensile_control, SYMMETRIC, hint);
-    refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, MULLER | SYMMETRIC, hint);
+    const char *projected = "leave it out, or take `method: {name: constraint}`";
+    const char *pcisph = "leave it out, or take `method: {name: pcisph}`";
+    refuse(c, "method.damping", m->damping != standard.damping, CONSTRAINT, projected);
+    bool named = m->tolerance != standard.tolerance && m->tolerance != without_tolerance(*m).tolerance;
+    refuse(c, "method.tolerance", named, CONSTRAINT, projected);
+    refuse(c, "method.criterion", m->criterion != standard.criterion, PCISPH, pcisph);
+    refuse(c, "method.min_iterations", m->min_iterations != standard.min_iterations, PCISPH, pcisph);
+    refuse(c, "method.max_iterations", m->max_iterations != standard.max_iterations, PROJECTED, projected);
+    refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, MULLER | SYMMETRIC | PROJECTED, hint);
     refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
     const sph2d_side_speeds *v = &c->scene->wall_speeds;
     bool belts = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
@@ -68,15 +89,16 @@ static int solvers_with(sph2d_wall_form form)
 {
     switch (form) {
     case SPH2D_WALL_SPRING:
-    case SPH2D_WALL_HEAVY:
         return MULLER;
+    case SPH2D_WALL_HEAVY:
+        return MULLER | PROJECTED;
     case SPH2D_WALL_GENERALISED:
-        return SYMMETRIC | FITTED;
+        return SYMMETRIC | FITTED | PROJECTED;
     case SPH2D_WALL_REFLECT:
     case SPH2D_WALL_DEFAULT:
         break;
     }
-    return MULLER | SYMMETRIC | FITTED;
+    return MULLER | SYMMETRIC | FITTED | PROJECTED;
 }
 
 static void check_walls(sph2d__checker *c)
@@ -99,14 +121,14 @@ static void check_room(sph2d__checker *c)
     static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
     bool walled = scene->obstacle_count > 0;
     for (int k = 0; k < 4; ++k) {
-        refuse(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, MULLER | SYMMETRIC,
+        refuse(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, MULLER | SYMMETRIC | PROJECTED,
                "liquid must fill its room: make the side a wall or periodic, or take `operators: symmetric`");
         walled |= sides[k] == SPH2D_SIDE_WALL;
     }
-    refuse(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, MULLER | SYMMETRIC,
+    refuse(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, MULLER | SYMMETRIC | PROJECTED,
            "take `wall_slip: none`, or `operators: symmetric`");
-    refuse(c, "sources", scene->source_count > 0, MULLER | SYMMETRIC, "take `operators: symmetric`");
-    refuse(c, "drains", scene->drain_count > 0, MULLER | SYMMETRIC, "take `operators: symmetric`");
+    refuse(c, "sources", scene->source_count > 0, MULLER | SYMMETRIC | PROJECTED, "take `operators: symmetric`");
+    refuse(c, "drains", scene->drain_count > 0, MULLER | SYMMETRIC | PROJECTED, "take `operators: symmetric`");
 }
 
 static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char *path, double length)

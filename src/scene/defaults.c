@@ -12,7 +12,12 @@ sph2d_scene sph2d_scene_default(void)
         .wall_damping = 0.1,
         .gravity = {0.0, -9.81},
         .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
-        .method = {.density_diffusion = 0.1, .shifting = 1, .tensile_control = SPH2D_SWITCH_ON},
+        .method = {.density_diffusion = 0.1,
+                   .shifting = 1,
+                   .tensile_control = SPH2D_SWITCH_ON,
+                   .damping = 2,
+                   .min_iterations = 3,
+                   .max_iterations = 1000},
         .run = {.until = 1.0, .frames = {.size = {1280, 720}}},
     };
 }

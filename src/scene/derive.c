@@ -11,6 +11,8 @@
 
 /* A liquid that is released at its rest density swings to twice its static compression. */
 static const double OVERSHOOT = 2;
+/* The part of max_compression that liquid of method pcisph may have by its sound speed; the loop keeps the whole. */
+static const double SOFT_PART = 0.1;
 
 /** Height of a place above the lowest corner of the domain, measured against gravity. */
 static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
@@ -93,8 +95,9 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.pull += swing * swing / 2;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
+    d.soft_compression = (method.name == SPH2D_METHOD_PCISPH ? SOFT_PART : 1) * method.max_compression;
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(method.stiffness);
     if (!(d.sound_speed > 0))
-        d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / method.max_compression), d.ripple_speed);
+        d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
     return d;
 }

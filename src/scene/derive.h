@@ -20,13 +20,14 @@ typedef struct sph2d__derived {
     double pull; /**< depth of the potentials that pull [m^2/s^2]: strongest interaction's acceleration * radius / 2,
                     and that of the central force at the farthest liquid */
     double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
-    double ripple_speed; /**< least c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
-    double sound_speed;  /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
+    double ripple_speed;     /**< least c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
+    double soft_compression; /**< what the sound speed is for: max_compression, of method pcisph a tenth */
+    double sound_speed;      /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
 
 /** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is
- *  head / c0^2, and twice that in the swing that follows a release at rest density: c0^2 = 2 head / max_compression, or
- *  the stiffness that the scene names.
+ *  head / c0^2, and twice that in the swing that follows a release at rest density: c0^2 = 2 head / max_compression, of
+ *  method pcisph a tenth of it, or the stiffness that the scene names.
  *  Under surface tension c0 is at least sqrt(8 sigma/(rho0 dx)), some four times the speed of the shortest ripples
  *  that particles can show: at that speed drops at rest keep their density within 1/8 dx/R. */
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);

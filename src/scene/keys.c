@@ -38,7 +38,8 @@ static const char *const slip_words[] = {"free", "none", NULL};
 /* In the order of sph2d_flow_kind. */
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
                                          "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
-static const char *const method_words[] = {"muller", "wcsph", NULL};
+static const char *const method_words[] = {"muller", "wcsph", "pcisph", "constraint", NULL};
+static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
@@ -173,7 +174,8 @@ static const sph2d_key obstacle_items[] = {
      .text = "the four sides of a rectangle"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .standard = "the method's",
-     .text = "heavy (muller), generalised (wcsph): acts through the pressure; reflect: at once, for large steps"},
+     .text =
+         "heavy (not wcsph), generalised (not muller): acts through the pressure; reflect: at once, for large steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .standard = "0.5", .text = "reflect: normal speed after over before"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "", .standard = "none",
@@ -300,7 +302,7 @@ static const sph2d_key method_items[] = {
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "
              "its room"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
-     .standard = "wendland_c2", .text = "wcsph, symmetric operators: the smoothing kernel"},
+     .standard = "wendland_c2", .text = "wcsph with symmetric operators, pcisph, constraint: the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
      .unit = "", .standard = "linear", .text = "wcsph: p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
@@ -316,19 +318,30 @@ static const sph2d_key method_items[] = {
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
      .unit = "", .standard = "on", .text = "wcsph, symmetric operators: keeps liquid under tension from tearing"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
-     .unit = "", .standard = "muller 0.1, wcsph 0.01",
+     .unit = "", .standard = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
      .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted)",
+     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4",
      .text = "support radius over spacing, H/dx"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.5 (fitted)", .text = "step limit: dt <= cfl H / (c0 + v_max)"},
+     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.5 (fitted), else 0.4 dx/H",
+     .text = "step limit: dt <= cfl H / (c0 + v_max), without c0 for pcisph and constraint"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .standard = "adaptive", .text = "a fixed step"},
+    {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps", .standard = "2",
+     .text = "constraint: how fast a compression fades"},
+    {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
+     .standard = "max_compression/100", .text = "constraint: mean compression that a step may leave to correct"},
+    {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
+     .standard = "max", .text = "pcisph: which compression is kept below max_compression"},
+    {"min_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, min_iterations), BETWEEN(1, 100000), .unit = "",
+     .standard = "3", .text = "pcisph: least iterations of a step"},
+    {"max_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, max_iterations), BETWEEN(1, 100000), .unit = "",
+     .standard = "1000", .text = "pcisph, constraint: most iterations of a step"},
 };
 KEYS(method, sph2d_method_options, NULL);
 
@@ -345,7 +358,7 @@ static const sph2d_key scene_items[] = {
     {"boundary", SPH2D_KEY_GROUP, false, AT(sph2d_scene, boundary), .keys = &boundary_keys, .unit = "",
      .text = "what closes its sides"},
     {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
-     .standard = "muller spring, wcsph generalised", .text = "form of the sides that are walls"},
+     .standard = "muller spring, else generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
      .standard = "free", .text = "generalised walls: free slides, none sticks"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",

@@ -10,10 +10,12 @@ static double or_else(double value, double standard)
 
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
 {
-    bool wcsph = m.name == SPH2D_METHOD_WCSPH, fitted = m.operators == SPH2D_OPERATORS_FITTED;
-    m.max_compression = or_else(m.max_compression, wcsph ? 0.01 : 0.1);
-    m.support_ratio = or_else(m.support_ratio, !wcsph ? 2.0 : fitted ? 2.5 : 3.0);
-    m.cfl = or_else(m.cfl, !wcsph ? 0.4 : fitted ? 0.5 : 0.3);
+    bool muller = m.name == SPH2D_METHOD_MULLER, wcsph = m.name == SPH2D_METHOD_WCSPH;
+    bool fitted = m.operators == SPH2D_OPERATORS_FITTED;
+    m.max_compression = or_else(m.max_compression, muller ? 0.1 : 0.01);
+    m.support_ratio = or_else(m.support_ratio, muller ? 2.0 : !wcsph ? 2.4 : fitted ? 2.5 : 3.0);
+    m.cfl = or_else(m.cfl, muller ? 0.4 : !wcsph ? 0.4 / m.support_ratio : fitted ? 0.5 : 0.3);
+    m.tolerance = or_else(m.tolerance, m.max_compression / 100);
     return m;
 }
 
@@ -21,14 +23,14 @@ sph2d_wall_form sph2d__side_form(const sph2d_scene *scene)
 {
     if (scene->walls != SPH2D_WALL_DEFAULT)
         return scene->walls;
-    return scene->method.name == SPH2D_METHOD_WCSPH ? SPH2D_WALL_GENERALISED : SPH2D_WALL_SPRING;
+    return scene->method.name != SPH2D_METHOD_MULLER ? SPH2D_WALL_GENERALISED : SPH2D_WALL_SPRING;
 }
 
 sph2d_wall_form sph2d__obstacle_form(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
 {
     if (obstacle->form != SPH2D_WALL_DEFAULT)
         return obstacle->form;
-    return scene->method.name == SPH2D_METHOD_WCSPH ? SPH2D_WALL_GENERALISED : SPH2D_WALL_HEAVY;
+    return scene->method.name != SPH2D_METHOD_MULLER ? SPH2D_WALL_GENERALISED : SPH2D_WALL_HEAVY;
 }
 
 double sph2d__period_x(const sph2d_scene *scene)

@@ -69,6 +69,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
     s->densest = s->rest_density;
+    s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
@@ -107,7 +108,8 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     status = sph2d__sim_aim(sim, 0);
     if (status != SPH2D_OK)
         return status;
-    sim->method->evaluate(&sim->system);
+    if (!sim->method->evaluate(&sim->system))
+        return SPH2D_NOMEM;
     sph2d_summary start;
     sph2d__sim_sum_energy(sim, &start);
     sim->record.energy_start = start.kinetic + start.potential;
@@ -123,6 +125,12 @@ static void renew_slopes(sph2d_sim *sim)
     sph2d__keep_accelerations(&sim->system.fluid);
 }
 
+/** The neighbours that a step starts with, and what follows from them. */
+static sph2d_status renew_neighbours(sph2d_sim *sim)
+{
+    return sim->method->evaluate(&sim->system) ? SPH2D_OK : SPH2D_NOMEM;
+}
+
 /** Goes on from a state: density, pressure and acceleration are part of it. */
 static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
@@ -133,6 +141,8 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
     status = sph2d__sim_aim(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->method->carried & SPH2D__BIT(slope_x)))
         renew_slopes(sim);
+    if (status == SPH2D_OK && sim->method->project)
+        status = renew_neighbours(sim);
     return status;
 }
 
@@ -207,6 +217,8 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__store_free(&s->walls, memory);
     sph2d__cells_free(&s->fluid_cells, memory);
     sph2d__cells_free(&s->wall_cells, memory);
+    sph2d__neighbours_free(&s->neighbours, memory);
+    sph2d__neighbours_free(&s->wall_neighbours, memory);
     void *blocks[2] = {sim->doomed, sim->state_arrays};
     sph2d__release(memory, &blocks[0], sim->doomed_capacity, 1);
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));

@@ -6,11 +6,13 @@
 
 #include "sim/simulation.h"
 
-/** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all three: SPH2D_GUARD when a place is not finite,
+/** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all: SPH2D_GUARD when a place is not finite,
  *  SPH2D_NOMEM. */
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
 /** Kick-drift-kick with density moved at the half step (midpoint.c). */
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
+/** Pressure for the places that come next, kick, drift (projected.c). */
+sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
 /** Three stages of third order (runge_kutta.c). */
 sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt);
 

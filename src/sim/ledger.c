@@ -131,6 +131,8 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .left_open = {r->left_left, r->left_right, r->left_bottom, r->left_top},
         .backstop_hits = r->backstop_hits,
         .reflections = r->reflections,
+        .iterations = r->iterations,
+        .unconverged = r->unconverged,
         .limited_by = {r->limited_acoustic, r->limited_force, r->limited_viscous, r->limited_fixed},
         .time_step_min = r->step_min,
         .time_step_max = r->step_max,

@@ -13,30 +13,31 @@ static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
 
 typedef struct extremes {
-    double speed2, acceleration2, density;
+    double speed2, acceleration2, density, pressure;
     size_t bad; /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
 } extremes;
 
 static extremes find_extremes(const sph2d__system *s)
 {
     const sph2d__store *f = &s->fluid;
-    double speed2 = 0, acceleration2 = 0, density = 0;
+    double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
     size_t bad = SIZE_MAX;
     int threads = sph2d__threads_for(s->threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)                                        \
     reduction(max                                                                                                      \
-              : speed2, acceleration2, density) reduction(min                                                          \
-                                                          : bad)
+              : speed2, acceleration2, density, pressure) reduction(min                                                \
+                                                                    : bad)
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
         speed2 = v2 > speed2 ? v2 : speed2;
         acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
         density = f->density[i] > density ? f->density[i] : density;
+        pressure = f->pressure[i] > pressure ? f->pressure[i] : pressure;
         if (!isfinite(v2 + a2 + f->x[i] + f->y[i]) && i < bad)
             bad = i;
     }
-    return (extremes){speed2, acceleration2, density, bad};
+    return (extremes){speed2, acceleration2, density, pressure, bad};
 }
 
 /** Index of a particle beyond a side that is a wall; SIZE_MAX for none. */
@@ -85,6 +86,26 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
         return false;
     }
     return true;
+}
+
+/* So many steps in a row without an end of the solver are no accident. */
+enum { UNCONVERGED_STEPS = 100 };
+
+static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__record *r = &sim->record;
+    if (r->unconverged_row < UNCONVERGED_STEPS)
+        return true;
+    sph2d_diagnostic *d =
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations",
+                         "the pressure solver was not done in %d steps in a row: it left a compression of %.3g, %.3g "
+                         "is wanted (step %llu, "
+                         "time %g s)",
+                         UNCONVERGED_STEPS, s->left, s->wanted, (unsigned long long)r->steps, r->time);
+    sph2d_diagnostic_hint(d, "raise method.max_iterations, or method.%s",
+                          sim->scene.method.name == SPH2D_METHOD_PCISPH ? "max_compression" : "tolerance");
+    return false;
 }
 
 static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
@@ -154,6 +175,7 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
         sim->record.compression_max = compression;
     sim->record.speed = sqrt(e.speed2);
     sim->system.densest = fmax(e.density, sim->system.rest_density);
+    sim->system.hardest = fmax(e.pressure, sim->system.rest_density * sim->system.head);
     choose_step(sim, &e);
-    return guard_step(sim, &e, report);
+    return guard_solver(sim, report) && guard_step(sim, &e, report);
 }

@@ -92,7 +92,8 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     status = sph2d__sim_aim(sim, end);
     if (status != SPH2D_OK)
         return status;
-    sim->method->evaluate(&sim->system);
+    if (!sim->method->evaluate(&sim->system))
+        return SPH2D_NOMEM;
     sph2d__second_kick(&sim->system, dt);
     return SPH2D_OK;
 }

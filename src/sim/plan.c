@@ -24,8 +24,9 @@ static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2
                  scene->fluid.density, scene->spacing);
     else
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
-                 "sqrt(2 (g h + U^2/2 + pull) / max_compression) = sqrt(2 (%.4g * %.4g + %.4g^2/2 + %.4g) / %g)", g,
-                 d->height, d->speed, d->pull, scene->method.max_compression);
+                 "sqrt(2 (g h + U^2/2 + pull) / %smax_compression) = sqrt(2 (%.4g * %.4g + %.4g^2/2 + %.4g) / %g)",
+                 d->soft_compression < scene->method.max_compression ? "0.1 " : "", g, d->height, d->speed, d->pull,
+                 d->soft_compression);
 }
 
 static double outputs_until(sph2d_rate rate, double until)

@@ -38,6 +38,7 @@
     X(isa, "InstructionSet", "1 baseline, 2 avx2, 3 avx512")                                                           \
     X(next_limit, "NextLimit", "what limits the next step: acoustic, force, viscous, fixed")                           \
     X(short_steps, "ShortSteps", "steps in a row that were near collapse")                                             \
+    X(unconverged_row, "UnconvergedRow", "steps in a row after which the pressure solver was not done")                \
     X(fed, "Fed", "particles fed by sources")                                                                          \
     X(blocked, "Blocked", "places that sources found taken")                                                           \
     X(drained, "Drained", "particles lost to drains")                                                                  \
@@ -47,6 +48,8 @@
     X(left_top, "LeftThroughTop", "particles lost through the open top side")                                          \
     X(backstop_hits, "BackstopHits", "times the swept test held a particle")                                           \
     X(reflections, "Reflections", "reflections at boundary particles")                                                 \
+    X(iterations, "Iterations", "of the pressure solver, summed over the steps")                                       \
+    X(unconverged, "Unconverged", "steps after which the pressure solver was not done")                                \
     X(limited_acoustic, "LimitedAcoustic", "steps limited by the speed of sound")                                      \
     X(limited_force, "LimitedForce", "steps limited by acceleration")                                                  \
     X(limited_viscous, "LimitedViscous", "steps limited by viscosity")                                                 \

@@ -84,7 +84,8 @@ sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
         sph2d_status status = sph2d__sim_aim(sim, time + moment[k] * dt);
         if (status != SPH2D_OK)
             return status;
-        sim->method->evaluate(s);
+        if (!sim->method->evaluate(s))
+            return SPH2D_NOMEM;
         sph2d__sim_window(sim, time + moment[k] * dt, time + moment[k + 1] * dt);
         status = stage(sim, dt, old[k]);
         if (status == SPH2D_OK)

@@ -38,6 +38,8 @@ static sph2d_status move(sph2d_sim *sim, double dt)
         return sph2d__runge_kutta(sim, dt);
     case SPH2D__MIDPOINT:
         return sph2d__midpoint(sim, dt);
+    case SPH2D__PROJECTED:
+        return sph2d__projected(sim, dt);
     case SPH2D__LEAPFROG:
         break;
     }

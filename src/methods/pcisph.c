@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pcisph.c
+ *  Method `pcisph`: the loop of a step, step limits. */
+#include "methods/pcisph.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+#include "kernels/kernel.h"
+#include "methods/projection.h"
+
+/* Step limits as fractions of H^2/nu and sqrt(H/a). */
+static const double VISCOUS = 0.03;
+static const double FORCE = 0.1;
+/* w */
+static const double RELAXATION = 0.9;
+/* Part of the last step's pressure that a step starts from: all of it, where little of it has to change, keeps what is
+ * wrong with it from step to step. */
+static const double WARMTH = 0.3;
+/* The step along what is left was too long when more is left than so much of the least. */
+static const double GROWTH = 1.5;
+
+double sph2d__pcisph_prototype(const sph2d__system *s)
+{
+    int reach = (int)(s->support / s->spacing) + 1;
+    double h2 = s->support * s->support, sum = 0;
+    double scale = s->calibration * s->spacing * s->spacing * sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double r = hypot(i, j) * s->spacing;
+            double g = scale * r * sph2d__kernel_slope_at(s->method.kernel, r / s->support);
+            sum += g * g;
+        }
+    return sum;
+}
+
+/** One correction of a store's multipliers, which are ahead of those of the last correction: a step along what is left,
+ *  and on by `ahead` of the way from there. */
+typedef struct correction {
+    double factor; /**< of the step */
+    double ahead;
+    double soft; /**< compression that a multiplier keeps */
+} correction;
+
+/** Sums and largest: what was left, compression and pressure that is too large. Second sum: left . way, below zero
+ *  where going ahead went too far. */
+static sph2d__slab_sum correct(const sph2d__system *s, sph2d__store *rows, const sph2d__neighbours *n, correction c)
+{
+    int threads = sph2d__threads_for(s->threads, rows->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    SPH2D__FOR_SLABS(n, rows->count, i, part)
+    {
+        double ahead = rows->multiplier[i], r = rows->residual[i] - c.soft * ahead;
+        double left = r > 0 ? r : ahead > 0 ? -r : 0, y = ahead + c.factor * r;
+        y = y > 0 ? y : 0;
+        double way = y - rows->direction[i];
+        ahead = y + c.ahead * way;
+        rows->direction[i] = y;
+        rows->multiplier[i] = ahead > 0 ? ahead : 0;
+        part.first += left;
+        part.second += r * way;
+        part.most = left > part.most ? left : part.most;
+    }
+    return sph2d__neighbours_total(n, rows->count);
+}
+
+/** The multipliers to start from. */
+static void begin(sph2d__store *rows)
+{
+    for (size_t i = 0; i < rows->count; ++i)
+        rows->direction[i] = rows->multiplier[i] *= WARMTH;
+}
+
+/** The multipliers of the last correction, none ahead. */
+static void end(sph2d__store *rows)
+{
+    if (rows->count > 0)
+        memcpy(rows->multiplier, rows->direction, rows->count * sizeof *rows->multiplier);
+}
+
+static void project(sph2d__system *s)
+{
+    double sound = s->sound_speed * s->step, t = 1, least = INFINITY;
+    correction c = {RELAXATION / (2 * sph2d__pcisph_prototype(s)), 0, 1 / (sound * sound)};
+    uint64_t n = 0;
+    sph2d__projection_begin(s);
+    begin(&s->fluid);
+    begin(&s->walls);
+    s->wanted = s->method.max_compression;
+    s->unconverged = true;
+    while (n < s->method.max_iterations && (s->unconverged || n < s->method.min_iterations)) {
+        double next = (1 + sqrt(1 + 4 * t * t)) / 2;
+        c.ahead = (t - 1) / next;
+        sph2d__projection_move(s, (sph2d__rows){s->fluid.multiplier, s->walls.multiplier});
+        sph2d__projection_predict(s);
+        sph2d__slab_sum left = correct(s, &s->fluid, &s->neighbours, c);
+        if (s->walls_press)
+            left.second += correct(s, &s->walls, &s->wall_neighbours, c).second;
+        s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / (double)s->fluid.count;
+        s->unconverged = !(s->left <= s->wanted);
+        bool grows = left.first > GROWTH * least;
+        c.factor *= grows ? 0.5 : 1;
+        t = grows || left.second < 0 ? 1 : next;
+        least = fmin(least, left.first);
+        ++n;
+    }
+    s->iterations = n;
+    end(&s->fluid);
+    end(&s->walls);
+    sph2d__projection_end(s);
+}
+
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    return sph2d__projection_step(s, speed, acceleration, VISCOUS, FORCE, limit);
+}
+
+const sph2d__method sph2d__pcisph = {
+    .name = "pcisph",
+    .integrator = SPH2D__PROJECTED,
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(direction),
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(pressure),
+    .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(direction),
+    .prepare = sph2d__projection_prepare,
+    .evaluate = sph2d__projection_gather,
+    .project = project,
+    .stable_step = stable_step,
+};

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/** @file neighbours.c
+ *  Room for the neighbours. */
+#include "particles/neighbours.h"
+
+/* Lanes of the narrowest and the widest instruction set. */
+enum { NARROW = 2, WIDE = 8, BLOCKS = 6 };
+
+/** The blocks, and how many items of each there are for a slab. */
+static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
+{
+    const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices}, {&n->index, sizeof *n->index},
+                                       {&n->gx, sizeof *n->gx},         {&n->gy, sizeof *n->gy},
+                                       {&n->found, sizeof *n->found},   {&n->sums, sizeof *n->sums}};
+    const size_t lengths[BLOCKS] = {SPH2D__SLAB / NARROW, each * SPH2D__SLAB, each * SPH2D__SLAB,
+                                    each * SPH2D__SLAB,   4 * each * WIDE,    1};
+    for (int k = 0; k < BLOCKS; ++k) {
+        blocks[k] = all[k];
+        items[k] = lengths[k];
+    }
+}
+
+bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each)
+{
+    if (count <= n->particles && each <= n->each)
+        return true;
+    size_t grown = count > n->particles ? count + count / 2 : n->particles;
+    each = each > n->each ? each : n->each;
+    sph2d__neighbours_free(n, memory);
+    sph2d__growth blocks[BLOCKS];
+    size_t items[BLOCKS];
+    list_blocks(n, each, blocks, items);
+    n->particles = grown;
+    n->each = each;
+    for (int k = 0; k < BLOCKS; ++k)
+        if (!sph2d__grow_all(memory, &blocks[k], 1, 0, sph2d__slabs(grown) * items[k])) {
+            sph2d__neighbours_free(n, memory);
+            return false;
+        }
+    return true;
+}
+
+void sph2d__neighbours_free(sph2d__neighbours *n, sph2d__memory *memory)
+{
+    size_t lengths[BLOCKS], slabs = sph2d__slabs(n->particles);
+    sph2d__growth blocks[BLOCKS];
+    list_blocks(n, n->each, blocks, lengths);
+    void *all[BLOCKS] = {n->slices, n->index, n->gx, n->gy, n->found, n->sums};
+    for (int k = 0; k < BLOCKS; ++k)
+        sph2d__release(memory, &all[k], all[k] ? slabs * lengths[k] : 0, blocks[k].size);
+    *n = (sph2d__neighbours){0};
+}
+
+sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t count)
+{
+    sph2d__slab_sum total = {0};
+    for (size_t k = 0; k < sph2d__slabs(count); ++k) {
+        total.first += n->sums[k].first;
+        total.second += n->sums[k].second;
+        total.most = n->sums[k].most > total.most ? n->sums[k].most : total.most;
+    }
+    return total;
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/** @file projected.c
+ *  One step of a method whose pressure keeps the density of the places that come next: symplectic Euler.
+ *
+ *      v(n+1) = v(n) + dt (a(x(n), v(n)) + pressure)
+ *      x(n+1) = x(n) + dt v(n+1)
+ *
+ *  with first order in time, as of the papers: what the pressure keeps is a place, so that it acts over the whole step.
+ *  The acceleration that particles have between steps is that without pressure. */
+#include "base/threads.h"
+#include "sim/integrators.h"
+
+static sph2d_status kick_drift(sph2d_sim *sim, double dt)
+{
+    sph2d__store *f = &sim->system.fluid;
+    uint64_t hits = 0, reflections = 0, bad = 0;
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
+    for (size_t i = 0; i < f->count; ++i) {
+        sph2d_vec2 v = {f->vx[i] + dt * f->ax[i], f->vy[i] + dt * f->ay[i]};
+        sph2d__events events = {0};
+        sph2d__carry(sim, i, dt * v.x, dt * v.y, &v, &events);
+        hits += events.hits;
+        reflections += events.reflections;
+        bad += events.bad;
+    }
+    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
+}
+
+sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
+{
+    sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
+    sim->method->project(&sim->system);
+    sim->record.iterations += sim->system.iterations;
+    sim->record.unconverged += sim->system.unconverged;
+    sim->record.unconverged_row = sim->system.unconverged ? sim->record.unconverged_row + 1 : 0;
+    sph2d_status status = kick_drift(sim, dt);
+    if (status == SPH2D_OK)
+        status = sph2d__sort_fluid(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_aim(sim, sim->record.time + dt);
+    if (status == SPH2D_OK && !sim->method->evaluate(&sim->system))
+        status = SPH2D_NOMEM;
+    return status;
+}

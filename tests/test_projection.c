@@ -1,0 +1,425 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_projection.c
+ *  Methods `pcisph` and `constraint`: density, its rate and the transpose, the prototype factor, SPOOK's map of one
+ *  row, static compression, what the solvers promise. The equations are those of projection.h and constraint.h. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common.h"
+#include "methods/pcisph.h"
+#include "methods/projection.h"
+#include "sim/simulation.h"
+
+static sph2d_scene scene;
+static sph2d_block block;
+static sph2d_particle particle;
+static sph2d_sim *sim;
+
+static const double DX = 0.02, RHO0 = 1000;
+
+static void finish(void)
+{
+    sph2d_sim_destroy(sim);
+    sim = NULL;
+}
+
+/** A box of `side` by `side` spacings, full of liquid. */
+static void full_box(sph2d_method method, int side)
+{
+    scene = test_scene(DX, 0, 0, side * DX, side * DX);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = method;
+    block = test_block(0, 0, side * DX, side * DX);
+    scene.blocks = &block;
+    scene.block_count = 1;
+}
+
+static void make_periodic(void)
+{
+    scene.boundary =
+        (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+}
+
+/** A column in a tank, on the ground. */
+static void column(sph2d_method method, double width, double height)
+{
+    full_box(method, 50);
+    scene.boundary.top = SPH2D_SIDE_OPEN;
+    scene.gravity.y = -9.81;
+    scene.fluid.dynamic_viscosity = 0.5;
+    block = test_block(0, 0, width, height);
+}
+
+static void start(int threads)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = threads;
+    sim = test_create(&scene, &options);
+}
+
+/* ---- sums -------------------------------------------------------------------------------------------------------- */
+
+/* sum |grad W|^2 dx^6 over a filled square lattice, from the kernels' formulas at the lattice's distances. */
+static const struct lattice {
+    sph2d_kernel kernel;
+    double ratio, sum;
+} lattices[] = {
+    {SPH2D_KERNEL_WENDLAND_C2, 2.0, 0.52402}, {SPH2D_KERNEL_WENDLAND_C2, 2.4, 0.35427},
+    {SPH2D_KERNEL_WENDLAND_C2, 2.6, 0.27764}, {SPH2D_KERNEL_WENDLAND_C2, 3.0, 0.16906},
+    {SPH2D_KERNEL_WENDLAND_C2, 4.0, 0.05684}, {SPH2D_KERNEL_CUBIC, 2.0, 0.52003},
+    {SPH2D_KERNEL_CUBIC, 2.4, 0.31645},       {SPH2D_KERNEL_CUBIC, 2.6, 0.23562},
+    {SPH2D_KERNEL_CUBIC, 3.0, 0.13602},       {SPH2D_KERNEL_CUBIC, 4.0, 0.04203},
+};
+enum { LATTICES = sizeof lattices / sizeof *lattices };
+
+START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
+{
+    full_box(SPH2D_METHOD_PCISPH, 16);
+    make_periodic();
+    scene.method.sound_speed = 10;
+    scene.method.kernel = lattices[_i].kernel;
+    scene.method.support_ratio = lattices[_i].ratio;
+    start(1);
+    const sph2d__store *f = &sim->system.fluid;
+    double c = sim->system.calibration, factor = sph2d__pcisph_prototype(&sim->system);
+    ck_assert_double_eq_tol(factor * DX * DX / (c * c), lattices[_i].sum, 6e-6);
+    for (size_t i = 0; i < f->count; ++i) {
+        ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);
+        ck_assert_double_eq_tol(f->diagonal[i] / factor, 1, 1e-9); /* the gradients sum to nothing */
+    }
+}
+END_TEST
+
+START_TEST(layered_walls_fill_like_liquid)
+{
+    full_box(SPH2D_METHOD_CONSTRAINT, 16);
+    scene.method.sound_speed = 10;
+    start(1);
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d__store *w = &sim->system.walls;
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);
+    for (size_t b = 0; b < w->count; ++b) /* near corners liquid is on one side only */
+        if (w->x[b] > 3 * DX && w->x[b] < 13 * DX && w->filled[b] > 0)
+            ck_assert_double_eq_tol(w->density[b], RHO0, 1e-9);
+}
+END_TEST
+
+/** Disordered liquid with walls and a moving obstacle around it, and something in every array. */
+static sph2d__system *disordered(void)
+{
+    static sph2d_obstacle obstacle;
+    column(SPH2D_METHOD_PCISPH, 0.6, 0.4);
+    block.perturb.amplitude = 0.3;
+    obstacle = sph2d_obstacle_default();
+    obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    obstacle.outline.circle = (sph2d_disc){{0.3, 0.2}, 0.08};
+    obstacle.form = SPH2D_WALL_HEAVY;
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = 1;
+    start(1);
+    return &sim->system;
+}
+
+START_TEST(the_transpose_is_one)
+{
+    sph2d__system *s = disordered();
+    sph2d__store *f = &s->fluid;
+    uint64_t random = 3;
+    size_t walls = s->walls.count;
+    double *y = malloc((f->count + SPH2D__PADDING) * sizeof *y),
+           *rate = malloc((f->count + SPH2D__PADDING) * sizeof *rate), by_rows = 0, by_columns = 0;
+    double *wall_y = malloc((walls + SPH2D__PADDING) * sizeof *wall_y),
+           *wall_rate = malloc((walls + SPH2D__PADDING) * sizeof *wall_rate);
+    for (size_t i = 0; i < f->count; ++i) {
+        y[i] = test_random(&random, -1, 1);
+        f->push_x[i] = f->vx[i] = test_random(&random, -1, 1);
+        f->push_y[i] = f->vy[i] = test_random(&random, -1, 1);
+    }
+    for (size_t b = 0; b < walls; ++b) /* a multiplier where there is no row means nothing */
+        wall_y[b] = s->walls.filled[b] > 0 ? test_random(&random, -1, 1) : 0;
+    sph2d__projection_collect(s, 0, (sph2d__rows){rate, wall_rate});
+    sph2d__projection_spread(s, (sph2d__rows){y, wall_y});
+    for (size_t i = 0; i < f->count; ++i) {
+        by_rows += y[i] * rate[i];
+        by_columns += f->vx[i] * f->push_x[i] + f->vy[i] * f->push_y[i];
+    }
+    for (size_t b = 0; b < walls; ++b)
+        by_rows += wall_y[b] * wall_rate[b];
+    ck_assert_double_gt(fabs(by_rows), 1);
+    ck_assert_double_eq_tol(by_columns / by_rows, 1, 1e-12);
+    free(y);
+    free(rate);
+    free(wall_y);
+    free(wall_rate);
+}
+END_TEST
+
+/** Moves everything on by its velocity (push, for the fluid) times `way`, and copies what density would be then. */
+static void predict(sph2d__system *s, double way, double *fluid, double *walls)
+{
+    sph2d__store *f = &s->fluid;
+    s->step = way;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->next_x[i] = f->x[i] + way * f->vx[i];
+        f->next_y[i] = f->y[i] + way * f->vy[i];
+    }
+    sph2d__projection_predict(s);
+    memcpy(fluid, f->residual, f->count * sizeof *fluid);
+    memcpy(walls, s->walls.residual, s->walls.count * sizeof *walls);
+}
+
+static void check_rates(const double *rate, const double *ahead, const double *behind, double way, size_t count)
+{
+    double most = 0;
+    for (size_t i = 0; i < count; ++i) {
+        ck_assert_double_eq_tol((ahead[i] - behind[i]) / (2 * way), rate[i], 1e-5 * (1 + fabs(rate[i])));
+        most = fmax(most, fabs(rate[i]));
+    }
+    ck_assert_double_gt(most, 10);
+}
+
+START_TEST(the_rate_is_that_of_density)
+{
+    sph2d__system *s = disordered();
+    sph2d__store *f = &s->fluid, *w = &s->walls;
+    uint64_t random = 5;
+    const double small = 1e-6;
+    double *fluid[3], *walls[3];
+    for (int k = 0; k < 3; ++k) {
+        fluid[k] = malloc((f->count + SPH2D__PADDING) * sizeof(double));
+        walls[k] = malloc((w->count + SPH2D__PADDING) * sizeof(double));
+    }
+    for (size_t i = 0; i < f->count; ++i) {
+        f->push_x[i] = f->vx[i] = test_random(&random, -1, 1);
+        f->push_y[i] = f->vy[i] = test_random(&random, -1, 1);
+    }
+    for (size_t b = 0; b < w->count; ++b) {
+        w->vx[b] = test_random(&random, -1, 1);
+        w->vy[b] = test_random(&random, -1, 1);
+    }
+    sph2d__projection_collect(s, 1, (sph2d__rows){fluid[2], walls[2]});
+    predict(s, small, fluid[0], walls[0]);
+    predict(s, -small, fluid[1], walls[1]);
+    check_rates(fluid[2], fluid[0], fluid[1], small, f->count);
+    check_rates(walls[2], walls[0], walls[1], small, w->count);
+    predict(s, 0, fluid[0], walls[0]);
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq_tol(fluid[0][i], f->density[i] / RHO0 - 1, 1e-12);
+    for (size_t b = 0; b < w->count; ++b)
+        ck_assert_double_eq_tol(walls[0][b], w->mass[b] / s->mass * (w->density[b] / RHO0 - 1), 1e-12);
+    for (int k = 0; k < 3; ++k) {
+        free(fluid[k]);
+        free(walls[k]);
+    }
+}
+END_TEST
+
+/* ---- one row ----------------------------------------------------------------------------------------------------- */
+
+/** One particle above the middle of a heavy floor: one constraint, one way to go. */
+static void one_particle(double height, double steps, double sound_speed, double dt)
+{
+    static sph2d_obstacle floor;
+    static const sph2d_vec2 line[2] = {{0.1, 0.1}, {0.9, 0.1}};
+    full_box(SPH2D_METHOD_CONSTRAINT, 50);
+    scene.gravity.y = -9.81;
+    scene.fluid.dynamic_viscosity = 0;
+    scene.method.damping = steps;
+    scene.method.tolerance = 1e-12;
+    scene.method.time_step = dt;
+    scene.method.sound_speed = sound_speed;
+    floor = sph2d_obstacle_default();
+    floor.outline.kind = SPH2D_OUTLINE_LINE;
+    floor.outline.line = (sph2d_points){line, 2};
+    floor.form = SPH2D_WALL_HEAVY;
+    scene.obstacles = &floor;
+    scene.obstacle_count = 1;
+    particle = (sph2d_particle){0.51, 0.1 + height, 0, 0, RHO0};
+    scene.block_count = 0;
+    scene.particles = (sph2d_particles){NULL, &particle, 1};
+    start(1);
+}
+
+static double height_now(void)
+{
+    return sim->system.fluid.y[0];
+}
+
+/** The height at which the particle comes to rest. */
+static double resting_height(double sound_speed, double dt)
+{
+    one_particle(0.9 * DX, 5, sound_speed, dt);
+    test_steps(sim, 3000);
+    double y = height_now();
+    ck_assert_double_le(fabs(sim->system.fluid.vy[0]), 1e-9);
+    finish();
+    return y - 0.1;
+}
+
+/* The rigid row z^2 - (1 - 3 gamma) z + gamma = 0: a deviation follows this recurrence from step to step, rings with
+ * |z| = sqrt(gamma) below two steps of damping, and at two falls by a third a step without overshoot. */
+START_TEST(one_rigid_row_follows_the_map_of_spook)
+{
+    static const double damping[] = {1, 2, 5};
+    const double dt = 1e-3, c0 = 1e6, gamma = 1 / (1 + 4 * damping[_i]);
+    double rest = resting_height(c0, dt), small = 1e-4 * DX, x[12];
+    one_particle(rest - small, damping[_i], c0, dt);
+    x[0] = -small;
+    for (int n = 1; n < 12; ++n) {
+        test_steps(sim, 1);
+        x[n] = height_now() - 0.1 - rest;
+    }
+    for (int n = 2; n < 12; ++n)
+        ck_assert_double_eq_tol(x[n], (1 - 3 * gamma) * x[n - 1] - gamma * x[n - 2], 2e-3 * small);
+    double most = 0;
+    for (int n = 0; n < 12; ++n)
+        most = fmax(most, x[n] / small);
+    ck_assert(damping[_i] < 2 ? most > 0.05 : most < 1e-3);
+}
+END_TEST
+
+/* With compliance a static load compresses by p/(rho0 c0^2) whatever damping and step, and the force of that pressure
+ * carries the weight. */
+START_TEST(one_soft_row_gives_way_by_force_over_stiffness)
+{
+    static const double damping[] = {1, 2, 7}, dts[] = {1e-3, 4e-4, 2e-3};
+    const double c0 = 8;
+    one_particle(0.9 * DX, damping[_i], c0, dts[_i]);
+    test_steps(sim, 4000);
+    const sph2d__store *f = &sim->system.fluid;
+    double y = f->multiplier[0], dt = dts[_i];
+    ck_assert_double_gt(f->pressure[0], 10);
+    ck_assert_double_eq_tol((f->density[0] / RHO0 - 1) / (y / (c0 * c0 * dt * dt)), 1, 1e-6);
+    ck_assert_double_eq_tol(f->pressure[0] / (RHO0 * y / (dt * dt)), 1, 1e-12);
+    sph2d__projection_spread(&sim->system, (sph2d__rows){f->multiplier, sim->system.walls.multiplier});
+    ck_assert_double_eq_tol(f->push_y[0] / (dt * dt), -9.81, 1e-6);
+}
+END_TEST
+
+/* ---- what the solvers promise ------------------------------------------------------------------------------------ */
+
+static const sph2d_method both[] = {SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
+
+START_TEST(momentum_is_kept)
+{
+    full_box(both[_i], 50);
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    scene.method.sound_speed = 10;
+    block = test_block(0.3, 0.3, 0.7, 0.7);
+    block.perturb.amplitude = 0.3;
+    start(1);
+    test_steps(sim, 20);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_double_gt(s.kinetic, 1e-3); /* it was not at rest density everywhere */
+    double size = sqrt(2 * s.kinetic * (double)s.particles * sim->system.mass);
+    ck_assert_double_le(hypot(s.momentum[0], s.momentum[1]), 1e-12 * size);
+}
+END_TEST
+
+START_TEST(compression_stays_where_it_is_wanted)
+{
+    column(both[_i], 0.3, 0.6);
+    scene.method.max_compression = 0.01;
+    scene.method.support_ratio = 2.4;
+    start(1);
+    while (sph2d_sim_time(sim) < 0.15)
+        test_steps(sim, 1);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_double_le(s.compression_p99, 0.01);
+    ck_assert_uint_gt(s.iterations, s.steps);
+    ck_assert_uint_eq(s.unconverged, 0);
+    ck_assert_double_eq_tol((s.kinetic + s.potential) / s.energy_start, 1, 0.02);
+    ck_assert_double_gt(s.speed_max, 1);
+    ck_assert_uint_eq(s.particles, 15 * 30);
+}
+END_TEST
+
+START_TEST(too_few_iterations_are_counted_and_stop_a_run_in_the_end)
+{
+    column(both[_i], 0.3, 0.6);
+    scene.method.max_compression = 1e-5;
+    scene.method.tolerance = both[_i] == SPH2D_METHOD_CONSTRAINT ? 1e-12 : 0;
+    scene.method.max_iterations = 1;
+    start(1);
+    sph2d_report report = {0};
+    uint64_t steps = 0;
+    while (steps < 300 && sph2d_sim_step(sim, &report) == SPH2D_OK)
+        ++steps;
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_uint_ge(steps, 99);
+    ck_assert_uint_lt(steps, 150);
+    ck_assert_uint_eq(s.iterations, s.steps);
+    ck_assert_uint_ge(s.unconverged, 100);
+    ck_assert(isfinite(s.kinetic));
+    ck_assert(test_report_has(&report, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations"));
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), _i == 0 ? "1e-05 is wanted" : "1e-12 is wanted"));
+}
+END_TEST
+
+/* ---- the same bits ----------------------------------------------------------------------------------------------- */
+
+static void same_bits(const sph2d_sim *a, const sph2d_sim *b)
+{
+    const sph2d__store *f = &a->system.fluid, *g = &b->system.fluid;
+    ck_assert_uint_eq(f->count, g->count);
+    ck_assert_int_eq(memcmp(f->x, g->x, f->count * sizeof *f->x), 0);
+    ck_assert_int_eq(memcmp(f->y, g->y, f->count * sizeof *f->y), 0);
+    ck_assert_int_eq(memcmp(f->vx, g->vx, f->count * sizeof *f->vx), 0);
+    ck_assert_int_eq(memcmp(f->pressure, g->pressure, f->count * sizeof *f->pressure), 0);
+}
+
+START_TEST(threads_do_not_matter)
+{
+    column(both[_i], 1, 1);
+    block.perturb.amplitude = 0.2;
+    scene.method.max_iterations = 30;
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = 3;
+    sph2d_sim *other = test_create(&scene, &options);
+    start(1);
+    ck_assert_uint_ge(sim->system.fluid.count, 2400);
+    test_steps(sim, 20);
+    test_steps(other, 20);
+    same_bits(sim, other);
+    sph2d_sim_destroy(other);
+}
+END_TEST
+
+START_TEST(a_state_goes_on_as_if_nothing_was)
+{
+    column(both[_i], 0.3, 0.6);
+    start(1);
+    test_steps(sim, 30);
+    test_state state = test_state_copy(sim);
+    sph2d_sim *other = NULL;
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &other, NULL), SPH2D_OK);
+    test_steps(sim, 20);
+    test_steps(other, 20);
+    same_bits(sim, other);
+    sph2d_sim_destroy(other);
+    test_state_free(&state);
+}
+END_TEST
+
+Suite *suite_projection(void)
+{
+    Suite *suite = suite_create("projection");
+    TCase *cases = tcase_create("projection");
+    tcase_add_checked_fixture(cases, NULL, finish);
+    tcase_set_timeout(cases, 60);
+    tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
+    tcase_add_test(cases, layered_walls_fill_like_liquid);
+    tcase_add_test(cases, the_transpose_is_one);
+    tcase_add_test(cases, the_rate_is_that_of_density);
+    tcase_add_loop_test(cases, one_rigid_row_follows_the_map_of_spook, 0, 3);
+    tcase_add_loop_test(cases, one_soft_row_gives_way_by_force_over_stiffness, 0, 3);
+    tcase_add_loop_test(cases, momentum_is_kept, 0, 2);
+    tcase_add_loop_test(cases, compression_stays_where_it_is_wanted, 0, 2);
+    tcase_add_loop_test(cases, too_few_iterations_are_counted_and_stop_a_run_in_the_end, 0, 2);
+    tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
+    tcase_add_loop_test(cases, a_state_goes_on_as_if_nothing_was, 0, 2);
+    suite_add_tcase(suite, cases);
+    return suite;
+}
