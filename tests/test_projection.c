@@ -60,16 +60,17 @@ static void start(int threads)
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-/* sum |grad W|^2 dx^6 over a filled square lattice, from the kernels' formulas at the lattice's distances. */
+/* sum |grad W|^2 dx^6 over a filled square lattice, and c times -sum dx^2 x W_x, from the kernels' formulas at the
+ * lattice's distances. */
 static const struct lattice {
     sph2d_kernel kernel;
-    double ratio, sum;
+    double ratio, sum, moment;
 } lattices[] = {
-    {SPH2D_KERNEL_WENDLAND_C2, 2.0, 0.52402}, {SPH2D_KERNEL_WENDLAND_C2, 2.4, 0.35427},
-    {SPH2D_KERNEL_WENDLAND_C2, 2.6, 0.27764}, {SPH2D_KERNEL_WENDLAND_C2, 3.0, 0.16906},
-    {SPH2D_KERNEL_WENDLAND_C2, 4.0, 0.05684}, {SPH2D_KERNEL_CUBIC, 2.0, 0.52003},
-    {SPH2D_KERNEL_CUBIC, 2.4, 0.31645},       {SPH2D_KERNEL_CUBIC, 2.6, 0.23562},
-    {SPH2D_KERNEL_CUBIC, 3.0, 0.13602},       {SPH2D_KERNEL_CUBIC, 4.0, 0.04203},
+    {SPH2D_KERNEL_WENDLAND_C2, 2.0, 0.52402, 0.940852981}, {SPH2D_KERNEL_WENDLAND_C2, 2.4, 0.35427, 0.946852152},
+    {SPH2D_KERNEL_WENDLAND_C2, 2.6, 0.27764, 0.963827174}, {SPH2D_KERNEL_WENDLAND_C2, 3.0, 0.16906, 0.992296541},
+    {SPH2D_KERNEL_WENDLAND_C2, 4.0, 0.05684, 0.997995899}, {SPH2D_KERNEL_CUBIC, 2.0, 0.52003, 1.012227083},
+    {SPH2D_KERNEL_CUBIC, 2.4, 0.31645, 0.991033579},       {SPH2D_KERNEL_CUBIC, 2.6, 0.23562, 1.010596752},
+    {SPH2D_KERNEL_CUBIC, 3.0, 0.13602, 1.003272858},       {SPH2D_KERNEL_CUBIC, 4.0, 0.04203, 0.999142557},
 };
 enum { LATTICES = sizeof lattices / sizeof *lattices };
 
@@ -88,6 +89,30 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
         ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);
         ck_assert_double_eq_tol(f->diagonal[i] / factor, 1, 1e-9); /* the gradients sum to nothing */
     }
+    ck_assert_double_eq_tol(sim->system.moment, lattices[_i].moment, 1e-9);
+}
+END_TEST
+
+/* Inside a lattice D' of a field with an even slope is the moment times the slope: that is what makes it a gradient. */
+START_TEST(the_moment_turns_multipliers_into_pressure)
+{
+    full_box(SPH2D_METHOD_CONSTRAINT, 16);
+    scene.method.sound_speed = 10;
+    scene.method.kernel = lattices[_i].kernel;
+    scene.method.support_ratio = lattices[_i].ratio;
+    start(1);
+    sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i)
+        f->multiplier[i] = 3 + 2 * f->x[i] - 5 * f->y[i];
+    sph2d__projection_spread(&sim->system, (sph2d__rows){f->multiplier, sim->system.walls.multiplier});
+    int inside = 0;
+    for (size_t i = 0; i < f->count; ++i)
+        if (fabs(f->x[i] - 8 * DX) < 3 * DX && fabs(f->y[i] - 8 * DX) < 3 * DX) {
+            ck_assert_double_eq_tol(f->push_x[i], 2 * lattices[_i].moment, 1e-5);
+            ck_assert_double_eq_tol(f->push_y[i], -5 * lattices[_i].moment, 1e-5);
+            ++inside;
+        }
+    ck_assert_int_eq(inside, 36);
 }
 END_TEST
 
@@ -292,7 +317,7 @@ START_TEST(one_soft_row_gives_way_by_force_over_stiffness)
     double y = f->multiplier[0], dt = dts[_i];
     ck_assert_double_gt(f->pressure[0], 10);
     ck_assert_double_eq_tol((f->density[0] / RHO0 - 1) / (y / (c0 * c0 * dt * dt)), 1, 1e-6);
-    ck_assert_double_eq_tol(f->pressure[0] / (RHO0 * y / (dt * dt)), 1, 1e-12);
+    ck_assert_double_eq_tol(f->pressure[0] / (sim->system.moment * RHO0 * y / (dt * dt)), 1, 1e-12);
     sph2d__projection_spread(&sim->system, (sph2d__rows){f->multiplier, sim->system.walls.multiplier});
     ck_assert_double_eq_tol(f->push_y[0] / (dt * dt), -9.81, 1e-6);
 }
@@ -410,6 +435,7 @@ Suite *suite_projection(void)
     tcase_add_checked_fixture(cases, NULL, finish);
     tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
+    tcase_add_loop_test(cases, the_moment_turns_multipliers_into_pressure, 0, LATTICES);
     tcase_add_test(cases, layered_walls_fill_like_liquid);
     tcase_add_test(cases, the_transpose_is_one);
     tcase_add_test(cases, the_rate_is_that_of_density);

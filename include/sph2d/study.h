@@ -93,10 +93,13 @@ typedef struct sph2d_study_reference {
 typedef enum sph2d_summary_value {
     SPH2D_SUMMARY_COMPRESSION = 0,      /**< compression_p99 */
     SPH2D_SUMMARY_COMPRESSION_MEAN = 1, /**< compression_mean */
-    SPH2D_SUMMARY_COMPRESSION_MAX = 2   /**< compression_max */
+    SPH2D_SUMMARY_COMPRESSION_MAX = 2,  /**< compression_max */
+    SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential - energy_start - energy_fed, over |energy_start| unless
+                                             that is 0 */
+    SPH2D_SUMMARY_ITERATIONS = 4        /**< iterations over steps */
 } sph2d_summary_value;
 
-enum { SPH2D_SUMMARY_VALUES = 3 };
+enum { SPH2D_SUMMARY_VALUES = 5 };
 
 /** What is expected of a measure. */
 typedef enum sph2d_expectation {

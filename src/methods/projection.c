@@ -153,7 +153,7 @@ static void scale_into(double *to, const double *from, double factor, size_t cou
 
 void sph2d__projection_begin(sph2d__system *s)
 {
-    double factor = s->step * s->step / s->rest_density;
+    double factor = s->step * s->step / (s->rest_density * s->moment);
     scale_into(s->fluid.multiplier, s->fluid.pressure, factor, s->fluid.count, s->threads);
     scale_into(s->walls.multiplier, s->walls.pressure, factor, s->walls.count, s->threads);
 }
@@ -161,7 +161,7 @@ void sph2d__projection_begin(sph2d__system *s)
 void sph2d__projection_end(sph2d__system *s)
 {
     sph2d__store *f = &s->fluid, *w = &s->walls;
-    double share = 1 / (s->step * s->step), factor = s->rest_density * share;
+    double share = 1 / (s->step * s->step), factor = s->moment * s->rest_density * share;
     scale_into(f->multiplier, f->multiplier, 1, f->count, s->threads);
     scale_into(w->multiplier, w->multiplier, 1, w->count, s->threads);
     scale_into(f->pressure, f->multiplier, factor, f->count, s->threads);
@@ -192,6 +192,19 @@ static double lattice_sum(const sph2d__system *s)
         for (int j = -reach; j <= reach; ++j)
             sum += sph2d__kernel_value_at(s->method.kernel, hypot(i, j) * s->spacing / s->support);
     return sum;
+}
+
+/** k = -sum_j x_ij . G_ij / 2 of a filled square lattice. */
+static double lattice_moment(const sph2d__system *s)
+{
+    int reach = (int)(s->support / s->spacing) + 1;
+    double sum = 0, ratio = s->spacing / s->support;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double q = hypot(i, j) * ratio;
+            sum -= q * q * sph2d__kernel_slope_at(s->method.kernel, q);
+        }
+    return s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio * sum / 2;
 }
 
 /** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
@@ -237,6 +250,7 @@ void sph2d__projection_prepare(sph2d__system *s)
 {
     double lattice = lattice_sum(s), ratio = s->support / s->spacing;
     s->calibration = ratio * ratio / (lattice * sph2d__kernel_constant(s->method.kernel));
+    s->moment = lattice_moment(s);
     weigh_rows(s, lattice);
     fill_layers(s);
 }

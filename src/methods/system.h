@@ -27,6 +27,7 @@ typedef struct sph2d__system {
     double surface_tension; /**< [N/m] */
     double wall_viscosity;  /**< of fluid on boundary particles [Pa s] */
     double calibration;     /**< muller: factor on summed density that makes a filled lattice have the rest density */
+    double moment;          /**< of a projection's gradients on a filled lattice, where 1 would be exact */
     double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
     double shift_gain;      /**< wcsph: shift velocity over U and the crowding; set for each step */
     sph2d_method_options method; /**< the scene's, every default filled in */
