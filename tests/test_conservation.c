@@ -419,6 +419,30 @@ START_TEST(threads_change_no_bit)
 }
 END_TEST
 
+/* A block falls onto a floor and splashes up the walls: nothing gains energy there, shifted or not. */
+START_TEST(a_splash_gains_no_energy)
+{
+    scene = test_scene(0.02, -0.8, -0.8, 0.8, 0.8);
+    scene.boundary.top = SPH2D_SIDE_OPEN;
+    scene.gravity.y = -9.81;
+    scene.fluid.dynamic_viscosity = 1;
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.max_compression = 0.1;
+    blocks[0] = test_block(-0.24, -0.6, 0.24, -0.12);
+    scene.blocks = blocks;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    while (sph2d_sim_time(sim) < 0.6) {
+        test_steps(sim, 20);
+        sph2d_summary s = sph2d_sim_summary(sim);
+        ck_assert_double_lt(s.kinetic + s.potential, s.energy_start * (1 + 1e-9));
+        ck_assert_double_lt(s.speed_max, 10);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_conservation(void)
 {
     Suite *suite = suite_create("conservation");
@@ -433,6 +457,7 @@ Suite *suite_conservation(void)
     tcase_add_test(tests, the_order_of_the_particles_changes_nothing);
     tcase_add_loop_test(tests, the_origin_of_a_period_changes_nothing, 0, 2);
     tcase_add_test(tests, a_central_force_pulls);
+    tcase_add_test(tests, a_splash_gains_no_energy);
     tcase_add_test(tests, threads_change_no_bit);
     suite_add_tcase(suite, tests);
     return suite;

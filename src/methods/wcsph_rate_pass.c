@@ -13,6 +13,9 @@
 
 /* Particles less full than this are the free surface. */
 static const double SURFACE = 0.6;
+/* Less full than this, the gradients around are those of few: what a shift adds to velocity by them fed the jets beside
+ * a wall with a million times the energy of a drop that fell. */
+static const double FITTED = 0.75;
 
 /** m_j v_ij . r_ij g of a block. */
 SPH2D__INLINE sph2d__lanes flux_of(const pair *p, double vx, double vy, const sph2d__store *from, size_t j)
@@ -57,14 +60,16 @@ static double least(sph2d__lanes a)
     return least;
 }
 
-/** Velocity and density change along the shift as the fields around say (Sun et al. 2019); old_ax and old_ay hold that
- *  of velocity until the step is made. */
+/** Velocity and density change along the shift as the fields around say (Sun et al. 2019), if these are known; old_ax and
+ *  old_ay hold that of velocity until the step is made. */
 static void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
 {
     sph2d__store *f = &s->fluid;
     sph2d_vec2 w = sph2d__shift_velocity(s, i);
     double xx = sph2d__lanes_total(sums->xx), xy = sph2d__lanes_total(sums->xy), yy = sph2d__lanes_total(sums->yy);
     double ux, uy, vx, vy;
+    if (f->fullness[i] < FITTED)
+        w = (sph2d_vec2){0, 0};
     corrected(xx, xy, yy, sph2d__lanes_total(sums->ux), sph2d__lanes_total(sums->uy), &ux, &uy);
     corrected(xx, xy, yy, sph2d__lanes_total(sums->vx), sph2d__lanes_total(sums->vy), &vx, &vy);
     f->old_ax[i] = w.x * ux + w.y * uy;
