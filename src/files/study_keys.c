@@ -21,8 +21,8 @@ static const char *const flag_words[] = {"false", "true", NULL};
 static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
                                          "spread",  "period", "crossing", "value", NULL};
 static const char *const norm_words[] = {"max", "rms", "mean", NULL};
-static const char *const summary_words[] = {"compression", "compression_mean", "compression_max",
-                                            "energy_change", "iterations", NULL};
+static const char *const summary_words[] = {"compression",   "compression_mean", "compression_max",
+                                            "energy_change", "iterations",       NULL};
 static const char *const quantity_words[] = {"vx", "vy", "speed", "pressure", "density", NULL};
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */

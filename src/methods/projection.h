@@ -8,11 +8,12 @@
  *      D u   = sum_j G_ij . (u_i - u_j) + sum_b G_ib . (u_i - u_b)         rate of rho_i/rho0 for velocities u
  *      D' y  = sum_j (y_i + y_j) G_ij + sum_b (y_i + y_b) G_ib             its transpose
  *
- *  For multipliers y = dt^2 l/rho0 the acceleration is -(1/rho0) D' l = -D' y/dt^2: with the transpose the forces between two particles of the
- * liquid are opposite, so that momentum is kept, and D D' is symmetric and has no negative eigenvalue.
+ *  For multipliers y = dt^2 l/rho0 the acceleration is -(1/rho0) D' l = -D' y/dt^2: with the transpose the forces
+ * between two particles of the liquid are opposite, so that momentum is kept, and D D' is symmetric and has no negative
+ * eigenvalue.
  *
- *  D' l is k grad l on a filled lattice, with k its moment -sum x_ij . G_ij/2 (0.947 for Wendland's C2 at H = 2.4 dx), so
- *  that the pressure is p = k l.
+ *  D' l is k grad l on a filled lattice, with k its moment -sum x_ij . G_ij/2 (0.947 for Wendland's C2 at H = 2.4 dx),
+ * so that the pressure is p = k l.
  *
  *  Boundary particles of layers have rows of their own, with what liquid adds there instead of a density:
  *
@@ -51,8 +52,8 @@ void sph2d__projection_move(sph2d__system *system, sph2d__rows y);
  * the step, and the neighbours as they are. */
 void sph2d__projection_predict(sph2d__system *system);
 
-/** Multipliers y = dt^2 p/(k rho0) from the pressures, which are those of the step before, and back: then pressures, and
- *  their part of the acceleration. */
+/** Multipliers y = dt^2 p/(k rho0) from the pressures, which are those of the step before, and back: then pressures,
+ * and their part of the acceleration. */
 void sph2d__projection_begin(sph2d__system *system);
 void sph2d__projection_end(sph2d__system *system);
 

@@ -60,8 +60,8 @@ static double least(sph2d__lanes a)
     return least;
 }
 
-/** Velocity and density change along the shift as the fields around say (Sun et al. 2019), if these are known; old_ax and
- *  old_ay hold that of velocity until the step is made. */
+/** Velocity and density change along the shift as the fields around say (Sun et al. 2019), if these are known; old_ax
+ * and old_ay hold that of velocity until the step is made. */
 static void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
 {
     sph2d__store *f = &s->fluid;
