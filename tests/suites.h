@@ -25,6 +25,7 @@
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
     X(projection)                                                                                                      \
+    X(hard_cases)                                                                                                      \
     X(features)                                                                                                        \
     X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \

@@ -218,7 +218,7 @@ static void solve(sph2d__system *s, const spook *k)
         now = over(parts, count, begin_rows, 0);
     }
     s->iterations = steps;
-    s->left = now.second / (double)s->fluid.count;
+    s->left = now.second / fmax(1, (double)s->fluid.count);
     s->wanted = s->method.tolerance;
     s->unconverged = !(now.second <= wanted);
 }

@@ -97,7 +97,7 @@ static void project(sph2d__system *s)
         sph2d__slab_sum left = correct(s, &s->fluid, &s->neighbours, c);
         if (s->walls_press)
             left.second += correct(s, &s->walls, &s->wall_neighbours, c).second;
-        s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / (double)s->fluid.count;
+        s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
         s->unconverged = !(s->left <= s->wanted);
         bool grows = left.first > GROWTH * least;
         c.factor *= grows ? 0.5 : 1;

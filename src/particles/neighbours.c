@@ -22,9 +22,10 @@ static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[
 
 bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each)
 {
-    if (count <= n->particles && each <= n->each)
+    if (n->slices && count <= n->particles && each <= n->each)
         return true;
     size_t grown = count > n->particles ? count + count / 2 : n->particles;
+    grown = grown > 0 ? grown : 1; /* nothing yet: a source may come */
     each = each > n->each ? each : n->each;
     sph2d__neighbours_free(n, memory);
     sph2d__growth blocks[BLOCKS];

@@ -27,6 +27,12 @@ static sph2d_status kick_drift(sph2d_sim *sim, double dt)
     return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
 }
 
+sph2d_status sph2d__projected_renew(sph2d_sim *sim)
+{
+    sph2d_status status = sph2d__sort_fluid(sim);
+    return status == SPH2D_OK && !sim->method->evaluate(&sim->system) ? SPH2D_NOMEM : status;
+}
+
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
 {
     sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);

@@ -46,6 +46,20 @@ static sph2d_status move(sph2d_sim *sim, double dt)
     return sph2d__leapfrog(sim, dt);
 }
 
+/** Sources feed, drains and open sides take; what a projection found before is then found again. */
+static sph2d_status come_and_go(sph2d_sim *sim)
+{
+    uint64_t fed = sim->record.fed;
+    size_t count = sim->system.fluid.count;
+    sph2d_status status = sph2d__sim_feed(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_drain(sim);
+    bool same = sim->record.fed == fed && sim->system.fluid.count == count;
+    if (status != SPH2D_OK || same || sim->method->integrator != SPH2D__PROJECTED)
+        return status;
+    return sph2d__projected_renew(sim);
+}
+
 sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
 {
     if (sim->stopped != SPH2D_OK) {
@@ -53,9 +67,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
                          sph2d_status_text(sim->stopped));
         return sim->stopped;
     }
-    sph2d_status status = sph2d__sim_feed(sim);
-    if (status == SPH2D_OK)
-        status = sph2d__sim_drain(sim);
+    sph2d_status status = come_and_go(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     double dt = sim->record.next_step;
