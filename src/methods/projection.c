@@ -238,12 +238,17 @@ static double filled_at(const sph2d__system *s, double depth)
     return s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio * sum;
 }
 
-/** Boundary particles of layers have rows, but in corners, where the surface is not straight. */
+/** Boundary particles of layers have rows, but in corners, where the surface is not straight. Those of the domain's
+ * sides know the room around them, those of obstacles take their surface for straight. */
 static void fill_layers(sph2d__system *s)
 {
     sph2d__store *w = &s->walls;
-    for (size_t b = 0; b < w->count; ++b)
-        w->filled[b] = w->bounce[b] < 0 && w->depth[b] > 0 ? filled_at(s, w->depth[b]) : 0;
+    double scale = s->calibration * sph2d__kernel_constant(s->method.kernel);
+    for (size_t b = 0; b < w->count; ++b) {
+        bool straight = w->bounce[b] < 0 && w->depth[b] > 0 && w->depth[b] < INFINITY;
+        double room = w->filled[b];
+        w->filled[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
+    }
 }
 
 void sph2d__projection_prepare(sph2d__system *s)

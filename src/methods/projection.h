@@ -20,7 +20,7 @@
  *      (D u)_b  = sum_j G_jb . (u_j - u_b)                                 rate of g_b
  *      g_b      = (m_b/m) (c sum_j m W(r_bj)/rho0 - filled_b)
  *
- *  where filled_b is that sum for a lattice that fills the room in front of a straight wall. Their pressure is what
+ *  where filled_b is that sum for a lattice that fills the room in front of the wall. Their pressure is what
  * holds liquid off the wall (pressure boundaries, Band et al. 2018); without it the first row of liquid has twice the
  * pressure of the second. A wall of a single row has none: there liquid particles see their own pressure in it (Akinci
  * et al. 2012, eq. 7). */

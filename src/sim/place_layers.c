@@ -8,6 +8,7 @@
  *  lattice of the spacing. */
 #include <math.h>
 
+#include "kernels/kernel.h"
 #include "scene/resolve.h"
 #include "sim/simulation.h"
 
@@ -209,6 +210,22 @@ static void look_at_surface(place *p, const extent *x, long i, const extent *y, 
     }
 }
 
+/** f(q) of the kernel summed over the lattice that fills the room, corners included, around a place; each value counts
+ * as a cell's area over H^2. */
+static double room_around(const sph2d_sim *sim, const extent *x, const extent *y, sph2d_vec2 p)
+{
+    double h = sim->system.support, sum = 0;
+    long i1 = (long)floor((p.x + h - x->origin) / x->size), j1 = (long)floor((p.y + h - y->origin) / y->size);
+    for (long j = (long)floor((p.y - h - y->origin) / y->size); j <= j1; ++j)
+        for (long i = (long)floor((p.x - h - x->origin) / x->size); i <= i1; ++i) {
+            double dx = x->origin + ((double)i + 0.5) * x->size - p.x;
+            double dy = y->origin + ((double)j + 0.5) * y->size - p.y;
+            if (!is_behind(x, i) && !is_behind(y, j))
+                sum += sph2d__kernel_value_at(sim->system.method.kernel, hypot(dx, dy) / h);
+        }
+    return sum * x->size * y->size / (h * h);
+}
+
 /** Gives the last boundary particle the speed of its side; in corners the walls rest. */
 static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, long j)
 {
@@ -250,6 +267,8 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
             if (status != SPH2D_OK)
                 return status;
             set_speed(sim, &x, i, &y, j);
+            if (sim->system.walls.filled)
+                sim->system.walls.filled[sim->system.walls.count - 1] = room_around(sim, &x, &y, p);
         }
     return SPH2D_OK;
 }
