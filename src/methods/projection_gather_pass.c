@@ -24,7 +24,7 @@ static slab slab_start(const sph2d__neighbours *n, size_t k)
     size_t room = n->each * SPH2D__SLAB, longest = sph2d__neighbours_longest(n);
     return (slab){.next = k * room,
                   .end = (k + 1) * room,
-                  .found = n->found + k * longest * 8,
+                  .found = n->found + k * longest * SPH2D__WIDEST,
                   .longest = longest,
                   .fluid = SPH2D__CURSOR_START,
                   .walls = SPH2D__CURSOR_START};

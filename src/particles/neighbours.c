@@ -3,8 +3,7 @@
  *  Room for the neighbours. */
 #include "particles/neighbours.h"
 
-/* Lanes of the narrowest and the widest instruction set. */
-enum { NARROW = 2, WIDE = 8, BLOCKS = 6 };
+enum { BLOCKS = 6 };
 
 /** The blocks, and how many items of each there are for a slab. */
 static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
@@ -12,8 +11,12 @@ static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[
     const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices}, {&n->index, sizeof *n->index},
                                        {&n->gx, sizeof *n->gx},         {&n->gy, sizeof *n->gy},
                                        {&n->found, sizeof *n->found},   {&n->sums, sizeof *n->sums}};
-    const size_t lengths[BLOCKS] = {SPH2D__SLAB / NARROW, each * SPH2D__SLAB, each * SPH2D__SLAB,
-                                    each * SPH2D__SLAB,   4 * each * WIDE,    1};
+    const size_t lengths[BLOCKS] = {SPH2D__SLAB / SPH2D__NARROWEST,
+                                    each * SPH2D__SLAB,
+                                    each * SPH2D__SLAB,
+                                    each * SPH2D__SLAB,
+                                    4 * each * SPH2D__WIDEST,
+                                    1};
     for (int k = 0; k < BLOCKS; ++k) {
         blocks[k] = all[k];
         items[k] = lengths[k];

@@ -24,6 +24,8 @@
 
 /** Particles of one slab: few enough to share uneven work; a multiple of the lanes of every instruction set. */
 enum { SPH2D__SLAB = 256 };
+/** Lanes of the narrowest and the widest instruction set. */
+enum { SPH2D__NARROWEST = 2, SPH2D__WIDEST = 8 };
 
 /** What a loop over the particles of a slab sums up. */
 typedef struct sph2d__slab_sum {
