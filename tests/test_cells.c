@@ -199,7 +199,8 @@ static size_t mistakes_at(double x, double y)
     size_t mistakes = 0;
     uint32_t cell = sph2d__cells_find(&cells, x, y);
     if (cell != UINT32_MAX) {
-        sph2d__ranges ranges = sph2d__cells_ranges(&cells, cell);
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&cells, cell, &ranges);
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
             if (j < store.count)
                 ++seen[j];

@@ -79,7 +79,8 @@ static void look_around(const room *r, size_t i, int found[MOST])
 {
     uint32_t cell = sph2d__cells_find(&cells, store.x[i], store.y[i]);
     ck_assert(cell != UINT32_MAX);
-    sph2d__ranges ranges = sph2d__cells_ranges(&cells, cell);
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, n, j) {
         double dx = store.x[i] + ranges.x[n] - store.x[j], dy = store.y[i] + ranges.y[n] - store.y[j];
         double near_x = sph2d__period_nearest(store.x[i] - store.x[j], r->length_x);

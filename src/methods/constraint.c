@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "base/threads.h"
+#include "base/lanes.h"
 #include "methods/projection.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a): viscosity is explicit; liquid that is let go must not fall far in a
@@ -28,64 +28,45 @@ static spook spook_of(const sph2d__system *s)
 
 /* ---- the system -------------------------------------------------------------------------------------------------- */
 
-/** The rows of one store: those of the fluid, or those of the boundary particles. */
-typedef struct part {
-    sph2d__store *store;
-    const sph2d__neighbours *neighbours;
-    int threads;
-} part;
-
-enum { PARTS = 2 };
-
-static void list_parts(sph2d__system *s, part parts[PARTS])
-{
-    parts[0] = (part){&s->fluid, &s->neighbours, sph2d__threads_for(s->threads, s->fluid.count)};
-    parts[1] = (part){&s->walls, &s->wall_neighbours, sph2d__threads_for(s->threads, s->walls.count)};
-}
-
-/** How many parts have rows. */
-static int part_count(const sph2d__system *s)
-{
-    return s->walls_press ? PARTS : 1;
-}
-
-/** product = (D D' + S) direction. */
-static void apply(sph2d__system *s, const spook *k, const part *parts)
-{
-    sph2d__rows out = {s->fluid.product, s->walls.product};
-    sph2d__projection_spread(s, (sph2d__rows){s->fluid.direction, s->walls.direction});
-    sph2d__projection_collect(s, 0, out);
-    for (int n = 0; n < part_count(s); ++n) {
-        const part *p = &parts[n];
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-        for (size_t i = 0; i < p->store->count; ++i)
-            p->store->product[i] += k->soft * p->store->direction[i];
-    }
-}
-
 /** The residual of the multipliers of the step before: the right-hand side less the matrix times them, both with one
  *  sum over neighbours. */
-static void load(sph2d__system *s, const spook *k, const part *parts)
+static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const sph2d__store *f = &s->fluid;
-    double keep = k->dt * (1 - k->gamma), fall = k->dt * k->dt;
-    sph2d__projection_begin(s);
-    sph2d__projection_spread(s, (sph2d__rows){f->multiplier, s->walls.multiplier});
-#pragma omp parallel for schedule(static) num_threads(parts[0].threads) if (parts[0].threads > 1)
-    for (size_t i = 0; i < f->count; ++i) {
-        f->push_x[i] = keep * f->vx[i] + fall * f->ax[i] - f->push_x[i];
-        f->push_y[i] = keep * f->vy[i] + fall * f->ay[i] - f->push_y[i];
+    const spook *k = with;
+    sph2d__store *t = slab->rows;
+    (void)sum;
+    sph2d__projection_collect(s, slab, k->dt * (1 - k->gamma), t->residual);
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double weight = slab->walls ? t->mass[i] / s->mass : 1, g = weight * (t->density[i] / s->rest_density - 1);
+        t->residual[i] += 4 * k->gamma * g - k->soft * t->multiplier[i];
+        t->diagonal[i] = t->diagonal[i] > 0 ? 1 / (t->diagonal[i] + k->soft) : 0;
     }
-    sph2d__projection_collect(s, keep, (sph2d__rows){f->residual, s->walls.residual});
-    for (int n = 0; n < part_count(s); ++n) {
-        sph2d__store *t = parts[n].store;
-#pragma omp parallel for schedule(static) num_threads(parts[n].threads) if (parts[n].threads > 1)
-        for (size_t i = 0; i < t->count; ++i) {
-            double weight = n == 0 ? 1 : t->mass[i] / s->mass, g = weight * (t->density[i] / s->rest_density - 1);
-            t->residual[i] += 4 * k->gamma * g - k->soft * t->multiplier[i];
-            t->diagonal[i] = t->diagonal[i] > 0 ? 1 / (t->diagonal[i] + k->soft) : 0;
-        }
+}
+
+static void load(sph2d__system *s, const spook *k)
+{
+    sph2d__projection_begin(s, 1);
+    sph2d__projection_lead(s, k->dt * (1 - k->gamma), k->dt * k->dt);
+    sph2d__over_rows(s, load_slab, k);
+}
+
+/** product = (D D' + S) direction; the sum is direction . product. */
+static void apply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const spook *k = with;
+    sph2d__store *t = slab->rows;
+    sph2d__projection_collect(s, slab, 0, t->product);
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double direction = sph2d__twin_value(t->direction[i]);
+        t->product[i] += k->soft * direction;
+        sum->first += direction * t->product[i];
     }
+}
+
+static double apply(sph2d__system *s, const spook *k)
+{
+    sph2d__projection_spread(s);
+    return sph2d__over_rows(s, apply_slab, k).first;
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
@@ -101,121 +82,104 @@ static inline void add_residual(sph2d__slab_sum *sum, double r, double inverse)
 }
 
 /** Which rows are active is kept in the sign of the inverse diagonal: that of the others is negative. */
-static sph2d__slab_sum begin_rows(const part *p, double unused)
+static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__store *t = p->store;
-    (void)unused;
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-    SPH2D__FOR_SLABS(p->neighbours, t->count, i, sum)
-    {
+    sph2d__store *t = slab->rows;
+    (void)s;
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
         double inverse = fabs(t->diagonal[i]), r = t->residual[i];
         bool active = t->multiplier[i] > 0 || r > 0;
         t->diagonal[i] = active ? inverse : -inverse;
-        t->direction[i] = active ? r * inverse : 0;
+        t->direction[i] = sph2d__twin(active ? r * inverse : 0);
         if (active && inverse > 0)
-            add_residual(&sum, r, inverse);
+            add_residual(sum, r, inverse);
     }
-    return sph2d__neighbours_total(p->neighbours, t->count);
-}
-
-/** direction . product. */
-static sph2d__slab_sum curve_rows(const part *p, double unused)
-{
-    const sph2d__store *t = p->store;
-    (void)unused;
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-    SPH2D__FOR_SLABS(p->neighbours, t->count, i, sum)
-    sum.first += t->direction[i] * t->product[i];
-    return sph2d__neighbours_total(p->neighbours, t->count);
 }
 
 /** One step along the direction. */
-static sph2d__slab_sum advance_rows(const part *p, double length)
+static void advance_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__store *t = p->store;
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-    SPH2D__FOR_SLABS(p->neighbours, t->count, i, sum)
-    {
-        t->multiplier[i] += length * t->direction[i];
-        t->residual[i] -= length * t->product[i];
+    const double *length = with;
+    sph2d__store *t = slab->rows;
+    (void)s;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        t->multiplier[i] += *length * sph2d__twin_value(t->direction[i]);
+        t->residual[i] -= *length * t->product[i];
         if (t->diagonal[i] > 0)
-            add_residual(&sum, t->residual[i], t->diagonal[i]);
+            add_residual(sum, t->residual[i], t->diagonal[i]);
     }
-    return sph2d__neighbours_total(p->neighbours, t->count);
 }
 
 /** The next direction. */
-static sph2d__slab_sum turn_rows(const part *p, double keep)
+static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__store *t = p->store;
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-    for (size_t i = 0; i < t->count; ++i)
-        t->direction[i] = t->diagonal[i] > 0 ? t->diagonal[i] * t->residual[i] + keep * t->direction[i] : 0;
-    return (sph2d__slab_sum){0};
+    const double *keep = with;
+    sph2d__store *t = slab->rows;
+    (void)s;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double next = t->diagonal[i] * t->residual[i] + *keep * sph2d__twin_value(t->direction[i]);
+        t->direction[i] = sph2d__twin(t->diagonal[i] > 0 ? next : 0);
+    }
 }
 
-/** The way from multipliers that pull back to none. The sum: how far. */
-static sph2d__slab_sum clamp_rows(const part *p, double unused)
+/** The way from multipliers that pull back to none. The sum: what that does to residuals, as far as a row's own goes.
+ */
+static void clamp_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__store *t = p->store;
-    (void)unused;
-#pragma omp parallel for schedule(static) num_threads(p->threads) if (p->threads > 1)
-    SPH2D__FOR_SLABS(p->neighbours, t->count, i, sum)
-    {
-        double pull = t->multiplier[i] < 0 ? -t->multiplier[i] : 0;
-        t->direction[i] = pull;
-        sum.second += pull;
+    sph2d__store *t = slab->rows;
+    (void)s;
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double kept = sph2d__twin(t->multiplier[i] < 0 ? -t->multiplier[i] : 0), pull = sph2d__twin_value(kept);
+        t->direction[i] = kept;
+        if (!(pull > 0))
+            continue;
+        t->multiplier[i] = -pull; /* so that the way ends at 0 */
+        sum->second += pull / fabs(t->diagonal[i]);
     }
-    return sph2d__neighbours_total(p->neighbours, t->count);
-}
-
-/** Does the same to all parts and adds up what they sum. */
-static sph2d__slab_sum over(const part *parts, int count, sph2d__slab_sum (*what)(const part *, double), double value)
-{
-    sph2d__slab_sum sum = {0};
-    for (int n = 0; n < count; ++n) {
-        sph2d__slab_sum one = what(&parts[n], value);
-        sum.first += one.first;
-        sum.second += one.second;
-        sum.most = one.most > sum.most ? one.most : sum.most;
-    }
-    return sum;
 }
 
 /* A round ends where so much is left of what it began with: the active rows are others then. */
 static const double ROUND = 0.3;
 /* The last one ends where so much of what may be left is left: multipliers below zero are still to be cut off. */
-static const double LAST = 0.7;
+static const double LAST = 0.75;
+/* What cutting off may leave in all rows, over what it leaves in its own: 1 at most in a collapsing column. */
+static const double BESIDE = 2;
 
 /** Rounds of preconditioned conjugate gradients (Hestenes & Stiefel 1952) on the rows that are active, until what is
  *  left is small. */
 static void solve(sph2d__system *s, const spook *k)
 {
-    part parts[PARTS];
-    int count = part_count(s);
+    const double whole = 1;
     double wanted = s->method.tolerance * (double)s->fluid.count;
     uint64_t steps = 0, most = s->method.max_iterations;
-    list_parts(s, parts);
-    load(s, k, parts);
-    sph2d__slab_sum now = over(parts, count, begin_rows, 0);
+    load(s, k);
+    sph2d__slab_sum now = sph2d__over_rows(s, begin_slab, NULL);
     bool falls = true; /* not where nothing but an even compression is left, in a room that is full */
     while (now.second > wanted && steps < most && falls) {
         double round = fmax(ROUND * now.second, LAST * wanted);
         while (now.second > round && steps < most) {
-            apply(s, k, parts);
-            double curve = over(parts, count, curve_rows, 0).first, before = now.first;
+            double curve = apply(s, k), before = now.first, length = before / curve;
             falls = curve > 0;
             if (!falls)
                 break;
-            now = over(parts, count, advance_rows, before / curve);
-            over(parts, count, turn_rows, now.first / before);
+            now = sph2d__over_rows(s, advance_slab, &length);
+            double keep = now.first / before;
+            sph2d__over_rows(s, turn_slab, &keep);
             ++steps;
         }
-        if (over(parts, count, clamp_rows, 0).second > 0) {
-            apply(s, k, parts);
-            over(parts, count, advance_rows, 1);
+        double cut = BESIDE * sph2d__over_rows(s, clamp_slab, NULL).second;
+        if (now.second + cut <= wanted) { /* the usual end: little is cut off, and is not worth a look */
+            now.second += cut;
+            break;
         }
-        now = over(parts, count, begin_rows, 0);
+        if (cut > 0) {
+            apply(s, k);
+            sph2d__over_rows(s, advance_slab, &whole);
+        }
+        now = sph2d__over_rows(s, begin_slab, NULL);
     }
     s->iterations = steps;
     s->left = now.second / fmax(1, (double)s->fluid.count);
@@ -240,9 +204,9 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 const sph2d__method sph2d__constraint = {
     .name = "constraint",
     .integrator = SPH2D__PROJECTED,
-    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(direction) | SPH2D__BIT(product),
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(product),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(pressure),
-    .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(direction) | SPH2D__BIT(product),
+    .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(product),
     .prepare = sph2d__projection_prepare,
     .evaluate = sph2d__projection_gather,
     .project = project,

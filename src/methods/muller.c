@@ -38,8 +38,8 @@ static void weigh_walls(sph2d__system *s)
         s->walls.mass[b] = 0;
         if (s->walls.bounce[b] >= 0)
             continue;
-        sph2d__ranges ranges =
-            sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, walls->x[b], walls->y[b]));
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, walls->x[b], walls->y[b]), &ranges);
         double sum = 0;
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
             double dx = walls->x[b] + ranges.x[r] - walls->x[j], dy = walls->y[b] + ranges.y[r] - walls->y[j];

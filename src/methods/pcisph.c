@@ -4,9 +4,8 @@
 #include "methods/pcisph.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "base/threads.h"
+#include "base/lanes.h"
 #include "kernels/kernel.h"
 #include "methods/projection.h"
 
@@ -43,40 +42,30 @@ typedef struct correction {
     double soft; /**< compression that a multiplier keeps */
 } correction;
 
-/** Sums and largest: what was left, compression and pressure that is too large. Second sum: left . way, below zero
- *  where going ahead went too far. */
-static sph2d__slab_sum correct(const sph2d__system *s, sph2d__store *rows, const sph2d__neighbours *n, correction c)
+/** Predicts the densities of a slab, then corrects. Sums and largest: what was left of the fluid, compression and
+ * pressure that is too large. Second sum: left . way, below zero where going ahead went too far. */
+static void correct_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    int threads = sph2d__threads_for(s->threads, rows->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    SPH2D__FOR_SLABS(n, rows->count, i, part)
-    {
-        double ahead = rows->multiplier[i], r = rows->residual[i] - c.soft * ahead;
-        double left = r > 0 ? r : ahead > 0 ? -r : 0, y = ahead + c.factor * r;
+    const correction *c = with;
+    sph2d__store *rows = slab->rows;
+    double total = 0, most = 0;
+    sph2d__projection_predict(s, slab);
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double ahead = sph2d__twin_value(rows->direction[i]), r = rows->residual[i] - c->soft * ahead;
+        double left = r > 0 ? r : ahead > 0 ? -r : 0, y = ahead + c->factor * r;
         y = y > 0 ? y : 0;
-        double way = y - rows->direction[i];
-        ahead = y + c.ahead * way;
-        rows->direction[i] = y;
-        rows->multiplier[i] = ahead > 0 ? ahead : 0;
-        part.first += left;
-        part.second += r * way;
-        part.most = left > part.most ? left : part.most;
+        double way = y - rows->multiplier[i];
+        ahead = y + c->ahead * way;
+        rows->multiplier[i] = y;
+        rows->direction[i] = sph2d__twin(ahead > 0 ? ahead : 0);
+        total += left;
+        sum->second += r * way;
+        most = left > most ? left : most;
     }
-    return sph2d__neighbours_total(n, rows->count);
-}
-
-/** The multipliers to start from. */
-static void begin(sph2d__store *rows)
-{
-    for (size_t i = 0; i < rows->count; ++i)
-        rows->direction[i] = rows->multiplier[i] *= WARMTH;
-}
-
-/** The multipliers of the last correction, none ahead. */
-static void end(sph2d__store *rows)
-{
-    if (rows->count > 0)
-        memcpy(rows->multiplier, rows->direction, rows->count * sizeof *rows->multiplier);
+    if (slab->walls)
+        return;
+    sum->first = total;
+    sum->most = most;
 }
 
 static void project(sph2d__system *s)
@@ -84,19 +73,14 @@ static void project(sph2d__system *s)
     double sound = s->sound_speed * s->step, t = 1, least = INFINITY;
     correction c = {RELAXATION / (2 * sph2d__pcisph_prototype(s)), 0, 1 / (sound * sound)};
     uint64_t n = 0;
-    sph2d__projection_begin(s);
-    begin(&s->fluid);
-    begin(&s->walls);
+    sph2d__projection_begin(s, WARMTH);
     s->wanted = s->method.max_compression;
     s->unconverged = true;
     while (n < s->method.max_iterations && (s->unconverged || n < s->method.min_iterations)) {
         double next = (1 + sqrt(1 + 4 * t * t)) / 2;
         c.ahead = (t - 1) / next;
-        sph2d__projection_move(s, (sph2d__rows){s->fluid.multiplier, s->walls.multiplier});
-        sph2d__projection_predict(s);
-        sph2d__slab_sum left = correct(s, &s->fluid, &s->neighbours, c);
-        if (s->walls_press)
-            left.second += correct(s, &s->walls, &s->wall_neighbours, c).second;
+        sph2d__projection_move(s);
+        sph2d__slab_sum left = sph2d__over_rows(s, correct_slab, &c);
         s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
         s->unconverged = !(s->left <= s->wanted);
         bool grows = left.first > GROWTH * least;
@@ -106,8 +90,6 @@ static void project(sph2d__system *s)
         ++n;
     }
     s->iterations = n;
-    end(&s->fluid);
-    end(&s->walls);
     sph2d__projection_end(s);
 }
 
@@ -119,9 +101,9 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 const sph2d__method sph2d__pcisph = {
     .name = "pcisph",
     .integrator = SPH2D__PROJECTED,
-    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(direction),
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(pressure),
-    .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(direction),
+    .walls = SPH2D__PROJECTION_WALLS,
     .prepare = sph2d__projection_prepare,
     .evaluate = sph2d__projection_gather,
     .project = project,

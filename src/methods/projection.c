@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "base/threads.h"
+#include "base/lanes.h"
 #include "kernels/kernel.h"
 #include "methods/tension.h"
 
@@ -49,130 +49,137 @@ static void put_far(const sph2d__store *store, double *x, double *y)
         x[store->count] = y[store->count] = 1e30;
 }
 
-/** Gathers all slabs of one store. False when one is full. */
-static bool gather_store(sph2d__system *s, const sph2d__store *store, bool (*pass)(sph2d__system *, size_t))
-{
-    int threads = sph2d__threads_for(s->threads, store->count), full = 0;
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1) reduction(+ : full)
-    for (size_t k = 0; k < sph2d__slabs(store->count); ++k)
-        full += !pass(s, k);
-    return full == 0;
-}
-
-static bool gather(sph2d__system *s)
+/** Gathers for the slab; its largest is 1 when there was not room enough. */
+static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const sph2d__projection_gather_pass *pass = gathers(s->isa);
-    put_far(&s->fluid, s->fluid.x, s->fluid.y);
-    put_far(&s->walls, s->walls.x, s->walls.y);
-    return gather_store(s, &s->fluid, pass->fluid[s->method.kernel]) &&
-           (!s->walls_press || gather_store(s, &s->walls, pass->walls[s->method.kernel]));
+    (void)with;
+    sum->most = !(slab->walls ? pass->walls : pass->fluid)[s->method.kernel](s, slab->first / SPH2D__SLAB);
 }
 
 bool sph2d__projection_gather(sph2d__system *s)
 {
     size_t each = usual_pairs(s);
+    put_far(&s->fluid, s->fluid.x, s->fluid.y);
+    put_far(&s->walls, s->walls.x, s->walls.y);
     for (;; each = 2 * s->neighbours.each) {
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
             (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
             return false;
-        if (gather(s))
+        if (sph2d__over_rows(s, gather_slab, NULL).most == 0)
             break;
     }
     sph2d__tension_add(s);
     return true;
 }
 
-/** Runs the statement behind it for each slab, shared among threads: particles `first` to `last` - 1. */
-#define FOR_SHARED_SLABS(count, first, last)                                                                           \
-    for (size_t first = 0; first < (count); first += SPH2D__SLAB)                                                      \
-        for (size_t last = first + SPH2D__SLAB < (count) ? first + SPH2D__SLAB : (count), once_ = 1; once_; once_ = 0)
+/* ---- sums over neighbours ---------------------------------------------------------------------------------------- */
 
-void sph2d__projection_spread(sph2d__system *s, sph2d__rows y)
+/** How much of velocities and accelerations leads. */
+typedef struct shares {
+    double keep, fall;
+} shares;
+
+static void spread_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const sph2d__projection_passes *pass = passes(s->isa);
-    int threads = sph2d__threads_for(s->threads, s->fluid.count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(s->fluid.count, first, last)
-    pass->spread(s, y, first, last);
+    (void)with;
+    (void)sum;
+    passes(s->isa)->spread(s, slab->first, slab->last);
 }
 
-void sph2d__projection_collect(sph2d__system *s, double share, sph2d__rows out)
+static void lead_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const sph2d__projection_passes *pass = passes(s->isa);
-    int threads = sph2d__threads_for(s->threads, s->fluid.count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(s->fluid.count, first, last)
-    pass->collect_fluid(s, share, out.fluid, first, last);
-    size_t walls = s->walls_press ? s->walls.count : 0;
-    threads = sph2d__threads_for(s->threads, walls);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(walls, first, last)
-    pass->collect_walls(s, share, out.walls, first, last);
+    const shares *w = with;
+    (void)sum;
+    passes(s->isa)->lead(s, w->keep, w->fall, slab->first, slab->last);
 }
 
-void sph2d__projection_move(sph2d__system *s, sph2d__rows y)
+static void move_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    (void)sum;
+    passes(s->isa)->move(s, slab->first, slab->last);
+}
+
+static void press_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *share = with;
+    (void)sum;
+    passes(s->isa)->press(s, *share, slab->first, slab->last);
+}
+
+/** What stands behind the last particle, with which shorter lists end: nothing that a gradient of zero would not undo.
+ */
+static void push_nothing(sph2d__store *f)
+{
+    if (f->capacity > 0)
+        f->push[f->count] = 0;
+}
+
+void sph2d__projection_spread(sph2d__system *s)
+{
+    sph2d__over_fluid(s, spread_slab, NULL);
+    push_nothing(&s->fluid);
+}
+
+void sph2d__projection_lead(sph2d__system *s, double keep, double fall)
+{
+    sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
+    push_nothing(&s->fluid);
+}
+
+void sph2d__projection_collect(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
 {
     const sph2d__projection_passes *pass = passes(s->isa);
-    const sph2d__store *f = &s->fluid;
-    double dt = s->step;
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(f->count, first, last)
-    {
-        pass->spread(s, y, first, last);
-        for (size_t i = first; i < last; ++i) { /* at once, while the slab is at hand */
-            f->next_x[i] = f->x[i] + (dt * (f->vx[i] + dt * f->ax[i]) - f->push_x[i]);
-            f->next_y[i] = f->y[i] + (dt * (f->vy[i] + dt * f->ay[i]) - f->push_y[i]);
-        }
+    (slab->walls ? pass->collect_walls : pass->collect_fluid)(s, share, out, slab->first, slab->last);
+}
+
+void sph2d__projection_move(sph2d__system *s)
+{
+    sph2d__over_fluid(s, move_slab, NULL);
+    put_far(&s->fluid, s->fluid.next_x, s->fluid.next_y);
+}
+
+void sph2d__projection_predict(sph2d__system *s, const sph2d__slab *slab)
+{
+    const sph2d__projection_passes *pass = passes(s->isa);
+    (slab->walls ? pass->predict_walls : pass->predict_fluid)[s->method.kernel](s, slab->first, slab->last);
+}
+
+/* ---- pressures and multipliers ----------------------------------------------------------------------------------- */
+
+static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *part = with;
+    double factor = *part * s->step * s->step / (s->rest_density * s->moment);
+    sph2d__store *t = slab->rows;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        t->direction[i] = sph2d__twin(t->multiplier[i] = t->pressure[i] > 0 ? factor * t->pressure[i] : 0);
+}
+
+void sph2d__projection_begin(sph2d__system *s, double part)
+{
+    sph2d__over_rows(s, begin_slab, &part);
+}
+
+static void end_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    double factor = s->moment * s->rest_density / (s->step * s->step);
+    sph2d__store *t = slab->rows;
+    (void)with;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        t->multiplier[i] = t->multiplier[i] > 0 ? t->multiplier[i] : 0;
+        t->pressure[i] = factor * t->multiplier[i];
     }
-}
-
-void sph2d__projection_predict(sph2d__system *s)
-{
-    const sph2d__projection_passes *pass = passes(s->isa);
-    const sph2d__store *f = &s->fluid;
-    put_far(f, f->next_x, f->next_y);
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(f->count, first, last)
-    pass->predict_fluid[s->method.kernel](s, first, last);
-    size_t walls = s->walls_press ? s->walls.count : 0;
-    threads = sph2d__threads_for(s->threads, walls);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    FOR_SHARED_SLABS(walls, first, last)
-    pass->predict_walls[s->method.kernel](s, first, last);
-}
-
-static void scale_into(double *to, const double *from, double factor, size_t count, int limit)
-{
-    int threads = sph2d__threads_for(limit, count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < count; ++i)
-        to[i] = from[i] > 0 ? factor * from[i] : 0;
-}
-
-void sph2d__projection_begin(sph2d__system *s)
-{
-    double factor = s->step * s->step / (s->rest_density * s->moment);
-    scale_into(s->fluid.multiplier, s->fluid.pressure, factor, s->fluid.count, s->threads);
-    scale_into(s->walls.multiplier, s->walls.pressure, factor, s->walls.count, s->threads);
 }
 
 void sph2d__projection_end(sph2d__system *s)
 {
-    sph2d__store *f = &s->fluid, *w = &s->walls;
-    double share = 1 / (s->step * s->step), factor = s->moment * s->rest_density * share;
-    scale_into(f->multiplier, f->multiplier, 1, f->count, s->threads);
-    scale_into(w->multiplier, w->multiplier, 1, w->count, s->threads);
-    scale_into(f->pressure, f->multiplier, factor, f->count, s->threads);
-    scale_into(w->pressure, w->multiplier, factor, w->count, s->threads);
-    sph2d__projection_spread(s, (sph2d__rows){f->multiplier, w->multiplier});
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < f->count; ++i) {
-        f->ax[i] -= share * f->push_x[i];
-        f->ay[i] -= share * f->push_y[i];
-    }
+    const double share = 1 / (s->step * s->step);
+    sph2d__over_rows(s, end_slab, NULL);
+    sph2d__over_fluid(s, press_slab, &share);
 }
 
 double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, double viscous, double force,
@@ -215,7 +222,8 @@ static void weigh_rows(sph2d__system *s, double lattice)
     for (size_t b = 0; b < w->count; ++b) {
         if (w->bounce[b] >= 0 || w->mass[b] > 0)
             continue;
-        sph2d__ranges ranges = sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]));
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]), &ranges);
         double sum = 0;
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
             double dx = w->x[b] + ranges.x[r] - w->x[j], dy = w->y[b] + ranges.y[r] - w->y[j];

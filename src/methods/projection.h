@@ -28,33 +28,32 @@
 #define SPH2D_METHODS_PROJECTION_H
 
 #include "methods/method.h"
+#include "methods/slabs.h"
 
 /** Finds the neighbours, and with them the density, the diagonal of D D' and the acceleration by viscosity, body force
  *  and surface tension of every fluid particle; of boundary particles the diagonal, and in place of a density what they
  *  would have if the wall alone had the rest density. The cells are up to date. False when memory is short. */
 bool sph2d__projection_gather(sph2d__system *system);
 
-/** A vector with a number for every row: those of the fluid and those of the boundary particles. */
-typedef struct sph2d__rows {
-    double *fluid, *walls;
-} sph2d__rows;
+/** push = D' direction. */
+void sph2d__projection_spread(sph2d__system *system);
 
-/** push = D' y. */
-void sph2d__projection_spread(sph2d__system *system, sph2d__rows y);
+/** push = keep v + fall a - D' direction: what multipliers leave of a motion. */
+void sph2d__projection_lead(sph2d__system *system, double keep, double fall);
 
-/** out = D push, where boundary particles move with `share` of their velocities. */
-void sph2d__projection_collect(sph2d__system *system, double share, sph2d__rows out);
+/** out = D push for the rows of a slab, where boundary particles move with `share` of their velocities. */
+void sph2d__projection_collect(sph2d__system *system, const sph2d__slab *slab, double share, double *out);
 
-/** next = x + dt v + dt^2 a - D' y: where particles will be. */
-void sph2d__projection_move(sph2d__system *system, sph2d__rows y);
+/** next = x + dt v + dt^2 a - D' direction: where particles will be. */
+void sph2d__projection_move(sph2d__system *system);
 
-/** residual = rho+/rho0 - 1, and g_b, with the fluid at `next`, boundary particles moved on by their velocities over
- * the step, and the neighbours as they are. */
-void sph2d__projection_predict(sph2d__system *system);
+/** residual = rho+/rho0 - 1, and g_b, for the rows of a slab, with the fluid at `next`, boundary particles moved on by
+ * their velocities over the step, and the neighbours as they are. */
+void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 
-/** Multipliers y = dt^2 p/(k rho0) from the pressures, which are those of the step before, and back: then pressures,
- * and their part of the acceleration. */
-void sph2d__projection_begin(sph2d__system *system);
+/** Multipliers y = dt^2 p/(k rho0) from the pressures, which are those of the step before, times `part`, and the same
+ * as directions; and back: from multipliers pressures, and their part of the acceleration. */
+void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
 /** The shortest of the limits of methods.h, without sound: no particle goes farther than cfl H, and none would under
@@ -68,10 +67,10 @@ void sph2d__projection_prepare(sph2d__system *system);
 
 /** The arrays that this needs, besides those of the method. */
 #define SPH2D__PROJECTION_ROWS                                                                                         \
-    (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(diagonal) | SPH2D__BIT(multiplier) | SPH2D__BIT(residual))
+    (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(diagonal) | SPH2D__BIT(multiplier) |                      \
+     SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
-    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(push_x) |              \
-     SPH2D__BIT(push_y))
+    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(push))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \
@@ -88,7 +87,10 @@ typedef struct sph2d__projection_gather_pass {
  * each kernel, too. Threads share slabs outside of these functions: a kernel that is an argument of a parallel region
  * would no longer be a constant in its loops. */
 typedef struct sph2d__projection_passes {
-    void (*spread)(sph2d__system *system, sph2d__rows y, size_t first, size_t last);
+    void (*spread)(sph2d__system *system, size_t first, size_t last);
+    void (*lead)(sph2d__system *system, double keep, double fall, size_t first, size_t last);
+    void (*move)(sph2d__system *system, size_t first, size_t last);
+    void (*press)(sph2d__system *system, double share, size_t first, size_t last);
     void (*collect_fluid)(sph2d__system *system, double share, double *out, size_t first, size_t last);
     void (*collect_walls)(sph2d__system *system, double share, double *out, size_t first, size_t last);
     void (*predict_fluid[5])(sph2d__system *system, size_t first, size_t last);

@@ -79,11 +79,12 @@ SPH2D__INLINE uint32_t write_slots(sph2d__neighbours *n, slab *to, size_t far)
         to->full = true;
     if (to->full)
         return 0;
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        const uint32_t *found = to->found + (size_t)l * to->longest;
-        for (uint32_t k = 0; k < to->most; ++k)
-            index[k * SPH2D__LANES + (uint32_t)l] = k < to->counts[l] ? found[k] : (uint32_t)far;
-    }
+    for (int l = 0; l < SPH2D__LANES; ++l)
+        for (uint32_t k = to->counts[l]; k < to->most; ++k)
+            to->found[(size_t)l * to->longest + k] = (uint32_t)far;
+    for (uint32_t k = 0; k < to->most; ++k)
+        for (int l = 0; l < SPH2D__LANES; ++l)
+            index[k * SPH2D__LANES + (uint32_t)l] = to->found[(size_t)l * to->longest + k];
     to->next += (size_t)to->most * SPH2D__LANES;
     return to->most;
 }
@@ -131,8 +132,7 @@ SPH2D__INLINE void sum_slots(sph2d__neighbours *n, size_t at, uint32_t slots, co
             sum.drag_x += g * (sum.vx - sph2d__lanes_gather(from->vx, index));
             sum.drag_y += g * (sum.vy - sph2d__lanes_gather(from->vy, index));
         }
-        sph2d__lanes_store_float(n->gx + at, gx);
-        sph2d__lanes_store_float(n->gy + at, gy);
+        sph2d__pairs_store(n->gradient + at, sph2d__pairs_of(gx, gy));
     }
     *to = sum;
 }

@@ -35,7 +35,7 @@ SPH2D__INLINE bool sph2d__cursor_move(sph2d__cursor *cursor, const sph2d__cells 
     cursor->cell = cell;
     if (cell == UINT32_MAX)
         return false;
-    cursor->ranges = sph2d__cells_ranges(cells, cell);
+    sph2d__cells_ranges(cells, cell, &cursor->ranges);
     return true;
 }
 

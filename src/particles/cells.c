@@ -207,23 +207,28 @@ static int stretches(uint32_t middle, uint32_t all, double period, stretch out[2
     return 1;
 }
 
-sph2d__ranges sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell)
+/** Adds the particles of some cells of one row as a range, unless there are none. */
+static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, const stretch *columns, double offset)
+{
+    size_t first = (size_t)row * cells->nx + columns->first;
+    uint32_t begin = cells->start[first], end = cells->start[first + columns->count];
+    if (begin == end)
+        return;
+    int r = to->count++;
+    to->begin[r] = begin;
+    to->end[r] = end;
+    to->x[r] = columns->offset;
+    to->y[r] = offset;
+}
+
+void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
     stretch columns[2], rows[2];
     int column_count = stretches(cell % cells->nx, cells->nx, cells->period.length_x, columns);
     int row_count = stretches(cell / cells->nx, cells->ny, cells->period.length_y, rows);
-    sph2d__ranges ranges = {0};
+    to->count = 0;
     for (int b = 0; b < row_count; ++b)
-        for (uint32_t row = 0; row < rows[b].count; ++row)
-            for (int a = 0; a < column_count; ++a) {
-                if (columns[a].count == 0)
-                    continue;
-                size_t first = (size_t)(rows[b].first + row) * cells->nx + columns[a].first;
-                int r = ranges.count++;
-                ranges.begin[r] = cells->start[first];
-                ranges.end[r] = cells->start[first + columns[a].count];
-                ranges.x[r] = columns[a].offset;
-                ranges.y[r] = rows[b].offset;
-            }
-    return ranges;
+        for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
+            for (int a = 0; a < column_count; ++a)
+                add_range(to, cells, row, &columns[a], rows[b].offset);
 }

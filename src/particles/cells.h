@@ -56,8 +56,8 @@ static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, do
     return (uint32_t)fy * cells->nx + (uint32_t)fx;
 }
 
-/** The ranges of the 3 x 3 cells around a cell that sph2d__cells_find gave. */
-sph2d__ranges sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell);
+/** The ranges of the 3 x 3 cells around a cell that sph2d__cells_find gave; none is empty. */
+void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
 
 /** Runs the statement behind it for each particle `j` in the ranges, `r` being the number of its range. */
 #define SPH2D__FOR_NEIGHBOURS(ranges, r, j)                                                                            \

@@ -3,20 +3,18 @@
  *  Room for the neighbours. */
 #include "particles/neighbours.h"
 
-enum { BLOCKS = 6 };
+enum { BLOCKS = 5 };
 
 /** The blocks, and how many items of each there are for a slab. */
 static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
 {
-    const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices}, {&n->index, sizeof *n->index},
-                                       {&n->gx, sizeof *n->gx},         {&n->gy, sizeof *n->gy},
-                                       {&n->found, sizeof *n->found},   {&n->sums, sizeof *n->sums}};
-    const size_t lengths[BLOCKS] = {SPH2D__SLAB / SPH2D__NARROWEST,
-                                    each * SPH2D__SLAB,
-                                    each * SPH2D__SLAB,
-                                    each * SPH2D__SLAB,
-                                    4 * each * SPH2D__WIDEST,
-                                    1};
+    const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices},
+                                       {&n->index, sizeof *n->index},
+                                       {&n->gradient, sizeof *n->gradient},
+                                       {&n->found, sizeof *n->found},
+                                       {&n->sums, sizeof *n->sums}};
+    const size_t lengths[BLOCKS] = {SPH2D__SLAB / SPH2D__NARROWEST, each * SPH2D__SLAB, each * SPH2D__SLAB,
+                                    4 * each * SPH2D__WIDEST, 1};
     for (int k = 0; k < BLOCKS; ++k) {
         blocks[k] = all[k];
         items[k] = lengths[k];
@@ -49,16 +47,16 @@ void sph2d__neighbours_free(sph2d__neighbours *n, sph2d__memory *memory)
     size_t lengths[BLOCKS], slabs = sph2d__slabs(n->particles);
     sph2d__growth blocks[BLOCKS];
     list_blocks(n, n->each, blocks, lengths);
-    void *all[BLOCKS] = {n->slices, n->index, n->gx, n->gy, n->found, n->sums};
+    void *all[BLOCKS] = {n->slices, n->index, n->gradient, n->found, n->sums};
     for (int k = 0; k < BLOCKS; ++k)
         sph2d__release(memory, &all[k], all[k] ? slabs * lengths[k] : 0, blocks[k].size);
     *n = (sph2d__neighbours){0};
 }
 
-sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t count)
+sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs)
 {
     sph2d__slab_sum total = {0};
-    for (size_t k = 0; k < sph2d__slabs(count); ++k) {
+    for (size_t k = 0; k < slabs; ++k) {
         total.first += n->sums[k].first;
         total.second += n->sums[k].second;
         total.most = n->sums[k].most > total.most ? n->sums[k].most : total.most;

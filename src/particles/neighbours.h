@@ -42,9 +42,9 @@ typedef struct sph2d__slice {
 
 typedef struct sph2d__neighbours {
     sph2d__slice *slices;
-    uint32_t *index; /**< of each pair: the other particle */
-    float *gx, *gy;  /**< of each pair: the gradient that the method keeps */
-    uint32_t *found; /**< of each slab: room for the neighbours of a slice while they are searched, `longest` each */
+    uint32_t *index;  /**< of each pair: the other particle */
+    double *gradient; /**< of each pair: the gradient that the method keeps, two floats (lanes.h) */
+    uint32_t *found;  /**< of each slab: room for the neighbours of a slice while they are searched, `longest` each */
     sph2d__slab_sum *sums; /**< of each slab: room for what a loop sums up, so that the order of sums is always one */
     size_t particles;      /**< room */
     size_t each;           /**< pairs of a particle that there is room for, on average in a slab */
@@ -67,15 +67,7 @@ static inline size_t sph2d__slabs(size_t particles)
     return (particles + SPH2D__SLAB - 1) / SPH2D__SLAB;
 }
 
-/** Runs the statement behind it for the particles i of each slab; `part` is the slab's sum, which is kept. Behind
- * `#pragma omp parallel for` the slabs are shared among threads. */
-#define SPH2D__FOR_SLABS(n, count, i, part)                                                                            \
-    for (size_t slab_ = 0; slab_ < sph2d__slabs(count); ++slab_)                                                       \
-        for (sph2d__slab_sum part = {0}, *once_ = &part; once_; (n)->sums[slab_] = part, once_ = NULL)                 \
-            for (size_t i = slab_ * SPH2D__SLAB, end_ = i + SPH2D__SLAB < (count) ? i + SPH2D__SLAB : (count);         \
-                 i < end_; ++i)
-
-/** The sums of all slabs of `count` particles, added from the first to the last. */
-sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t count);
+/** The sums of so many slabs, added from the first to the last. */
+sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs);
 
 #endif

@@ -42,15 +42,14 @@ enum { SPH2D__PADDING = 16 };
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
-    X(push_x) /* what pressures, or the direction of a search, push a particle */                                      \
-    X(push_y)                                                                                                          \
+    X(push)   /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */                 \
     X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
     X(next_y)                                                                                                          \
     X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \
     X(diagonal)   /* of the matrix of a pressure solver, then its inverse */                                           \
     X(multiplier) /* dt^2 p/rho0 while it is solved for [m^2] */                                                       \
     X(residual)   /* compression that is left to correct */                                                            \
-    X(direction)  /* of the search */                                                                                  \
+    X(direction)  /* of the search, or what it tries: a float twice, lanes.h */                                        \
     X(product)    /* the matrix times the direction */                                                                 \
     X(start_x)    /* position, velocity and density when the step began */                                             \
     X(start_y)                                                                                                         \

@@ -44,14 +44,6 @@ static void lay_buckets(sph2d__barrier *b, double bucket)
     b->ny = (int)((max_y - min_y) / size) + 3;
 }
 
-/** A range of buckets, clamped to the grid; NaN gives the first. */
-static int bucket_of(double place, double origin, double inverse_size, int n)
-{
-    double f = (place - origin) * inverse_size;
-    f = f > 0 ? f : 0;
-    return (int)(f < n - 1 ? f : n - 1);
-}
-
 /** Whether a segment comes within half a diagonal and the clearance of a bucket's middle. */
 static bool touches(const sph2d__barrier *b, const sph2d__segment *s, int ix, int iy)
 {
@@ -65,10 +57,10 @@ static void visit_segment(sph2d__barrier *b, size_t index, bool fill)
 {
     const sph2d__segment *s = &b->segments[index];
     double c = 1 / b->inverse_size;
-    int x0 = bucket_of(fmin(s->a.x, s->b.x) - c, b->origin_x, b->inverse_size, b->nx);
-    int x1 = bucket_of(fmax(s->a.x, s->b.x) + c, b->origin_x, b->inverse_size, b->nx);
-    int y0 = bucket_of(fmin(s->a.y, s->b.y) - c, b->origin_y, b->inverse_size, b->ny);
-    int y1 = bucket_of(fmax(s->a.y, s->b.y) + c, b->origin_y, b->inverse_size, b->ny);
+    int x0 = sph2d__bucket_of(fmin(s->a.x, s->b.x) - c, b->origin_x, b->inverse_size, b->nx);
+    int x1 = sph2d__bucket_of(fmax(s->a.x, s->b.x) + c, b->origin_x, b->inverse_size, b->nx);
+    int y0 = sph2d__bucket_of(fmin(s->a.y, s->b.y) - c, b->origin_y, b->inverse_size, b->ny);
+    int y1 = sph2d__bucket_of(fmax(s->a.y, s->b.y) + c, b->origin_y, b->inverse_size, b->ny);
     for (int iy = y0; iy <= y1; ++iy)
         for (int ix = x0; ix <= x1; ++ix) {
             if (!touches(b, s, ix, iy))
@@ -190,10 +182,10 @@ static bool meet_segment(const sph2d__segment *s, double clearance, sph2d_vec2 f
 static bool meet_first(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to, meeting *first)
 {
     double c = b->clearance;
-    int x0 = bucket_of(lesser(from.x, to.x) - c, b->origin_x, b->inverse_size, b->nx);
-    int x1 = bucket_of(greater(from.x, to.x) + c, b->origin_x, b->inverse_size, b->nx);
-    int y0 = bucket_of(lesser(from.y, to.y) - c, b->origin_y, b->inverse_size, b->ny);
-    int y1 = bucket_of(greater(from.y, to.y) + c, b->origin_y, b->inverse_size, b->ny);
+    int x0 = sph2d__bucket_of(lesser(from.x, to.x) - c, b->origin_x, b->inverse_size, b->nx);
+    int x1 = sph2d__bucket_of(greater(from.x, to.x) + c, b->origin_x, b->inverse_size, b->nx);
+    int y0 = sph2d__bucket_of(lesser(from.y, to.y) - c, b->origin_y, b->inverse_size, b->ny);
+    int y1 = sph2d__bucket_of(greater(from.y, to.y) + c, b->origin_y, b->inverse_size, b->ny);
     bool found = false;
     for (int iy = y0; iy <= y1; ++iy)
         for (int ix = x0; ix <= x1; ++ix) {
@@ -221,21 +213,11 @@ bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2
     return meet_first(&bare, from, to, &m);
 }
 
-/** Whether a motion stays so far from every wall that it need not be looked at: the usual case, and the only cheap one.
- */
-static bool is_clear(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
-{
-    double way = fabs(to.x - from.x) + fabs(to.y - from.y);
-    int ix = bucket_of(from.x, b->origin_x, b->inverse_size, b->nx);
-    int iy = bucket_of(from.y, b->origin_y, b->inverse_size, b->ny);
-    return !b->near[(size_t)iy * (size_t)b->nx + (size_t)ix] && (way + b->clearance) * b->inverse_size < 1;
-}
-
-int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+int sph2d__barrier_hold(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     int hits = 0;
     meeting m;
-    if (barrier->count == 0 || is_clear(barrier, from, *to) || !meet_first(barrier, from, *to, &m))
+    if (!meet_first(barrier, from, *to, &m))
         return 0;
     do {
         ++hits;

@@ -5,6 +5,8 @@
 #ifndef SPH2D_SIM_BARRIER_H
 #define SPH2D_SIM_BARRIER_H
 
+#include <math.h>
+
 #include "base/memory.h"
 #include "scene/shape.h"
 
@@ -27,10 +29,36 @@ bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__
 /** Builds the buckets, `bucket` wide [m] or wider; call it once after the last add. False when memory is short. */
 bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearance, sph2d__memory *memory);
 
+/** A row or column of buckets, clamped to the grid; NaN gives the first. */
+static inline int sph2d__bucket_of(double place, double origin, double inverse_size, int n)
+{
+    double f = (place - origin) * inverse_size;
+    f = f > 0 ? f : 0;
+    return (int)(f < n - 1 ? f : n - 1);
+}
+
+/** Whether a motion stays so far from every wall that it need not be looked at: the usual case, and the only cheap one.
+ */
+static inline bool sph2d__barrier_far(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to)
+{
+    if (b->count == 0)
+        return true;
+    double way = fabs(to.x - from.x) + fabs(to.y - from.y);
+    int ix = sph2d__bucket_of(from.x, b->origin_x, b->inverse_size, b->nx);
+    int iy = sph2d__bucket_of(from.y, b->origin_y, b->inverse_size, b->ny);
+    return !b->near[(size_t)iy * (size_t)b->nx + (size_t)ix] && (way + b->clearance) * b->inverse_size < 1;
+}
+
+/** What sph2d__barrier_sweep does with a motion that is not far from every wall. */
+int sph2d__barrier_hold(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
+
 /** Holds a motion from `from` to *to with velocity *v on its side of every wall. On a hit the particle stops at the
  *  clearance, loses its velocity into the wall and slides along it; it never gains energy. Returns the number of hits.
  */
-int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
+static inline int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    return sph2d__barrier_far(barrier, from, *to) ? 0 : sph2d__barrier_hold(barrier, from, to, v);
+}
 
 /** Whether the straight way between two places crosses a wall. */
 bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to);

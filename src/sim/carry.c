@@ -13,7 +13,8 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     uint32_t cell = sph2d__cells_find(&s->wall_cells, p.x, p.y);
     if (cell == UINT32_MAX)
         return false;
-    sph2d__ranges ranges = sph2d__cells_ranges(&s->wall_cells, cell);
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     double nearest2 = s->spacing * s->spacing;
     size_t nearest = SIZE_MAX;
     double nx = 0, ny = 0;

@@ -83,7 +83,8 @@ static double mean_neighbours(const sph2d__system *s)
         uint32_t cell = sph2d__cells_find(&s->fluid_cells, f->x[i], f->y[i]);
         if (cell == UINT32_MAX)
             continue;
-        sph2d__ranges ranges = sph2d__cells_ranges(&s->fluid_cells, cell);
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
             double dx = f->x[i] + ranges.x[r] - f->x[j], dy = f->y[i] + ranges.y[r] - f->y[j];
             pairs += j != i && dx * dx + dy * dy < support2;

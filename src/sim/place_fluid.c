@@ -242,7 +242,8 @@ static sph2d_status check_distances(const sph2d_sim *sim, uint64_t first, sph2d_
         uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
         if (f->id[i] < first || cell == UINT32_MAX)
             continue;
-        sph2d__ranges ranges = sph2d__cells_ranges(&sim->system.fluid_cells, cell);
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&sim->system.fluid_cells, cell, &ranges);
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
             if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
                 return refuse_particle((size_t)(f->id[i] - first), "where another particle is",

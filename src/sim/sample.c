@@ -46,7 +46,7 @@ bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *r
     uint32_t cell = sph2d__cells_find(cells, place->x, place->y);
     if (cell == UINT32_MAX)
         return false;
-    *ranges = sph2d__cells_ranges(cells, cell);
+    sph2d__cells_ranges(cells, cell, ranges);
     return true;
 }
 

@@ -42,7 +42,8 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     uint32_t cell = sph2d__cells_find(cells, x, y);
     if (store->count == 0 || cell == UINT32_MAX)
         return false;
-    sph2d__ranges ranges = sph2d__cells_ranges(cells, cell);
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
         if (hypot(x + ranges.x[r] - store->x[j], y + ranges.y[r] - store->y[j]) < distance)
             return true;
