@@ -25,7 +25,9 @@
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
     X(projection)                                                                                                      \
-    X(hard_cases)                                                                                                      \
+    X(rest)                                                                                                            \
+    X(impacts)                                                                                                         \
+    X(solver_limits)                                                                                                   \
     X(features)                                                                                                        \
     X(conservation)                                                                                                    \
     X(leapfrog)                                                                                                        \

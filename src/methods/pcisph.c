@@ -22,16 +22,9 @@ static const double GROWTH = 1.5;
 
 double sph2d__pcisph_prototype(const sph2d__system *s)
 {
-    int reach = (int)(s->support / s->spacing) + 1;
-    double h2 = s->support * s->support, sum = 0;
-    double scale = s->calibration * s->spacing * s->spacing * sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
-    for (int i = -reach; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j) {
-            double r = hypot(i, j) * s->spacing;
-            double g = scale * r * sph2d__kernel_slope_at(s->method.kernel, r / s->support);
-            sum += g * g;
-        }
-    return sum;
+    double ratio = s->spacing / s->support;
+    double g = s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio / s->support;
+    return g * g * sph2d__projection_lattice(s).square;
 }
 
 /** One correction of a store's multipliers, which are ahead of those of the last correction: a step along what is left,

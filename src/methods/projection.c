@@ -190,28 +190,18 @@ double sph2d__projection_step(const sph2d__system *s, double speed, double accel
                                 viscous, force, limit);
 }
 
-/** f(q) of the kernel summed over a filled square lattice, the particle in the middle included. */
-static double lattice_sum(const sph2d__system *s)
+sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)
 {
     int reach = (int)(s->support / s->spacing) + 1;
-    double sum = 0;
-    for (int i = -reach; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j)
-            sum += sph2d__kernel_value_at(s->method.kernel, hypot(i, j) * s->spacing / s->support);
-    return sum;
-}
-
-/** k = -sum_j x_ij . G_ij / 2 of a filled square lattice. */
-static double lattice_moment(const sph2d__system *s)
-{
-    int reach = (int)(s->support / s->spacing) + 1;
-    double sum = 0, ratio = s->spacing / s->support;
+    sph2d__lattice sum = {0};
     for (int i = -reach; i <= reach; ++i)
         for (int j = -reach; j <= reach; ++j) {
-            double q = hypot(i, j) * ratio;
-            sum -= q * q * sph2d__kernel_slope_at(s->method.kernel, q);
+            double q = hypot(i, j) * s->spacing / s->support, g = sph2d__kernel_slope_at(s->method.kernel, q);
+            sum.value += sph2d__kernel_value_at(s->method.kernel, q);
+            sum.moment -= q * q * g;
+            sum.square += q * q * g * g;
         }
-    return s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio * sum / 2;
+    return sum;
 }
 
 /** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
@@ -261,9 +251,10 @@ static void fill_layers(sph2d__system *s)
 
 void sph2d__projection_prepare(sph2d__system *s)
 {
-    double lattice = lattice_sum(s), ratio = s->support / s->spacing;
-    s->calibration = ratio * ratio / (lattice * sph2d__kernel_constant(s->method.kernel));
-    s->moment = lattice_moment(s);
-    weigh_rows(s, lattice);
+    sph2d__lattice lattice = sph2d__projection_lattice(s);
+    double constant = sph2d__kernel_constant(s->method.kernel), ratio = s->spacing / s->support;
+    s->calibration = 1 / (ratio * ratio * constant * lattice.value);
+    s->moment = s->calibration * ratio * ratio * constant * lattice.moment / 2;
+    weigh_rows(s, lattice.value);
     fill_layers(s);
 }

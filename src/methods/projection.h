@@ -61,6 +61,15 @@ void sph2d__projection_end(sph2d__system *system);
 double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, double viscous,
                               double force, sph2d__limit *limit);
 
+/** Sums over a filled square lattice of the system's spacing, the particle in the middle included. */
+typedef struct sph2d__lattice {
+    double value;  /**< of f(q) */
+    double moment; /**< of -q^2 g(q) */
+    double square; /**< of (q g(q))^2 */
+} sph2d__lattice;
+
+sph2d__lattice sph2d__projection_lattice(const sph2d__system *system);
+
 /** Gives boundary particles of one row the mass with which the boundary alone has the rest density at them, and sets
  *  the calibration c. */
 void sph2d__projection_prepare(sph2d__system *system);

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_solver_limits.c
+ *  Methods `pcisph` and `constraint` where their solvers come to an end: tall columns, iterations that do not suffice,
+ * damping and stiffness at their ends. U = sqrt(g H) with the depth H. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "tank.h"
+
+static sph2d_report report;
+
+/* ---- a hundred times as high as wide ----------------------------------------------------------------------------- */
+
+START_TEST(a_tall_column_keeps_its_compression)
+{
+    const double H = 8;
+    tank_empty(both[_i], DX, H / 100, 8.4, 1e-3);
+    tank_add(0, 0, H / 100, H);
+    tank_start();
+    tank_span s = tank_run_until(0.4);
+    sph2d_summary sum = sph2d_sim_summary(tank.sim);
+    ck_assert_double_le(sum.compression_p99, 0.01);
+    ck_assert_double_le(sum.compression_max, 0.08);
+    ck_assert_double_lt(s.fastest, 0.6 * sqrt(G * H));
+    ck_assert_double_eq_tol(2 * tank_middle() / H, 1, 0.03);
+    ck_assert_uint_gt(sum.iterations, sum.steps);
+    ck_assert_uint_eq(sum.unconverged, 0);
+}
+END_TEST
+
+START_TEST(a_tall_column_stops_where_too_few_iterations_are_allowed)
+{
+    const double H = 8;
+    tank_empty(both[_i], DX, H / 100, 8.4, 1e-3);
+    tank_add(0, 0, H / 100, H);
+    tank.scene.method.max_iterations = 2;
+    tank_start();
+    sph2d_status status = SPH2D_OK;
+    sph2d_report_clear(&report);
+    while (status == SPH2D_OK && sph2d_sim_time(tank.sim) < 1)
+        status = sph2d_sim_step(tank.sim, &report);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_int_eq(status, SPH2D_GUARD);
+    ck_assert(test_report_has(&report, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations"));
+    ck_assert_uint_ge(s.unconverged, 100);
+    ck_assert_uint_le(s.iterations, 2 * s.steps);
+    ck_assert(tank_is_finite());
+    ck_assert_double_lt(s.compression_max, 0.1);
+}
+END_TEST
+
+/* ---- limits ------------------------------------------------------------------------------------------------------ */
+
+static void dam(sph2d_method method)
+{
+    tank_empty(method, DX, 1, 1, 1e-3);
+    tank_add(0, 0, 0.3, 0.6);
+}
+
+START_TEST(limits_that_cannot_be_kept_are_counted)
+{
+    dam(both[_i]);
+    tank.scene.method.max_iterations = 20;
+    if (both[_i] == SPH2D_METHOD_PCISPH)
+        tank.scene.method.max_compression = 1e-6;
+    else
+        tank.scene.method.tolerance = 1e-10;
+    tank_start();
+    test_steps(tank.sim, 99);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_uint_ge(s.unconverged, 95);
+    ck_assert_uint_le(s.iterations, 20 * s.steps);
+    ck_assert(tank_is_finite());
+    ck_assert_double_lt(s.compression_max, 0.03);
+    ck_assert_double_eq_tol((s.kinetic + s.potential) / s.energy_start, 1, 0.05);
+}
+END_TEST
+
+START_TEST(a_solver_that_has_time_keeps_a_narrow_tolerance)
+{
+    dam(SPH2D_METHOD_CONSTRAINT);
+    tank.scene.method.tolerance = 1e-10;
+    tank_start();
+    tank_run_until(0.4);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_uint_eq(s.unconverged, 0);
+    ck_assert_uint_gt(s.iterations, 10 * s.steps);
+    ck_assert_uint_lt(s.iterations, 100 * s.steps);
+}
+END_TEST
+
+START_TEST(any_damping_stays_finite)
+{
+    static const double damping[] = {0, 1, 2, 100};
+    dam(SPH2D_METHOD_CONSTRAINT);
+    tank.scene.method.damping = damping[_i];
+    tank_start();
+    tank_span s = tank_run_until(0.5);
+    sph2d_summary sum = sph2d_sim_summary(tank.sim);
+    ck_assert(tank_is_finite());
+    ck_assert_uint_eq(sum.particles, 450);
+    ck_assert_uint_eq(sum.unconverged, 0);
+    ck_assert_double_lt(s.fastest, 3.5 * sqrt(G * 0.6));
+    ck_assert_double_lt(sum.compression_p99, 0.02);
+    ck_assert_double_lt((sum.kinetic + sum.potential) / sum.energy_start, 1.01);
+}
+END_TEST
+
+START_TEST(a_soft_liquid_collapses_without_harm)
+{
+    dam(both[_i]);
+    tank.scene.method.sound_speed = 0.1;
+    tank_start();
+    tank_span s = tank_run_until(0.5);
+    sph2d_summary sum = sph2d_sim_summary(tank.sim);
+    ck_assert(tank_is_finite());
+    ck_assert_uint_eq(sum.particles, 450);
+    ck_assert_double_gt(sum.compression_max, 5);
+    ck_assert_double_le(s.fastest, 1.05 * sqrt(2 * G * 0.6)); /* it falls, and nothing throws it */
+}
+END_TEST
+
+START_TEST(a_stiff_lattice_settles_without_overshoot_from_two_steps_of_damping_on)
+{
+    /* Let go at rest density, a column sinks by its compliance. Softer ones swing as sound does. */
+    static const double damping[] = {1, 2, 5};
+    tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 0.2, 0.5, 100);
+    tank.scene.boundary.left = tank.scene.boundary.right = SPH2D_SIDE_PERIODIC;
+    tank.scene.method.sound_speed = 1000;
+    tank.scene.method.damping = damping[_i];
+    tank.scene.method.tolerance = 1e-8;
+    tank_add(0, 0, 0.2, 0.4);
+    tank_start();
+    double before = tank_middle(), lowest = before;
+    while (sph2d_sim_time(tank.sim) < 0.3) {
+        test_steps(tank.sim, 1);
+        lowest = fmin(lowest, tank_middle());
+    }
+    double sunk = before - tank_middle(), overshoot = (tank_middle() - lowest) / sunk;
+    ck_assert_double_gt(sunk, 2e-6);
+    ck_assert_double_lt(sunk, 5e-6);
+    ck_assert_msg(damping[_i] < 2 ? overshoot > 0.02 : overshoot < 0.01, "%g of the way", overshoot);
+}
+END_TEST
+
+Suite *suite_solver_limits(void)
+{
+    Suite *suite = suite_create("solver_limits");
+    TCase *cases = tcase_create("limits of the solvers");
+    tcase_add_checked_fixture(cases, NULL, tank_finish);
+    tcase_set_timeout(cases, 60);
+    tcase_add_loop_test(cases, a_tall_column_keeps_its_compression, 0, 2);
+    tcase_add_loop_test(cases, a_tall_column_stops_where_too_few_iterations_are_allowed, 0, 2);
+    tcase_add_loop_test(cases, limits_that_cannot_be_kept_are_counted, 0, 2);
+    tcase_add_test(cases, a_solver_that_has_time_keeps_a_narrow_tolerance);
+    tcase_add_loop_test(cases, any_damping_stays_finite, 0, 4);
+    tcase_add_loop_test(cases, a_soft_liquid_collapses_without_harm, 0, 2);
+    tcase_add_loop_test(cases, a_stiff_lattice_settles_without_overshoot_from_two_steps_of_damping_on, 0, 3);
+    suite_add_tcase(suite, cases);
+    return suite;
+}
