@@ -4,8 +4,9 @@
 #include "methods/constraint.h"
 
 #include <math.h>
+#include <string.h>
 
-#include "base/lanes.h"
+#include "methods/constraint_pass.h"
 #include "methods/projection.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a): viscosity is explicit; liquid that is let go must not fall far in a
@@ -26,7 +27,29 @@ static spook spook_of(const sph2d__system *s)
     return k;
 }
 
+static const sph2d__constraint_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__constraint_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__constraint_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__constraint_passes_baseline;
+}
+
 /* ---- the system -------------------------------------------------------------------------------------------------- */
+
+/** Nothing, in the rows behind the last one that a pass may reach. */
+static void end_rows(const sph2d__slab *slab)
+{
+    sph2d__store *t = slab->rows;
+    double *all[] = {t->diagonal, t->residual, t->multiplier, t->direction, t->product};
+    for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
+        memset(all[k] + slab->last, 0, (SPH2D__WIDEST - slab->last % SPH2D__WIDEST) * sizeof *all[k]);
+}
 
 /** The residual of the multipliers of the step before: the right-hand side less the matrix times them, both with one
  *  sum over neighbours. */
@@ -41,6 +64,8 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
         t->residual[i] += 4 * k->gamma * g - k->soft * t->multiplier[i];
         t->diagonal[i] = t->diagonal[i] > 0 ? 1 / (t->diagonal[i] + k->soft) : 0;
     }
+    if (slab->last % SPH2D__WIDEST > 0)
+        end_rows(slab);
 }
 
 static void load(sph2d__system *s, const spook *k)
@@ -50,95 +75,55 @@ static void load(sph2d__system *s, const spook *k)
     sph2d__over_rows(s, load_slab, k);
 }
 
-/** product = (D D' + S) direction; the sum is direction . product. */
+/* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
+
+/** How far to go, and the part of the direction to keep. */
+typedef struct way {
+    double length, keep;
+} way;
+
+static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    passes(s->isa)->begin(slab, sum);
+}
+
 static void apply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const spook *k = with;
-    sph2d__store *t = slab->rows;
-    sph2d__projection_collect(s, slab, 0, t->product);
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        double direction = sph2d__twin_value(t->direction[i]);
-        t->product[i] += k->soft * direction;
-        sum->first += direction * t->product[i];
-    }
+    sph2d__projection_collect(s, slab, 0, slab->rows->product);
+    passes(s->isa)->apply(slab, k->soft, sum);
 }
 
-static double apply(sph2d__system *s, const spook *k)
-{
-    sph2d__projection_spread(s);
-    return sph2d__over_rows(s, apply_slab, k).first;
-}
-
-/* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
-
-/** What is left to correct, as compressions: r . r/diagonal, the sum and the largest of its sizes. Of either sign:
- * where the pressure is too large it must fall. */
-static inline void add_residual(sph2d__slab_sum *sum, double r, double inverse)
-{
-    double size = fabs(r);
-    sum->first += r * r * inverse;
-    sum->second += size;
-    sum->most = size > sum->most ? size : sum->most;
-}
-
-/** Which rows are active is kept in the sign of the inverse diagonal: that of the others is negative. */
-static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    sph2d__store *t = slab->rows;
-    (void)s;
-    (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        double inverse = fabs(t->diagonal[i]), r = t->residual[i];
-        bool active = t->multiplier[i] > 0 || r > 0;
-        t->diagonal[i] = active ? inverse : -inverse;
-        t->direction[i] = sph2d__twin(active ? r * inverse : 0);
-        if (active && inverse > 0)
-            add_residual(sum, r, inverse);
-    }
-}
-
-/** One step along the direction. */
 static void advance_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *length = with;
-    sph2d__store *t = slab->rows;
-    (void)s;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        t->multiplier[i] += *length * sph2d__twin_value(t->direction[i]);
-        t->residual[i] -= *length * t->product[i];
-        if (t->diagonal[i] > 0)
-            add_residual(sum, t->residual[i], t->diagonal[i]);
-    }
+    const way *w = with;
+    passes(s->isa)->advance(slab, w->length, w->keep, sum);
 }
 
-/** The next direction. */
-static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    const double *keep = with;
-    sph2d__store *t = slab->rows;
-    (void)s;
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        double next = t->diagonal[i] * t->residual[i] + *keep * sph2d__twin_value(t->direction[i]);
-        t->direction[i] = sph2d__twin(t->diagonal[i] > 0 ? next : 0);
-    }
-}
-
-/** The way from multipliers that pull back to none. The sum: what that does to residuals, as far as a row's own goes.
- */
 static void clamp_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__store *t = slab->rows;
-    (void)s;
     (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        double kept = sph2d__twin(t->multiplier[i] < 0 ? -t->multiplier[i] : 0), pull = sph2d__twin_value(kept);
-        t->direction[i] = kept;
-        if (!(pull > 0))
-            continue;
-        t->multiplier[i] = -pull; /* so that the way ends at 0 */
-        sum->second += pull / fabs(t->diagonal[i]);
-    }
+    passes(s->isa)->clamp(slab, sum);
+}
+
+/** product = (D D' + S) direction, and what apply sums up. */
+static sph2d__slab_sum apply(sph2d__system *s, const spook *k)
+{
+    sph2d__projection_spread(s);
+    return sph2d__over_rows(s, apply_slab, k);
+}
+
+/** One iteration from where `left` is left; that is set anew. What will be left, and with it the next direction,
+ *  follows from the sums of the product, so that rows are read once less. False where the matrix bends nothing. */
+static bool iterate(sph2d__system *s, const spook *k, sph2d__slab_sum *left)
+{
+    sph2d__slab_sum sum = apply(s, k);
+    if (!(sum.first > 0))
+        return false;
+    double length = left->first / sum.first, next = left->first - length * (2 * sum.second - length * sum.third);
+    *left = sph2d__over_rows(s, advance_slab, &(way){length, fmax(next, 0) / left->first});
+    return true;
 }
 
 /* A round ends where so much is left of what it began with: the active rows are others then. */
@@ -152,7 +137,6 @@ static const double BESIDE = 2;
  *  left is small. */
 static void solve(sph2d__system *s, const spook *k)
 {
-    const double whole = 1;
     double wanted = s->method.tolerance * (double)s->fluid.count;
     uint64_t steps = 0, most = s->method.max_iterations;
     load(s, k);
@@ -160,15 +144,9 @@ static void solve(sph2d__system *s, const spook *k)
     bool falls = true; /* not where nothing but an even compression is left, in a room that is full */
     while (now.second > wanted && steps < most && falls) {
         double round = fmax(ROUND * now.second, LAST * wanted);
-        while (now.second > round && steps < most) {
-            double curve = apply(s, k), before = now.first, length = before / curve;
-            falls = curve > 0;
-            if (!falls)
-                break;
-            now = sph2d__over_rows(s, advance_slab, &length);
-            double keep = now.first / before;
-            sph2d__over_rows(s, turn_slab, &keep);
-            ++steps;
+        while (falls && now.second > round && steps < most) {
+            falls = iterate(s, k, &now);
+            steps += falls;
         }
         double cut = BESIDE * sph2d__over_rows(s, clamp_slab, NULL).second;
         if (now.second + cut <= wanted) { /* the usual end: little is cut off, and is not worth a look */
@@ -177,7 +155,7 @@ static void solve(sph2d__system *s, const spook *k)
         }
         if (cut > 0) {
             apply(s, k);
-            sph2d__over_rows(s, advance_slab, &whole);
+            sph2d__over_rows(s, advance_slab, &(way){1, 0});
         }
         now = sph2d__over_rows(s, begin_slab, NULL);
     }

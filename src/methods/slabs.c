@@ -26,6 +26,7 @@ static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d_
     sph2d__slab_sum beside = sph2d__neighbours_total(&s->wall_neighbours, walls);
     total.first += beside.first;
     total.second += beside.second;
+    total.third += beside.third;
     total.most = beside.most > total.most ? beside.most : total.most;
     return total;
 }

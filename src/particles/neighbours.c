@@ -59,6 +59,7 @@ sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs
     for (size_t k = 0; k < slabs; ++k) {
         total.first += n->sums[k].first;
         total.second += n->sums[k].second;
+        total.third += n->sums[k].third;
         total.most = n->sums[k].most > total.most ? n->sums[k].most : total.most;
     }
     return total;

@@ -29,8 +29,8 @@ enum { SPH2D__NARROWEST = 2, SPH2D__WIDEST = 8 };
 
 /** What a loop over the particles of a slab sums up. */
 typedef struct sph2d__slab_sum {
-    double first, second; /**< sums */
-    double most;          /**< the largest of something, 0 at least */
+    double first, second, third; /**< sums */
+    double most;                 /**< the largest of something, 0 at least */
 } sph2d__slab_sum;
 
 /** Where the pairs of some consecutive particles are, in slots of one pair each. */
