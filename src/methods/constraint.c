@@ -9,11 +9,6 @@
 #include "methods/constraint_pass.h"
 #include "methods/projection.h"
 
-/* Step limits as fractions of H^2/nu and sqrt(H/a): viscosity is explicit; liquid that is let go must not fall far in a
- * step. */
-static const double VISCOUS = 0.03;
-static const double FORCE = 0.1;
-
 /** The numbers of the step that is being taken. */
 typedef struct spook {
     double dt, gamma;
@@ -174,11 +169,6 @@ static void project(sph2d__system *s)
     sph2d__projection_end(s);
 }
 
-static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
-{
-    return sph2d__projection_step(s, speed, acceleration, VISCOUS, FORCE, limit);
-}
-
 const sph2d__method sph2d__constraint = {
     .name = "constraint",
     .integrator = SPH2D__PROJECTED,
@@ -188,5 +178,5 @@ const sph2d__method sph2d__constraint = {
     .prepare = sph2d__projection_prepare,
     .evaluate = sph2d__projection_gather,
     .project = project,
-    .stable_step = stable_step,
+    .stable_step = sph2d__projection_step,
 };

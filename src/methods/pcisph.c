@@ -9,9 +9,6 @@
 #include "kernels/kernel.h"
 #include "methods/projection.h"
 
-/* Step limits as fractions of H^2/nu and sqrt(H/a). */
-static const double VISCOUS = 0.03;
-static const double FORCE = 0.1;
 /* w */
 static const double RELAXATION = 0.9;
 /* Part of the last step's pressure that a step starts from: all of it, where little of it has to change, keeps what is
@@ -86,11 +83,6 @@ static void project(sph2d__system *s)
     sph2d__projection_end(s);
 }
 
-static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
-{
-    return sph2d__projection_step(s, speed, acceleration, VISCOUS, FORCE, limit);
-}
-
 const sph2d__method sph2d__pcisph = {
     .name = "pcisph",
     .integrator = SPH2D__PROJECTED,
@@ -100,5 +92,5 @@ const sph2d__method sph2d__pcisph = {
     .prepare = sph2d__projection_prepare,
     .evaluate = sph2d__projection_gather,
     .project = project,
-    .stable_step = stable_step,
+    .stable_step = sph2d__projection_step,
 };

@@ -182,12 +182,15 @@ void sph2d__projection_end(sph2d__system *s)
     sph2d__over_fluid(s, press_slab, &share);
 }
 
-double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, double viscous, double force,
-                              sph2d__limit *limit)
+/* Step limits as fractions of H^2/nu, viscosity being explicit, and of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. */
+static const double VISCOUS = 0.03;
+static const double FORCE = 0.18;
+
+double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double push = sqrt(s->hardest / s->rest_density);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, s->viscosity / s->rest_density,
-                                viscous, force, limit);
+                                VISCOUS, FORCE, limit);
 }
 
 sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)

@@ -35,7 +35,7 @@
  *  would have if the wall alone had the rest density. The cells are up to date. False when memory is short. */
 bool sph2d__projection_gather(sph2d__system *system);
 
-/** push = D' direction. */
+/** push = D' direction. Directions are a float twice, pushes two floats (lanes.h): as good as the gradients. */
 void sph2d__projection_spread(sph2d__system *system);
 
 /** push = keep v + fall a - D' direction: what multipliers leave of a motion. */
@@ -56,10 +56,9 @@ void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
-/** The shortest of the limits of methods.h, without sound: no particle goes farther than cfl H, and none would under
+/** The shortest of the limits of method.h, without sound: no particle goes farther than cfl H, and none would under
  * the largest pressure, for which the gradients of a step must hold. */
-double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, double viscous,
-                              double force, sph2d__limit *limit);
+double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 
 /** Sums over a filled square lattice of the system's spacing, the particle in the middle included. */
 typedef struct sph2d__lattice {
