@@ -446,6 +446,28 @@ START_TEST(threads_do_not_matter)
 }
 END_TEST
 
+/* Every lane is a particle, and sums over rows have the same strands at any width. */
+START_TEST(instruction_sets_do_not_matter)
+{
+    column(both[_i], 1, 1);
+    block.perturb.amplitude = 0.2;
+    scene.method.max_iterations = 30;
+    start(1);
+    test_steps(sim, 20);
+    for (int isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa) {
+        if (!sph2d_isa_available((sph2d_isa)isa))
+            continue;
+        sph2d_sim_options options = sph2d_sim_options_default();
+        options.threads = 1;
+        options.isa = (sph2d_isa)isa;
+        sph2d_sim *other = test_create(&scene, &options);
+        test_steps(other, 20);
+        same_bits(sim, other);
+        sph2d_sim_destroy(other);
+    }
+}
+END_TEST
+
 START_TEST(a_state_goes_on_as_if_nothing_was)
 {
     column(both[_i], 0.3, 0.6);
@@ -479,6 +501,7 @@ Suite *suite_projection(void)
     tcase_add_loop_test(cases, compression_stays_where_it_is_wanted, 0, 2);
     tcase_add_loop_test(cases, too_few_iterations_are_counted_and_stop_a_run_in_the_end, 0, 2);
     tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
+    tcase_add_loop_test(cases, instruction_sets_do_not_matter, 0, 2);
     tcase_add_loop_test(cases, a_state_goes_on_as_if_nothing_was, 0, 2);
     suite_add_tcase(suite, cases);
     return suite;
