@@ -17,8 +17,7 @@ static double ratio(double above, double below)
     return below > 0 ? above / below : NAN;
 }
 
-/* What became of the energy that nobody fed in or took out. */
-static double energy_change(const sph2d_summary *s)
+double summary_energy_change(const sph2d_summary *s)
 {
     return s->kinetic + s->potential - s->energy_start - s->energy_fed;
 }
@@ -43,7 +42,7 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
 
 static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
 {
-    double change = energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
+    double change = summary_energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
     if (excess > 1)
@@ -126,7 +125,7 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "compression_p99", s->compression_p99);
     json_number(line, "compression_mean", s->compression_mean);
     json_number(line, "compression_max", s->compression_max);
-    json_number(line, "energy_change", energy_change(s));
+    json_number(line, "energy_change", summary_energy_change(s));
     json_number(line, "energy_start", s->energy_start);
     json_number(line, "energy_kinetic", s->kinetic);
     json_number(line, "energy_potential", s->potential);

@@ -13,4 +13,7 @@
 void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
                    const cli_options *options);
 
+/** What became of the energy that nobody fed in or took out [J/m]. */
+double summary_energy_change(const sph2d_summary *summary);
+
 #endif

@@ -16,6 +16,7 @@
 #include "../message.h"
 #include "../progress.h"
 #include "../signals.h"
+#include "../summary.h"
 #include "study_measure.h"
 #include "study_scene.h"
 
@@ -201,8 +202,7 @@ static void fill_record(const runner *r)
     record->summary[SPH2D_SUMMARY_COMPRESSION_MEAN] = summary.compression_mean;
     record->summary[SPH2D_SUMMARY_COMPRESSION_MAX] = summary.compression_max;
     double start = fabs(summary.energy_start), scale = start > 0 ? start : 1, steps = (double)summary.steps;
-    record->summary[SPH2D_SUMMARY_ENERGY_CHANGE] =
-        (summary.kinetic + summary.potential - summary.energy_start - summary.energy_fed) / scale;
+    record->summary[SPH2D_SUMMARY_ENERGY_CHANGE] = summary_energy_change(&summary) / scale;
     record->summary[SPH2D_SUMMARY_ITERATIONS] = steps > 0 ? (double)summary.iterations / steps : 0;
     snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
 }
