@@ -25,6 +25,7 @@
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
     X(projection)                                                                                                      \
+    X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \
     X(solver_limits)                                                                                                   \

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "methods/constraint_pass.h"
-#include "methods/projection.h"
+#include "methods/stragglers.h"
 
 /** The numbers of the step that is being taken. */
 typedef struct spook {
@@ -129,8 +129,8 @@ static const double LAST = 0.75;
 static const double BESIDE = 2;
 
 /** Rounds of preconditioned conjugate gradients (Hestenes & Stiefel 1952) on the rows that are active, until what is
- *  left is small. */
-static void solve(sph2d__system *s, const spook *k)
+ *  left is small. Returns the most that is left in one. */
+static double solve(sph2d__system *s, const spook *k)
 {
     double wanted = s->method.tolerance * (double)s->fluid.count;
     uint64_t steps = 0, most = s->method.max_iterations;
@@ -158,21 +158,27 @@ static void solve(sph2d__system *s, const spook *k)
     s->left = now.second / fmax(1, (double)s->fluid.count);
     s->wanted = s->method.tolerance;
     s->unconverged = !(now.second <= wanted);
+    return now.most;
 }
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
+/* Part of the support radius: over shorter ways the matrix of a step holds, and nobody has to look. */
+static const double STILL = 0.02;
+
 static void project(sph2d__system *s)
 {
     spook k = spook_of(s);
-    solve(s, &k);
+    double most = solve(s, &k), limit = s->method.max_compression;
     sph2d__projection_end(s);
+    if (most > limit / 2 || s->speed * s->step > STILL * s->support)
+        sph2d__stragglers_correct(s, limit, k.soft / (4 * k.gamma));
 }
 
 const sph2d__method sph2d__constraint = {
     .name = "constraint",
     .integrator = SPH2D__PROJECTED,
-    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(product),
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(product) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(pressure),
     .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(product),
     .prepare = sph2d__projection_prepare,

@@ -16,7 +16,8 @@
  *
  *  The constraints only push: y >= 0. Rows that would pull are left out, which are those of the free surface. The
  * system is solved by conjugate gradients from the last step's pressure on; the residual is a compression, the part of
- * it that the step leaves uncorrected. */
+ * it that the step leaves uncorrected. Where the density that follows is not what the linear system says, particles are
+ * corrected one by one (stragglers.h). */
 #ifndef SPH2D_METHODS_CONSTRAINT_H
 #define SPH2D_METHODS_CONSTRAINT_H
 

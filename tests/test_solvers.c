@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_solvers.c
+ *  What the solvers of methods `pcisph` and `constraint` promise: compression, momentum, an end, the same bits. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/lanes.h"
+#include "kernels/kernel.h"
+#include "methods/stragglers.h"
+#include "sim/simulation.h"
+#include "tank.h"
+
+static const double RHO0 = 1000;
+
+/** A column on the ground of a box of 1 m. */
+static void column(sph2d_method method, double width, double height)
+{
+    tank_empty(method, DX, 1, 1, 0.5);
+    tank_add(0, 0, width, height);
+}
+
+/** A simulation of the tank's scene of its own. */
+static sph2d_sim *another(int threads, sph2d_isa isa)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = threads;
+    options.isa = isa;
+    return test_create(&tank.scene, &options);
+}
+
+/* ---- compression ------------------------------------------------------------------------------------------------- */
+
+START_TEST(momentum_is_kept)
+{
+    column(both[_i], 0, 0);
+    tank.scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    tank.scene.gravity.y = 0;
+    tank.scene.method.sound_speed = 10;
+    tank.blocks[0] = test_block(0.3, 0.3, 0.7, 0.7);
+    tank.blocks[0].perturb.amplitude = 0.3;
+    tank_start();
+    test_steps(tank.sim, 20);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_double_gt(s.kinetic, 1e-3); /* it was not at rest density everywhere */
+    double size = sqrt(2 * s.kinetic * (double)s.particles * tank.sim->system.mass);
+    ck_assert_double_le(hypot(s.momentum[0], s.momentum[1]), 1e-12 * size);
+}
+END_TEST
+
+START_TEST(compression_stays_where_it_is_wanted)
+{
+    column(both[_i], 0.3, 0.6);
+    tank.scene.method.max_compression = 0.01;
+    tank.scene.method.support_ratio = 2.4;
+    tank_start();
+    while (sph2d_sim_time(tank.sim) < 0.15)
+        test_steps(tank.sim, 1);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_double_le(s.compression_p99, 0.01);
+    ck_assert_uint_gt(s.iterations, s.steps);
+    ck_assert_uint_eq(s.unconverged, 0);
+    ck_assert_double_eq_tol((s.kinetic + s.potential) / s.energy_start, 1, 0.02);
+    ck_assert_double_gt(s.speed_max, 1);
+    ck_assert_uint_eq(s.particles, 15 * 30);
+}
+END_TEST
+
+START_TEST(too_few_iterations_are_counted_and_stop_a_run_in_the_end)
+{
+    column(both[_i], 0.3, 0.6);
+    tank.scene.method.max_compression = 1e-5;
+    tank.scene.method.tolerance = both[_i] == SPH2D_METHOD_CONSTRAINT ? 1e-12 : 0;
+    tank.scene.method.max_iterations = 1;
+    tank_start();
+    sph2d_report report = {0};
+    uint64_t steps = 0;
+    while (steps < 300 && sph2d_sim_step(tank.sim, &report) == SPH2D_OK)
+        ++steps;
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_uint_ge(steps, 99);
+    ck_assert_uint_lt(steps, 150);
+    ck_assert_uint_eq(s.iterations, s.steps);
+    ck_assert_uint_ge(s.unconverged, 100);
+    ck_assert(isfinite(s.kinetic));
+    ck_assert(test_report_has(&report, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations"));
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), _i == 0 ? "1e-05 is wanted" : "1e-12 is wanted"));
+}
+END_TEST
+
+/* ---- rows that the linear system leaves compressed --------------------------------------------------------------- */
+
+/** Particles in a periodic box that pass close by each other in a step of 2 ms, with nothing solved for. */
+static sph2d__system *passing(void)
+{
+    tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 16 * DX, 16 * DX, 0);
+    tank.scene.boundary =
+        (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+    tank.scene.gravity.y = 0;
+    tank.scene.method.sound_speed = 10;
+    tank_add(0, 0, 16 * DX, 16 * DX);
+    tank_start();
+    sph2d__system *s = &tank.sim->system;
+    uint64_t random = 11;
+    s->step = 2e-3;
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        s->fluid.vx[i] = test_random(&random, -2, 2);
+        s->fluid.vy[i] = test_random(&random, -2, 2);
+        s->fluid.multiplier[i] = s->fluid.pressure[i] = s->fluid.ax[i] = s->fluid.ay[i] = 0;
+        s->fluid.diagonal[i] = 1 / s->fluid.diagonal[i];
+    }
+    return s;
+}
+
+/** The largest compression when all have gone a step, all particles with each other. */
+static double largest_ahead(const sph2d__system *s)
+{
+    const sph2d__store *f = &s->fluid;
+    double most = 0, dt = s->step, h = s->support, side = 16 * DX;
+    for (size_t i = 0; i < f->count; ++i) {
+        double sum = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            double dx = f->x[i] - f->x[j] + dt * (f->vx[i] - f->vx[j] + dt * (f->ax[i] - f->ax[j]));
+            double dy = f->y[i] - f->y[j] + dt * (f->vy[i] - f->vy[j] + dt * (f->ay[i] - f->ay[j]));
+            double q = hypot(remainder(dx, side), remainder(dy, side)) / h;
+            sum += sph2d__kernel_value_at(s->method.kernel, q);
+        }
+        double density = s->calibration * s->mass * sph2d__kernel_constant(s->method.kernel) / (h * h) * sum;
+        most = fmax(most, density / RHO0 - 1);
+    }
+    return most;
+}
+
+START_TEST(stragglers_are_brought_back)
+{
+    sph2d__system *s = passing();
+    ck_assert_double_gt(largest_ahead(s), 0.2);
+    for (int k = 0; k < 2; ++k)
+        sph2d__stragglers_correct(s, 0.05, 0);
+    ck_assert_double_le(largest_ahead(s), 0.06); /* pairs that the step begins too far apart for are not looked for */
+}
+END_TEST
+
+/* With a share that explains all of it nothing is done; nor where nothing is compressed as much. */
+START_TEST(what_pressure_explains_stays)
+{
+    sph2d__system *s = passing();
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        s->fluid.multiplier[i] = 1;
+    sph2d__stragglers_correct(s, 0.05, 1);
+    sph2d__stragglers_correct(s, 1, 0);
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        ck_assert_double_eq(s->fluid.multiplier[i], 1);
+        ck_assert_double_eq(s->fluid.ax[i], 0);
+    }
+}
+END_TEST
+
+/* What corrections push is D' of what they add to the multipliers, and has no momentum. */
+START_TEST(corrections_push_like_multipliers)
+{
+    sph2d__system *s = passing();
+    sph2d__store *f = &s->fluid;
+    double dt2 = s->step * s->step, x = 0, y = 0, most = 0;
+    sph2d__stragglers_correct(s, 0.05, 0);
+    for (size_t i = 0; i < f->count; ++i) {
+        ck_assert_double_ge(f->multiplier[i], 0);
+        ck_assert_double_le(f->pressure[i], 0); /* none is raised above the largest */
+        f->direction[i] = sph2d__twin(f->multiplier[i]);
+        most = fmax(most, hypot(f->ax[i], f->ay[i]));
+        x += f->ax[i];
+        y += f->ay[i];
+    }
+    ck_assert_double_gt(most, 100);
+    ck_assert_double_le(hypot(x, y), 1e-12 * most * (double)f->count);
+    sph2d__projection_spread(s);
+    for (size_t i = 0; i < f->count; ++i) {
+        float push[2];
+        memcpy(push, &f->push[i], sizeof push);
+        ck_assert_double_eq_tol(f->ax[i], -push[0] / dt2, 1e-5 * most);
+        ck_assert_double_eq_tol(f->ay[i], -push[1] / dt2, 1e-5 * most);
+    }
+}
+END_TEST
+
+/* A column that falls together at large steps: the largest of all compressions. */
+START_TEST(the_largest_compression_is_bounded)
+{
+    tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 2, 2, 0.001);
+    tank_add(0, 0, 0.5, 1);
+    tank.scene.method.support_ratio = 2;
+    tank.scene.method.max_compression = 0.005;
+    tank.scene.method.cfl = 0.3;
+    tank_start();
+    while (sph2d_sim_time(tank.sim) < 0.2)
+        test_steps(tank.sim, 1);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_double_gt(s.speed_max, 2);
+    ck_assert_double_le(s.compression_max, 0.015);
+}
+END_TEST
+
+/* ---- the same bits ----------------------------------------------------------------------------------------------- */
+
+static void same_bits(const sph2d_sim *a, const sph2d_sim *b)
+{
+    const sph2d__store *f = &a->system.fluid, *g = &b->system.fluid;
+    ck_assert_uint_eq(f->count, g->count);
+    ck_assert_int_eq(memcmp(f->x, g->x, f->count * sizeof *f->x), 0);
+    ck_assert_int_eq(memcmp(f->y, g->y, f->count * sizeof *f->y), 0);
+    ck_assert_int_eq(memcmp(f->vx, g->vx, f->count * sizeof *f->vx), 0);
+    ck_assert_int_eq(memcmp(f->pressure, g->pressure, f->count * sizeof *f->pressure), 0);
+}
+
+/** A disturbed square of 50 by 50, stiff enough that not all of it is right at once. */
+static void disturbed(sph2d_method method)
+{
+    column(method, 1, 1);
+    tank.blocks[0].perturb.amplitude = 0.2;
+    tank.scene.method.max_iterations = 30;
+}
+
+START_TEST(threads_do_not_matter)
+{
+    disturbed(both[_i]);
+    tank_start();
+    sph2d_sim *other = another(3, SPH2D_ISA_AUTO);
+    ck_assert_uint_ge(tank.sim->system.fluid.count, 2400);
+    test_steps(tank.sim, 20);
+    test_steps(other, 20);
+    same_bits(tank.sim, other);
+    sph2d_sim_destroy(other);
+}
+END_TEST
+
+/* Every lane is a particle, and sums over rows have the same strands at any width. */
+START_TEST(instruction_sets_do_not_matter)
+{
+    disturbed(both[_i]);
+    tank_start();
+    test_steps(tank.sim, 20);
+    for (int isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa) {
+        if (!sph2d_isa_available((sph2d_isa)isa))
+            continue;
+        sph2d_sim *other = another(1, (sph2d_isa)isa);
+        test_steps(other, 20);
+        same_bits(tank.sim, other);
+        sph2d_sim_destroy(other);
+    }
+}
+END_TEST
+
+START_TEST(a_state_goes_on_as_if_nothing_was)
+{
+    column(both[_i], 0.3, 0.6);
+    tank_start();
+    test_steps(tank.sim, 30);
+    test_state state = test_state_copy(tank.sim);
+    sph2d_sim *other = NULL;
+    ck_assert_int_eq(sph2d_sim_restore(&tank.scene, NULL, &state.state, &other, NULL), SPH2D_OK);
+    test_steps(tank.sim, 20);
+    test_steps(other, 20);
+    same_bits(tank.sim, other);
+    sph2d_sim_destroy(other);
+    test_state_free(&state);
+}
+END_TEST
+
+Suite *suite_solvers(void)
+{
+    Suite *suite = suite_create("solvers");
+    TCase *cases = tcase_create("solvers");
+    tcase_add_checked_fixture(cases, NULL, tank_finish);
+    tcase_set_timeout(cases, 60);
+    tcase_add_loop_test(cases, momentum_is_kept, 0, 2);
+    tcase_add_loop_test(cases, compression_stays_where_it_is_wanted, 0, 2);
+    tcase_add_loop_test(cases, too_few_iterations_are_counted_and_stop_a_run_in_the_end, 0, 2);
+    tcase_add_test(cases, stragglers_are_brought_back);
+    tcase_add_test(cases, what_pressure_explains_stays);
+    tcase_add_test(cases, corrections_push_like_multipliers);
+    tcase_add_test(cases, the_largest_compression_is_bounded);
+    tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
+    tcase_add_loop_test(cases, instruction_sets_do_not_matter, 0, 2);
+    tcase_add_loop_test(cases, a_state_goes_on_as_if_nothing_was, 0, 2);
+    suite_add_tcase(suite, cases);
+    return suite;
+}
