@@ -33,7 +33,8 @@ enum {
     OPTION_TEMPLATE,
     OPTION_ALL,
     OPTION_TARGET,
-    OPTION_REPEAT
+    OPTION_REPEAT,
+    OPTION_PROFILE
 };
 
 enum {
@@ -61,6 +62,7 @@ static const option_row rows[] = {
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK | CLI_STUDY, "instruction set: auto, baseline, avx2 or avx512"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
+    {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "tell where the time of the steps went"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, in processes of their own; default 1"},
     {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "run rows of less than 10 s so often; the least time counts"},
     {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "the error that the cheapest row is named for: 1%, 0.01"},
@@ -263,6 +265,9 @@ static bool take_flag(cli_options *options, int id)
         return true;
     case OPTION_ALL:
         options->all = true;
+        return true;
+    case OPTION_PROFILE:
+        options->profile = true;
         return true;
     default:
         return false;

@@ -24,6 +24,7 @@ sph2d_sim_options session_sim_options(const cli_session *s)
     sph2d_sim_options sim = sph2d_sim_options_default();
     sim.threads = s->threads.count;
     sim.isa = s->options->isa;
+    sim.profile = s->options->profile;
     return sim;
 }
 

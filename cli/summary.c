@@ -88,6 +88,25 @@ static void print_steps(const sph2d_summary *s)
                  ratio((double)s->iterations, (double)s->steps), s->unconverged);
 }
 
+/* Phases that a method does not have are left out. */
+static void print_profile(const sph2d_sim *sim, const loop_result *result)
+{
+    sph2d_profile p = sph2d_sim_profile(sim);
+    double all = 0;
+    for (int k = 0; k < SPH2D_PHASE_COUNT; ++k)
+        all += p.wall[k];
+    const char *row = "profile";
+    for (int k = 0; k < SPH2D_PHASE_COUNT; ++k) {
+        if (p.calls[k] == 0)
+            continue;
+        char wall[TEXT_SIZE], cpu[TEXT_SIZE];
+        text_row(row, "%-8s %4.1f %%  %s, CPU %s; %.3g CPU ns a particle and step", sph2d_phase_name((sph2d_phase)k),
+                 100 * ratio(p.wall[k], all), text_seconds(wall, p.wall[k]), text_seconds(cpu, p.cpu[k]),
+                 1e9 * ratio(p.cpu[k], (double)result->particle_steps));
+        row = "";
+    }
+}
+
 static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
                         const thread_choice *threads)
 {
@@ -97,6 +116,7 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
     print_errors(scene, s);
     print_particles(s);
     print_steps(s);
+    print_profile(sim, result);
 }
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
@@ -165,8 +185,24 @@ static void add_steps(cli_json *line, const sph2d_summary *s)
     json_count(line, "unconverged", s->unconverged);
 }
 
+static void add_profile(cli_json *line, const sph2d_sim *sim)
+{
+    sph2d_profile p = sph2d_sim_profile(sim);
+    json_open_object(line, "profile");
+    for (int k = 0; k < SPH2D_PHASE_COUNT; ++k) {
+        if (p.calls[k] == 0)
+            continue;
+        json_open_object(line, sph2d_phase_name((sph2d_phase)k));
+        json_number(line, "seconds", p.wall[k]);
+        json_number(line, "cpu_seconds", p.cpu[k]);
+        json_count(line, "calls", p.calls[k]);
+        json_close_object(line);
+    }
+    json_close_object(line);
+}
+
 static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                         const thread_choice *threads)
+                         const thread_choice *threads, const cli_options *options)
 {
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     cli_json line = json_begin(stdout);
@@ -178,6 +214,8 @@ static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loo
     add_errors(&line, s);
     add_particles(&line, s);
     add_steps(&line, s);
+    if (options->profile)
+        add_profile(&line, sim);
     json_end(&line);
 }
 
@@ -186,7 +224,7 @@ void summary_print(const sph2d_sim *sim, const loop_result *result, const char *
 {
     sph2d_summary s = sph2d_sim_summary(sim);
     if (options->json)
-        print_object(sim, &s, result, reason, threads);
+        print_object(sim, &s, result, reason, threads, options);
     else if (!options->quiet)
         print_table(sim, &s, result, reason, threads);
 }

@@ -273,6 +273,50 @@ START_TEST(the_mean_compression_leaves_out_impacts)
 }
 END_TEST
 
+/* Which phases a method has, and how often each begins in a step. */
+static const struct phases {
+    sph2d_method method;
+    uint64_t calls[SPH2D_PHASE_COUNT];
+} phases[] = {
+    {SPH2D_METHOD_MULLER, {[SPH2D_PHASE_DENSITY] = 1, [SPH2D_PHASE_FORCES] = 1, [SPH2D_PHASE_SORT] = 1}},
+    {SPH2D_METHOD_WCSPH, {[SPH2D_PHASE_DENSITY] = 1, [SPH2D_PHASE_FORCES] = 1, [SPH2D_PHASE_SORT] = 2}},
+    {SPH2D_METHOD_PCISPH, {[SPH2D_PHASE_SEARCH] = 1, [SPH2D_PHASE_SOLVE] = 1, [SPH2D_PHASE_SORT] = 1}},
+    {SPH2D_METHOD_CONSTRAINT, {[SPH2D_PHASE_SEARCH] = 1, [SPH2D_PHASE_SOLVE] = 1, [SPH2D_PHASE_SORT] = 1}},
+};
+enum { METHODS = sizeof phases / sizeof *phases };
+
+START_TEST(a_profile_tells_where_time_went)
+{
+    enum { STEPS = 5 };
+    sph2d_scene scene = test_open_scene(DX, -5, -5, 5, 5);
+    sph2d_block block = test_block(0, 0, 0.2, 0.2);
+    sph2d_sim_options options = sph2d_sim_options_default();
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = phases[_i].method;
+    scene.method.sound_speed = 10;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    options.profile = true;
+    sph2d_sim *sim = test_create(&scene, &options), *other = test_create(&scene, NULL);
+    test_steps(sim, STEPS);
+    test_steps(other, STEPS);
+    sph2d_profile p = sph2d_sim_profile(sim), none = sph2d_sim_profile(other);
+    for (int k = 0; k < SPH2D_PHASE_COUNT; ++k) {
+        if (k != SPH2D_PHASE_MOVE && k != SPH2D_PHASE_WATCH)
+            ck_assert_msg(p.calls[k] == STEPS * phases[_i].calls[k], "%s began %d times",
+                          sph2d_phase_name((sph2d_phase)k), (int)p.calls[k]);
+        ck_assert((p.calls[k] > 0) == (p.wall[k] > 0));
+        ck_assert_double_ge(p.cpu[k], 0);
+        ck_assert(none.calls[k] == 0 && none.wall[k] == 0);
+    }
+    ck_assert_uint_ge(p.calls[SPH2D_PHASE_MOVE], STEPS);
+    ck_assert_str_eq(sph2d_phase_name(SPH2D_PHASE_SOLVE), "solve");
+    ck_assert_str_eq(sph2d_phase_name(SPH2D_PHASE_COUNT), "unknown");
+    sph2d_sim_destroy(sim);
+    sph2d_sim_destroy(other);
+}
+END_TEST
+
 Suite *suite_outputs(void)
 {
     Suite *suite = suite_create("outputs");
@@ -286,6 +330,7 @@ Suite *suite_outputs(void)
     tcase_add_test(tests, compression_is_of_density_over_rest);
     tcase_add_test(tests, one_in_a_hundred_is_compressed_more);
     tcase_add_loop_test(tests, the_mean_compression_leaves_out_impacts, 0, 2);
+    tcase_add_loop_test(tests, a_profile_tells_where_time_went, 0, METHODS);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -95,10 +95,10 @@ static void look_around(const room *r, size_t i, int found[MOST])
 
 START_TEST(neighbours_are_those_of_the_nearest_images)
 {
-    const room *r = &rooms[_i];
+    const room *r = &rooms[_i % ROOMS];
     memory = sph2d__memory_from((sph2d_allocator){0});
     store = (sph2d__store){.has = SPH2D__STORE_BASIC, .carried = SPH2D__STORE_BASIC};
-    cells = (sph2d__cells){.period = {r->low_x, r->low_y, r->length_x, r->length_y}};
+    cells = (sph2d__cells){.period = {r->low_x, r->low_y, r->length_x, r->length_y}, .columns = _i < ROOMS ? 1 : 4};
     ck_assert(sph2d__store_reserve(&store, &memory, MOST));
     fill(r);
     ck_assert(sph2d__cells_build(&cells, &store, r->support, &memory, 1));
@@ -129,7 +129,7 @@ Suite *suite_periodic(void)
     TCase *tests = tcase_create("periodic");
     tcase_add_test(tests, coordinates_come_back_into_the_period);
     tcase_add_test(tests, the_nearest_image_is_within_half_a_period);
-    tcase_add_loop_test(tests, neighbours_are_those_of_the_nearest_images, 0, ROOMS);
+    tcase_add_loop_test(tests, neighbours_are_those_of_the_nearest_images, 0, 2 * ROOMS);
     suite_add_tcase(suite, tests);
     return suite;
 }

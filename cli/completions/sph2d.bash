@@ -28,8 +28,8 @@ _sph2d() {
 
     local drawing='--gl --shader-dir --threads'
     case ${COMP_WORDS[1]} in
-    run) options+=" $drawing --output --force --set --dry-run --isa --max-wall --no-frames --progress" ;;
-    resume) options+=" $drawing --set --max-wall --no-frames --progress" ;;
+    run) options+=" $drawing --output --force --set --dry-run --isa --max-wall --no-frames --profile --progress" ;;
+    resume) options+=" $drawing --set --max-wall --no-frames --profile --progress" ;;
     render) options+=" $drawing --output --force --size --style --radius --color --range --progress" ;;
     check) options+=" $drawing --set --isa --preview" ;;
     study) options+=' --output --force --set --threads --jobs --isa --repeat --target --all --progress' ;;

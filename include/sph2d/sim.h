@@ -46,6 +46,7 @@ typedef struct sph2d_sim_options {
     int threads;               /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
     sph2d_isa isa;             /**< default auto */
     sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
+    bool profile;              /**< read clocks at every phase of a step; default false */
 } sph2d_sim_options;
 
 SPH2D_API sph2d_sim_options sph2d_sim_options_default(void);
@@ -168,6 +169,32 @@ typedef struct sph2d_summary {
 } sph2d_summary;
 
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
+
+/** What a step spends its time on. */
+typedef enum sph2d_phase {
+    SPH2D_PHASE_MOVE,    /**< kicks and drifts, and what holds particles on their ways */
+    SPH2D_PHASE_SORT,    /**< cells, and the order of particles that follows from them */
+    SPH2D_PHASE_WALLS,   /**< sums over the liquid around boundary particles */
+    SPH2D_PHASE_SEARCH,  /**< finding the neighbours that a pressure solver keeps, and density with them */
+    SPH2D_PHASE_DENSITY, /**< sums over neighbours for density or its rate */
+    SPH2D_PHASE_FORCES,  /**< sums over neighbours for accelerations */
+    SPH2D_PHASE_SOLVE,   /**< a pressure solver */
+    SPH2D_PHASE_WATCH,   /**< sources and drains, guards, the next step's length, samples */
+    SPH2D_PHASE_COUNT
+} sph2d_phase;
+
+/** "move", "sort", ...; static storage. */
+SPH2D_API const char *sph2d_phase_name(sph2d_phase phase);
+
+/** Where the time of the steps went, since the simulation was made. */
+typedef struct sph2d_profile {
+    double wall[SPH2D_PHASE_COUNT];    /**< seconds that pass for everyone */
+    double cpu[SPH2D_PHASE_COUNT];     /**< seconds that processors spent on this process */
+    uint64_t calls[SPH2D_PHASE_COUNT]; /**< times that the phase began */
+} sph2d_profile;
+
+/** Zeros unless the options asked for it. Not a part of the state. */
+SPH2D_API sph2d_profile sph2d_sim_profile(const sph2d_sim *sim);
 
 #ifdef __cplusplus
 }

@@ -242,13 +242,17 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_where(sph2d__lanes left, sph2d__lanes ri
     return (sph2d__lanes)((bits)(left > right) & (bits)a);
 }
 
-/** Sum over the lanes, from the first to the last. */
+/** Sum over the lanes: of halves, of halves of the halves, and so on. */
 SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
 {
-    double total = 0;
-    for (int l = 0; l < SPH2D__LANES; ++l)
-        total += a[l];
-    return total;
+#if defined(__AVX512F__)
+    return _mm512_reduce_add_pd((__m512d)a);
+#elif defined(__AVX__)
+    __m128d half = _mm_add_pd(_mm256_castpd256_pd128((__m256d)a), _mm256_extractf128_pd((__m256d)a, 1));
+    return half[0] + half[1];
+#else
+    return a[0] + a[1];
+#endif
 }
 
 #endif

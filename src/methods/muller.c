@@ -73,7 +73,8 @@ static bool evaluate(sph2d__system *s)
 {
     const sph2d__muller_passes *pass = passes(s->isa);
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
-    pass->density(s);
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
+    sph2d__over_particles(s, fluid->count, pass->density);
     int threads = sph2d__threads_for(s->threads, fluid->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < fluid->count; ++i) {
@@ -81,14 +82,17 @@ static bool evaluate(sph2d__system *s)
         fluid->volume[i] = s->mass / fluid->density[i];
     }
     if (s->walls_press) {
-        pass->wall_density(s);
+        sph2d__profile_enter(&s->profile, SPH2D_PHASE_WALLS);
+        sph2d__over_particles(s, walls->count, pass->wall_density);
         for (size_t b = 0; b < walls->count; ++b) {
             walls->pressure[b] = pressure_of(s, walls->density[b]);
             walls->volume[b] = s->walls.mass[b] / walls->density[b];
         }
     }
-    pass->force(s);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, fluid->count, pass->force);
     sph2d__tension_add(s);
+    sph2d__profile_enter(&s->profile, before);
     return true;
 }
 

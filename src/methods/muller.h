@@ -15,17 +15,18 @@
 #define SPH2D_METHODS_MULLER_H
 
 #include "methods/method.h"
+#include "methods/slabs.h"
 
 extern const sph2d__method sph2d__muller;
 
 /** The pair loops, compiled once for each instruction set. */
 typedef struct sph2d__muller_passes {
     /** Density of the fluid, from fluid and walls. */
-    void (*density)(sph2d__system *system);
+    sph2d__span_work *density;
     /** Density of the boundary particles that press: the rest density they give themselves and what the fluid adds. */
-    void (*wall_density)(sph2d__system *system);
+    sph2d__span_work *wall_density;
     /** Acceleration of the fluid, from densities, pressures and volumes. */
-    void (*force)(sph2d__system *system);
+    sph2d__span_work *force;
 } sph2d__muller_passes;
 
 extern const sph2d__muller_passes sph2d__muller_passes_baseline;

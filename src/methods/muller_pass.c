@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller_pass.c
  *  The pair loops of method `muller`. Compiled once for each instruction set, named by SPH2D__ISA. */
-#include "base/threads.h"
 #include "kernels/muller.h"
 #include "methods/muller.h"
 #include "methods/traverse.h"
-
-/* Particles that a thread takes at a time: enough to stay in a cell row, few enough to share uneven work. */
-enum { CHUNK = 256 };
 
 /** Poly6 shapes of a block; `mass` NULL counts each particle once. */
 SPH2D__INLINE sph2d__lanes density_block(double support2, double xi, double yi, const double *x, const double *y,
@@ -19,7 +15,7 @@ SPH2D__INLINE sph2d__lanes density_block(double support2, double xi, double yi, 
     return mass ? shape * sph2d__lanes_load(mass) : shape;
 }
 
-static void density(sph2d__system *s)
+static void density(sph2d__system *s, size_t first, size_t last)
 {
     const sph2d__store *walls = &s->walls;
     sph2d__store *fluid = &s->fluid;
@@ -27,51 +23,41 @@ static void density(sph2d__system *s)
     double poly6 = sph2d__poly6_constant(s->support);
     double own = poly6 * s->calibration * s->mass;
     bool walls_press = s->walls_press;
-    int threads = sph2d__threads_for(s->threads, fluid->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < fluid->count; ++i) {
-            double xi = fluid->x[i], yi = fluid->y[i];
-            sph2d__lanes sum = {0};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, xi, yi);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-                sum += density_block(support2, xi + cursor.ranges.x[r], yi + cursor.ranges.y[r], fluid->x + j,
-                                     fluid->y + j, NULL, left);
-            double rho = own * sph2d__lanes_total(sum);
-            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, xi, yi)) {
-                sph2d__lanes wall_sum = {0};
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
-                    wall_sum += density_block(support2, xi + wall_cursor.ranges.x[r], yi + wall_cursor.ranges.y[r],
-                                              walls->x + j, walls->y + j, s->walls.mass + j, left);
-                rho += poly6 * sph2d__lanes_total(wall_sum);
-            }
-            fluid->density[i] = rho;
+    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+    for (size_t i = first; i < last; ++i) {
+        double xi = fluid->x[i], yi = fluid->y[i];
+        sph2d__lanes sum = {0};
+        sph2d__cursor_move(&cursor, &s->fluid_cells, xi, yi);
+        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+            sum += density_block(support2, xi + cursor.ranges.x[r], yi + cursor.ranges.y[r], fluid->x + j, fluid->y + j,
+                                 NULL, left);
+        double rho = own * sph2d__lanes_total(sum);
+        if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, xi, yi)) {
+            sph2d__lanes wall_sum = {0};
+            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
+                wall_sum += density_block(support2, xi + wall_cursor.ranges.x[r], yi + wall_cursor.ranges.y[r],
+                                          walls->x + j, walls->y + j, s->walls.mass + j, left);
+            rho += poly6 * sph2d__lanes_total(wall_sum);
         }
+        fluid->density[i] = rho;
     }
 }
 
-static void wall_density(sph2d__system *s)
+static void wall_density(sph2d__system *s, size_t first, size_t last)
 {
     const sph2d__store *fluid = &s->fluid;
     sph2d__store *walls = &s->walls;
     double support2 = s->support * s->support;
     double own = sph2d__poly6_constant(s->support) * s->calibration * s->mass;
-    int threads = sph2d__threads_for(s->threads, walls->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t b = 0; b < walls->count; ++b) {
-            double xb = walls->x[b], yb = walls->y[b];
-            sph2d__lanes sum = {0};
-            if (s->walls.mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
-                SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-                    sum += density_block(support2, xb + cursor.ranges.x[r], yb + cursor.ranges.y[r], fluid->x + j,
-                                         fluid->y + j, NULL, left);
-            walls->density[b] = s->rest_density + own * sph2d__lanes_total(sum);
-        }
+    sph2d__cursor cursor = SPH2D__CURSOR_START;
+    for (size_t b = first; b < last; ++b) {
+        double xb = walls->x[b], yb = walls->y[b];
+        sph2d__lanes sum = {0};
+        if (s->walls.mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
+            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+                sum += density_block(support2, xb + cursor.ranges.x[r], yb + cursor.ranges.y[r], fluid->x + j,
+                                     fluid->y + j, NULL, left);
+        walls->density[b] = s->rest_density + own * sph2d__lanes_total(sum);
     }
 }
 
@@ -112,45 +98,40 @@ SPH2D__INLINE void add_sums(double *fx, double *fy, const force_sums *sums, doub
     *fy += press * sph2d__lanes_total(sums->press_y) + drag * sph2d__lanes_total(sums->drag_y);
 }
 
-SPH2D__INLINE void force_with(sph2d__system *s, bool viscous)
+SPH2D__INLINE void force_with(sph2d__system *s, bool viscous, size_t first, size_t last)
 {
     sph2d__store *fluid = &s->fluid;
     double press = sph2d__spiky_constant(s->support) / 2;
     double laplacian = sph2d__viscosity_constant(s->support);
     bool walls_press = s->walls_press;
-    int threads = sph2d__threads_for(s->threads, fluid->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < fluid->count; ++i) {
-            receiver me = {fluid->x[i], fluid->y[i], fluid->vx[i], fluid->vy[i], fluid->pressure[i]};
-            double fx = 0, fy = 0;
-            force_sums sums = {{0}, {0}, {0}, {0}};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-                add_force(&sums, s->support, viscous, &me, &cursor.ranges, r, fluid, j, left);
-            add_sums(&fx, &fy, &sums, press, s->viscosity * laplacian);
-            if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y)) {
-                force_sums wall_sums = {{0}, {0}, {0}, {0}};
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
-                    add_force(&wall_sums, s->support, true, &me, &wall_cursor.ranges, r, &s->walls, j, left);
-                add_sums(&fx, &fy, &wall_sums, press, s->wall_viscosity * laplacian);
-            }
-            double ax = fx / fluid->density[i], ay = fy / fluid->density[i];
-            sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
-            fluid->ax[i] = ax;
-            fluid->ay[i] = ay;
+    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+    for (size_t i = first; i < last; ++i) {
+        receiver me = {fluid->x[i], fluid->y[i], fluid->vx[i], fluid->vy[i], fluid->pressure[i]};
+        double fx = 0, fy = 0;
+        force_sums sums = {{0}, {0}, {0}, {0}};
+        sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
+        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
+            add_force(&sums, s->support, viscous, &me, &cursor.ranges, r, fluid, j, left);
+        add_sums(&fx, &fy, &sums, press, s->viscosity * laplacian);
+        if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y)) {
+            force_sums wall_sums = {{0}, {0}, {0}, {0}};
+            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
+                add_force(&wall_sums, s->support, true, &me, &wall_cursor.ranges, r, &s->walls, j, left);
+            add_sums(&fx, &fy, &wall_sums, press, s->wall_viscosity * laplacian);
         }
+        double ax = fx / fluid->density[i], ay = fy / fluid->density[i];
+        sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
+        fluid->ax[i] = ax;
+        fluid->ay[i] = ay;
     }
 }
 
-static void force(sph2d__system *s)
+static void force(sph2d__system *s, size_t first, size_t last)
 {
     if (s->viscosity > 0)
-        force_with(s, true);
+        force_with(s, true, first, last);
     else
-        force_with(s, false);
+        force_with(s, false, first, last);
 }
 
 #define NAME_(isa) sph2d__muller_passes_##isa

@@ -59,6 +59,7 @@ static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 
 bool sph2d__projection_gather(sph2d__system *s)
 {
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SEARCH);
     size_t each = usual_pairs(s);
     put_far(&s->fluid, s->fluid.x, s->fluid.y);
     put_far(&s->walls, s->walls.x, s->walls.y);
@@ -70,6 +71,7 @@ bool sph2d__projection_gather(sph2d__system *s)
             break;
     }
     sph2d__tension_add(s);
+    sph2d__profile_enter(&s->profile, before);
     return true;
 }
 

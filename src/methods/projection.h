@@ -92,8 +92,7 @@ typedef struct sph2d__projection_gather_pass {
 } sph2d__projection_gather_pass;
 
 /** The other pair loops, for particles `first`, which begins a slab, to `last` - 1. Prediction is compiled once for
- * each kernel, too. Threads share slabs outside of these functions: a kernel that is an argument of a parallel region
- * would no longer be a constant in its loops. */
+ * each kernel, too. */
 typedef struct sph2d__projection_passes {
     void (*spread)(sph2d__system *system, size_t first, size_t last);
     void (*lead)(sph2d__system *system, double keep, double fall, size_t first, size_t last);

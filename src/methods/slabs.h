@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file slabs.h
- *  Work on the rows of a pressure solver, slab by slab: those of the fluid and those of the boundary particles that
- *  have some. Threads share the slabs; what each sums up is added in one order. */
+ *  Work on particles, slab by slab, and on the rows of a pressure solver: those of the fluid and those of the boundary
+ *  particles that have some. Threads share the slabs; what each sums up is added in one order.
+ *
+ *  Pair loops are functions of their own, out of the parallel region: a kernel that is an argument is a constant in
+ *  their loops, which it would no longer be in the function that the compiler makes of such a region. */
 #ifndef SPH2D_METHODS_SLABS_H
 #define SPH2D_METHODS_SLABS_H
 
@@ -22,5 +25,11 @@ sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work,
 
 /** And to every slab of the boundary particles, where some act by pressure. */
 sph2d__slab_sum sph2d__over_rows(sph2d__system *system, sph2d__slab_work *work, const void *with);
+
+/** What is done to particles `first` to `last` - 1 of some store. */
+typedef void sph2d__span_work(sph2d__system *system, size_t first, size_t last);
+
+/** Does it to particles 0 to count - 1, in slabs that threads share. */
+void sph2d__over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef SPH2D_METHODS_SYSTEM_H
 #define SPH2D_METHODS_SYSTEM_H
 
+#include "methods/profile.h"
 #include "particles/cells.h"
 #include "particles/neighbours.h"
 #include "physics/body.h"
@@ -45,6 +46,7 @@ typedef struct sph2d__system {
     double left;         /**< compression that it left */
     double wanted;       /**< and what it should have left at most */
 
+    sph2d__profile profile;
     sph2d__memory *memory;
     int threads;
     sph2d_isa isa;

@@ -5,13 +5,12 @@
 
 #include <math.h>
 
-#include "base/threads.h"
+#include "methods/slabs.h"
 #include "methods/traverse.h"
 #include "scene/derive.h"
 
-/* Particles that a thread takes at a time, and the most neighbours that one can have before it counts as covered:
- * ten times as many as liquid has. */
-enum { CHUNK = 256, MOST = 192 };
+/* The most neighbours that a particle can have before it counts as covered: ten times as many as liquid has. */
+enum { MOST = 192 };
 
 /** The particles whose discs can cover a point of a particle's circle. */
 typedef struct crowd {
@@ -121,25 +120,27 @@ double sph2d__tension_energy(const sph2d__system *s)
     return s->surface_tension * length / 2; /* each edge was met from both its ends */
 }
 
+static void pull_particles(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    double scale = s->surface_tension / s->mass;
+    sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
+    crowd c;
+    for (size_t i = first; i < last; ++i) {
+        gather_around(&c, s, i, &liquid, &walls);
+        sph2d_vec2 pull = pull_on(&c, SPH2D__DISC_RADIUS * s->spacing);
+        f->ax[i] += scale * pull.x;
+        f->ay[i] += scale * pull.y;
+    }
+}
+
 void sph2d__tension_add(sph2d__system *s)
 {
     if (!(s->surface_tension > 0))
         return;
-    sph2d__store *f = &s->fluid;
-    double scale = s->surface_tension / s->mass;
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
-        crowd c;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < f->count; ++i) {
-            gather_around(&c, s, i, &liquid, &walls);
-            sph2d_vec2 pull = pull_on(&c, SPH2D__DISC_RADIUS * s->spacing);
-            f->ax[i] += scale * pull.x;
-            f->ay[i] += scale * pull.y;
-        }
-    }
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, s->fluid.count, pull_particles);
+    sph2d__profile_enter(&s->profile, before);
 }
 
 double sph2d__tension_step(const sph2d__system *s)

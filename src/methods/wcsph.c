@@ -15,14 +15,15 @@ static const double VISCOUS = 0.03;
 static const double MONAGHAN = 3;
 static const double FORCE = 0.25;
 
-/** The pair loop of one kind for the system's instruction set and kernel. */
+/** The pair loop of one kind for the system's instruction set and kernel, over the particles of a store. */
 #ifdef SPH2D__ISA_X86
-#define RUN(kind, s)                                                                                                   \
-    ((s)->isa == SPH2D_ISA_AVX512 ? sph2d__wcsph_##kind##_avx512                                                       \
-     : (s)->isa == SPH2D_ISA_AVX2 ? sph2d__wcsph_##kind##_avx2                                                         \
-                                  : sph2d__wcsph_##kind##_baseline)[(s)->method.kernel](s)
+#define RUN(kind, s, store)                                                                                            \
+    sph2d__over_particles(s, (store)->count,                                                                           \
+                          ((s)->isa == SPH2D_ISA_AVX512 ? sph2d__wcsph_##kind##_avx512                                 \
+                           : (s)->isa == SPH2D_ISA_AVX2 ? sph2d__wcsph_##kind##_avx2                                   \
+                                                        : sph2d__wcsph_##kind##_baseline)[(s)->method.kernel])
 #else
-#define RUN(kind, s) sph2d__wcsph_##kind##_baseline[(s)->method.kernel](s)
+#define RUN(kind, s, store) sph2d__over_particles(s, (store)->count, sph2d__wcsph_##kind##_baseline[(s)->method.kernel])
 #endif
 
 static void prepare(sph2d__system *s)
@@ -49,20 +50,26 @@ static void set_volumes(sph2d__system *s)
 
 static void density_rate(sph2d__system *s)
 {
+    sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
     set_volumes(s);
     if (s->walls_press)
-        RUN(wall, s);
-    RUN(rate, s);
+        RUN(wall, s, &s->walls);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
+    RUN(rate, s, &s->fluid);
+    sph2d__profile_enter(&s->profile, before);
 }
 
 static bool evaluate(sph2d__system *s)
 {
+    sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
     set_volumes(s);
     sph2d__state_equation_apply(s, &s->fluid);
     if (s->walls_press)
-        RUN(wall, s);
-    RUN(force, s);
+        RUN(wall, s, &s->walls);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    RUN(force, s, &s->fluid);
     sph2d__tension_add(s);
+    sph2d__profile_enter(&s->profile, before);
     return true;
 }
 

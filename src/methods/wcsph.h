@@ -34,18 +34,17 @@
 #define SPH2D_METHODS_WCSPH_H
 
 #include "methods/method.h"
+#include "methods/slabs.h"
 
 extern const sph2d__method sph2d__wcsph;
 
-/** A pair loop over the system; there is one for every kernel and instruction set. */
-typedef void sph2d__wcsph_pass(sph2d__system *system);
-
-/* rate: density_rate of the fluid, from places, velocities, densities, volumes and slopes; distance to the surface.
+/* Pair loops over some particles; there is one for every kernel and instruction set.
+ * rate: density_rate of the fluid, from places, velocities, densities, volumes and slopes; distance to the surface.
  * wall: pressure, density, volume and image velocity of the boundary particles, from the fluid.
  * force: acceleration of the fluid, slope of density, fullness and crowding, from densities, pressures and volumes. */
 #define SPH2D__WCSPH_PASSES(isa)                                                                                       \
-    extern sph2d__wcsph_pass *const sph2d__wcsph_rate_##isa[5], *const sph2d__wcsph_wall_##isa[5],                     \
-                                                                    *const sph2d__wcsph_force_##isa[5];
+    extern sph2d__span_work *const sph2d__wcsph_rate_##isa[5], *const sph2d__wcsph_wall_##isa[5],                      \
+                                                                   *const sph2d__wcsph_force_##isa[5];
 SPH2D__WCSPH_PASSES(baseline)
 #ifdef SPH2D__ISA_X86
 SPH2D__WCSPH_PASSES(avx2)

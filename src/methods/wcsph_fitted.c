@@ -52,8 +52,10 @@ static void prepare(sph2d__system *s)
 
 static bool evaluate(sph2d__system *s)
 {
-    passes(s->isa)->rates(s);
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, s->fluid.count, passes(s->isa)->rates);
     sph2d__state_equation_apply(s, &s->fluid);
+    sph2d__profile_enter(&s->profile, before);
     return true;
 }
 

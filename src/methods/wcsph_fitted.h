@@ -28,13 +28,14 @@
 #define SPH2D_METHODS_WCSPH_FITTED_H
 
 #include "methods/method.h"
+#include "methods/slabs.h"
 
 extern const sph2d__method sph2d__wcsph_fitted;
 
 /** The pair loops, compiled once for each instruction set. */
 typedef struct sph2d__fitted_passes {
     /** Acceleration, density_rate and shift velocity of the fluid. */
-    void (*rates)(sph2d__system *system);
+    sph2d__span_work *rates;
 } sph2d__fitted_passes;
 
 extern const sph2d__fitted_passes sph2d__fitted_passes_baseline;

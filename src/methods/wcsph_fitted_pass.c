@@ -5,14 +5,13 @@
  *  A fit costs so much more than a distance that neighbours are first listed, then summed in full vectors, and the
  *  normal equations of as many particles as there are lanes are solved at once. */
 #include "base/pi.h"
-#include "base/threads.h"
 #include "kernels/kernel.h"
 #include "methods/state_equation.h"
 #include "methods/traverse.h"
 #include "methods/wcsph_fitted.h"
 
-/* Groups of particles that a thread takes at a time; neighbours that are listed before they are summed. */
-enum { CHUNK = 32, LISTED = 64 };
+/* Neighbours that are listed before they are summed. */
+enum { LISTED = 64 };
 
 /* What is summed over the neighbours of a particle. Moments of order 1 to 4 of (xi, eta), then of the differences of
  * u, v and rho: plain, and with each basis function. */
@@ -356,21 +355,14 @@ static void rates_of_group(sph2d__system *s, place *at, size_t i, const constant
     }
 }
 
-static void rates(sph2d__system *s)
+static void rates(sph2d__system *s, size_t first, size_t last)
 {
-
-    size_t groups = (s->fluid.count + SPH2D__LANES - 1) / SPH2D__LANES;
     double ratio = s->support / s->spacing;
     constants k = {1 / s->support, 140 / (SPH2D__PI * ratio * ratio),
                    1 / sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio)};
-    int threads = sph2d__threads_for(s->threads, s->fluid.count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        place at = {SPH2D__CURSOR_START, SPH2D__CURSOR_START};
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t g = 0; g < groups; ++g)
-            rates_of_group(s, &at, g * SPH2D__LANES, &k);
-    }
+    place at = {SPH2D__CURSOR_START, SPH2D__CURSOR_START};
+    for (size_t i = first; i < last; i += SPH2D__LANES)
+        rates_of_group(s, &at, i, &k);
 }
 
 #define NAME_(isa) sph2d__fitted_passes_##isa

@@ -4,7 +4,6 @@
  *  named by SPH2D__ISA, and in it once for each kernel. */
 #include <math.h>
 
-#include "base/threads.h"
 #include "kernels/kernel.h"
 #include "methods/traverse.h"
 #include "methods/wcsph.h"
@@ -34,12 +33,10 @@ typedef struct receiver {
 } receiver;
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
-SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
-                              sph2d__lanes vg)
+SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p, sph2d__lanes vg)
 {
     if (with->shift) {
-        sph2d__lanes q = sph2d__lanes_sqrt(p->r2) * (1 / support);
-        sph2d__lanes near = sph2d__kernel_value(kernel, q) * with->near;
+        sph2d__lanes near = sph2d__kernel_value(kernel, p->q) * with->near;
         near *= near;
         sph2d__lanes crowd = vg * (1 + 0.2 * near * near);
         sums->crowd_x += crowd * p->dx;
@@ -63,7 +60,7 @@ SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair
     }
 }
 
-SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
+SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p,
                               const receiver *me, const sph2d__store *f, size_t j)
 {
     sph2d__lanes volume = sph2d__lanes_load(f->volume + j), vg = volume * p->g;
@@ -75,7 +72,7 @@ SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel 
     if (with->morris > 0 || with->monaghan > 0)
         add_viscosity(sums, with, p, vg, me->vx - sph2d__lanes_load(f->vx + j), me->vy - sph2d__lanes_load(f->vy + j));
     if (with->slope || with->full)
-        add_layout(sums, with, kernel, support, p, vg);
+        add_layout(sums, with, kernel, p, vg);
     if (with->slope) {
         sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
         sph2d__lanes drho = sph2d__lanes_load(f->density + j) - me->density;
@@ -85,8 +82,8 @@ SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel 
 }
 
 /** Boundary particles have masses of their own. */
-SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel kernel, double support, const pair *p,
-                            const receiver *me, const sph2d__store *w, size_t j, double mass)
+SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p, const receiver *me,
+                            const sph2d__store *w, size_t j, double mass)
 {
     sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * (1 / mass);
     sph2d__lanes own = sph2d__lanes_max(ratio, (sph2d__lanes){0} + 1e-300);
@@ -96,7 +93,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel ke
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
     if (with->full)
-        add_layout(sums, with, kernel, support, p, volume * p->g);
+        add_layout(sums, with, kernel, p, volume * p->g);
     if (with->sticky)
         add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->image_vx + j),
                       me->vy - sph2d__lanes_load(w->image_vy + j));
@@ -104,7 +101,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel ke
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
  * both lack the same constant. None where the neighbours are on one line. */
-static void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
+SPH2D__INLINE void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
 {
     double xx = -sph2d__lanes_total(sums->xx), xy = -sph2d__lanes_total(sums->xy), yy = -sph2d__lanes_total(sums->yy);
     double bx = sph2d__lanes_total(sums->slope_x), by = sph2d__lanes_total(sums->slope_y);
@@ -113,7 +110,7 @@ static void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
 
 /** How far the neighbourhood is filled: the smaller eigenvalue of M, 1 in the bulk, near 0.5 at a flat surface, less in
  *  spray (Marrone et al. 2010, eq. 8; there of the inverse). */
-static double fullness_of(const force_sums *sums, double scale)
+SPH2D__INLINE double fullness_of(const force_sums *sums, double scale)
 {
     double xx = -scale * sph2d__lanes_total(sums->xx), xy = -scale * sph2d__lanes_total(sums->xy);
     double yy = -scale * sph2d__lanes_total(sums->yy);
@@ -125,7 +122,7 @@ static double fullness_of(const force_sums *sums, double scale)
 static const double SPRAY = 0.4, BULK = 0.75;
 
 /** The crowding that particles are shifted by, which near a free surface has no part across it. */
-static void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
+SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
 {
     sph2d__store *f = &s->fluid;
     double unit = fullness < SPRAY ? 0 : s->support * scale;
@@ -141,8 +138,8 @@ static void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, dou
 }
 
 /** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle. */
-static void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double own, double density,
-                     double *ax, double *ay)
+SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double own,
+                            double density, double *ax, double *ay)
 {
     double scale = slope_scale(s), press = -scale / s->mass;
     *ax += press * own * sph2d__lanes_total(sums->plain_x);
@@ -168,55 +165,50 @@ static terms terms_of(const sph2d__system *s)
     return with;
 }
 
-SPH2D__INLINE void force_with(sph2d__system *s, sph2d_kernel kernel)
+SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
     terms with = terms_of(s);
     double scale = slope_scale(s);
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < f->count; ++i) {
-            receiver me = {f->x[i], f->y[i], f->vx[i], f->vy[i], f->density[i]};
-            double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
-            force_sums sums = {0};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, f, j, left);
-                add_liquid(&sums, &with, kernel, s->support, &p, &me, f, j);
-            }
-            if (with.slope)
-                finish_slope(f, i, &sums);
-            if (near_walls(s, &wall_cursor, me.x, me.y))
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                    pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &s->walls, j, left);
-                    add_wall(&sums, &with, kernel, s->support, &p, &me, &s->walls, j, s->mass);
-                }
-            if (with.full) {
-                double fullness = fullness_of(&sums, scale);
-                bool inside = fullness > BULK && f->surface[i] >= s->support;
-                f->fullness[i] = fullness;
-                if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
-                    own = -own;
-                if (with.shift)
-                    finish_crowd(s, i, &sums, fullness, scale);
-            }
-            add_sums(s, &sums, &with, own, me.density, &ax, &ay);
-            sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
-            f->ax[i] = ax;
-            f->ay[i] = ay;
+    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+    for (size_t i = first; i < last; ++i) {
+        receiver me = {f->x[i], f->y[i], f->vx[i], f->vy[i], f->density[i]};
+        double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
+        force_sums sums = {0};
+        sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
+        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
+            pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, f, j, left);
+            add_liquid(&sums, &with, kernel, &p, &me, f, j);
         }
+        if (with.slope)
+            finish_slope(f, i, &sums);
+        if (near_walls(s, &wall_cursor, me.x, me.y))
+            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
+                pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &s->walls, j, left);
+                add_wall(&sums, &with, kernel, &p, &me, &s->walls, j, s->mass);
+            }
+        if (with.full) {
+            double fullness = fullness_of(&sums, scale);
+            bool inside = fullness > BULK && f->surface[i] >= s->support;
+            f->fullness[i] = fullness;
+            if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
+                own = -own;
+            if (with.shift)
+                finish_crowd(s, i, &sums, fullness, scale);
+        }
+        add_sums(s, &sums, &with, own, me.density, &ax, &ay);
+        sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
+        f->ax[i] = ax;
+        f->ay[i] = ay;
     }
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
 #define FOR_KERNEL(name, kernel)                                                                                       \
-    static void force_##name(sph2d__system *s)                                                                         \
+    static void force_##name(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        force_with(s, kernel);                                                                                         \
+        force_with(s, first, last, kernel);                                                                            \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
@@ -226,4 +218,4 @@ FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
 
 #define NAME_(isa) sph2d__wcsph_force_##isa
 #define NAME(isa) NAME_(isa)
-sph2d__wcsph_pass *const NAME(SPH2D__ISA)[5] = {force_c2, force_c4, force_c6, force_cubic, force_quintic};
+sph2d__span_work *const NAME(SPH2D__ISA)[5] = {force_c2, force_c4, force_c6, force_cubic, force_quintic};

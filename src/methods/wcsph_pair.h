@@ -8,12 +8,10 @@
 #include "methods/system.h"
 #include "methods/traverse.h"
 
-/* Particles that a thread takes at a time: enough to stay in a cell row, few enough to share uneven work. */
-enum { CHUNK = 256 };
-
-/** Distance to a block's particles, and g of the kernel there, 0 in lanes that count as nothing. */
+/** Distance to a block's particles, in units of the support radius too, and g of the kernel there, 0 in lanes that
+ * count as nothing. */
 typedef struct pair {
-    sph2d__lanes dx, dy, r2, g;
+    sph2d__lanes dx, dy, r2, q, g;
 } pair;
 
 SPH2D__INLINE pair pair_with(sph2d_kernel kernel, double support, double x, double y, const sph2d__ranges *ranges,
@@ -23,8 +21,8 @@ SPH2D__INLINE pair pair_with(sph2d_kernel kernel, double support, double x, doub
     p.dx = x + ranges->x[range] - sph2d__lanes_load(from->x + j);
     p.dy = y + ranges->y[range] - sph2d__lanes_load(from->y + j);
     p.r2 = p.dx * p.dx + p.dy * p.dy;
-    sph2d__lanes q = sph2d__lanes_sqrt(p.r2) * (1 / support);
-    p.g = sph2d__lanes_first(sph2d__kernel_slope(kernel, q), left);
+    p.q = sph2d__lanes_sqrt(p.r2) * (1 / support);
+    p.g = sph2d__lanes_first(sph2d__kernel_slope(kernel, p.q), left);
     return p;
 }
 
@@ -47,7 +45,7 @@ static const double SOUND = 0.1;
 
 /** Inverts M and gives a gradient from its sums, both without the same constant; zero where neighbours are on a line.
  */
-static inline void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
+SPH2D__INLINE void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
 {
     double det = xx * yy - xy * xy;
     bool sound = det > SOUND * (xx + yy) * (xx + yy);

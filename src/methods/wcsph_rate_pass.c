@@ -4,7 +4,6 @@
  *  instruction set, named by SPH2D__ISA, and in it once for each kernel. */
 #include <math.h>
 
-#include "base/threads.h"
 #include "kernels/kernel.h"
 #include "methods/shift.h"
 #include "methods/traverse.h"
@@ -52,7 +51,7 @@ SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, double vx, double vy,
 }
 
 /** The smallest of all lanes. */
-static double least(sph2d__lanes a)
+SPH2D__INLINE double least(sph2d__lanes a)
 {
     double least = a[0];
     for (int l = 1; l < SPH2D__LANES; ++l)
@@ -62,7 +61,7 @@ static double least(sph2d__lanes a)
 
 /** Velocity and density change along the shift as the fields around say (Sun et al. 2019), if these are known; old_ax
  * and old_ay hold that of velocity until the step is made. */
-static void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
+SPH2D__INLINE void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
 {
     sph2d__store *f = &s->fluid;
     sph2d_vec2 w = sph2d__shift_velocity(s, i);
@@ -78,59 +77,54 @@ static void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
     f->surface[i] = f->fullness[i] < SURFACE ? 0 : sqrt(least(sums->nearest2));
 }
 
-SPH2D__INLINE void density_rate_with(sph2d__system *s, sph2d_kernel kernel)
+SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
     const sph2d__store *walls = &s->walls;
     double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
     double far2 = s->support * s->support;
     bool diffuse = spread > 0, way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < f->count; ++i) {
-            double x = f->x[i], y = f->y[i], vx = f->vx[i], vy = f->vy[i];
-            double rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
-            rate_sums sums = {.nearest2 = (sph2d__lanes){0} + far2};
-            sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, f, j, left);
-                sums.flux += flux_of(&p, vx, vy, f, j);
-                if (diffuse) {
-                    sph2d__lanes linear = (sx + sph2d__lanes_load(f->slope_x + j)) * p.dx +
-                                          (sy + sph2d__lanes_load(f->slope_y + j)) * p.dy;
-                    sums.smooth += p.g * sph2d__lanes_load(f->volume + j) *
-                                   (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
-                }
-                if (way)
-                    add_way(&sums, &p, vx, vy, f, j, left, far2);
+    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
+    for (size_t i = first; i < last; ++i) {
+        double x = f->x[i], y = f->y[i], vx = f->vx[i], vy = f->vy[i];
+        double rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
+        rate_sums sums = {.nearest2 = (sph2d__lanes){0} + far2};
+        sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
+        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
+            pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, f, j, left);
+            sums.flux += flux_of(&p, vx, vy, f, j);
+            if (diffuse) {
+                sph2d__lanes linear =
+                    (sx + sph2d__lanes_load(f->slope_x + j)) * p.dx + (sy + sph2d__lanes_load(f->slope_y + j)) * p.dy;
+                sums.smooth +=
+                    p.g * sph2d__lanes_load(f->volume + j) * (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
             }
-            double rate = s->mass * sph2d__lanes_total(sums.flux) + spread * sph2d__lanes_total(sums.smooth);
-            if (near_walls(s, &wall_cursor, x, y)) {
-                sph2d__lanes wall_flux = {0};
-                SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                    pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, walls, j, left);
-                    sph2d__lanes dvx = vx - sph2d__lanes_load(walls->image_vx + j);
-                    sph2d__lanes dvy = vy - sph2d__lanes_load(walls->image_vy + j);
-                    wall_flux += p.g * (dvx * p.dx + dvy * p.dy) * sph2d__lanes_load(walls->mass + j);
-                }
-                rate += sph2d__lanes_total(wall_flux);
-            }
-            f->density_rate[i] = scale * rate;
             if (way)
-                finish_way(s, i, &sums);
+                add_way(&sums, &p, vx, vy, f, j, left, far2);
         }
+        double rate = s->mass * sph2d__lanes_total(sums.flux) + spread * sph2d__lanes_total(sums.smooth);
+        if (near_walls(s, &wall_cursor, x, y)) {
+            sph2d__lanes wall_flux = {0};
+            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
+                pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, walls, j, left);
+                sph2d__lanes dvx = vx - sph2d__lanes_load(walls->image_vx + j);
+                sph2d__lanes dvy = vy - sph2d__lanes_load(walls->image_vy + j);
+                wall_flux += p.g * (dvx * p.dx + dvy * p.dy) * sph2d__lanes_load(walls->mass + j);
+            }
+            rate += sph2d__lanes_total(wall_flux);
+        }
+        f->density_rate[i] = scale * rate;
+        if (way)
+            finish_way(s, i, &sums);
     }
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
 #define FOR_KERNEL(name, kernel)                                                                                       \
-    static void rate_##name(sph2d__system *s)                                                                          \
+    static void rate_##name(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        density_rate_with(s, kernel);                                                                                  \
+        density_rate_with(s, first, last, kernel);                                                                     \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
@@ -140,4 +134,4 @@ FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
 
 #define NAME_(isa) sph2d__wcsph_rate_##isa
 #define NAME(isa) NAME_(isa)
-sph2d__wcsph_pass *const NAME(SPH2D__ISA)[5] = {rate_c2, rate_c4, rate_c6, rate_cubic, rate_quintic};
+sph2d__span_work *const NAME(SPH2D__ISA)[5] = {rate_c2, rate_c4, rate_c6, rate_cubic, rate_quintic};

@@ -2,7 +2,6 @@
 /** @file wcsph_wall_pass.c
  *  Boundary particles of method `wcsph`: pressure and velocity of the liquid in front, carried on behind the surface.
  *  Compiled once for each instruction set, named by SPH2D__ISA, and in it once for each kernel. */
-#include "base/threads.h"
 #include "kernels/kernel.h"
 #include "methods/state_equation.h"
 #include "methods/traverse.h"
@@ -28,7 +27,7 @@ static void set_image(sph2d__store *w, size_t b, double vx, double vy, bool roug
 }
 
 /** Where no liquid is near, the pressure is 0 and the image is the wall itself. */
-static void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums)
+SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums)
 {
     sph2d__store *w = &s->walls;
     double weight = sph2d__lanes_total(sums->weight), gx = 0, gy = 0;
@@ -47,42 +46,37 @@ static void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums)
     set_image(w, b, vx, vy, s->wall_slip == SPH2D_SLIP_NONE);
 }
 
-SPH2D__INLINE void walls_with(sph2d__system *s, sph2d_kernel kernel)
+SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     const sph2d__store *f = &s->fluid;
     sph2d__store *w = &s->walls;
-    int threads = sph2d__threads_for(s->threads, w->count);
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        sph2d__cursor cursor = SPH2D__CURSOR_START;
-#pragma omp for schedule(dynamic, CHUNK)
-        for (size_t b = 0; b < w->count; ++b) {
-            wall_sums sums = {0};
-            if (w->bounce[b] < 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, w->x[b], w->y[b]))
-                SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                    sph2d__lanes dx = w->x[b] + cursor.ranges.x[r] - sph2d__lanes_load(f->x + j);
-                    sph2d__lanes dy = w->y[b] + cursor.ranges.y[r] - sph2d__lanes_load(f->y + j);
-                    sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support);
-                    sph2d__lanes weight = sph2d__lanes_first(sph2d__kernel_value(kernel, q), left);
-                    sph2d__lanes heavy = weight * sph2d__lanes_load(f->density + j);
-                    sums.weight += weight;
-                    sums.pressure += weight * sph2d__lanes_load(f->pressure + j);
-                    sums.weight_x += heavy * dx;
-                    sums.weight_y += heavy * dy;
-                    sums.vx += weight * sph2d__lanes_load(f->vx + j);
-                    sums.vy += weight * sph2d__lanes_load(f->vy + j);
-                }
-            finish_wall(s, b, &sums);
-        }
+    sph2d__cursor cursor = SPH2D__CURSOR_START;
+    for (size_t b = first; b < last; ++b) {
+        wall_sums sums = {0};
+        if (w->bounce[b] < 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, w->x[b], w->y[b]))
+            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
+                sph2d__lanes dx = w->x[b] + cursor.ranges.x[r] - sph2d__lanes_load(f->x + j);
+                sph2d__lanes dy = w->y[b] + cursor.ranges.y[r] - sph2d__lanes_load(f->y + j);
+                sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support);
+                sph2d__lanes weight = sph2d__lanes_first(sph2d__kernel_value(kernel, q), left);
+                sph2d__lanes heavy = weight * sph2d__lanes_load(f->density + j);
+                sums.weight += weight;
+                sums.pressure += weight * sph2d__lanes_load(f->pressure + j);
+                sums.weight_x += heavy * dx;
+                sums.weight_y += heavy * dy;
+                sums.vx += weight * sph2d__lanes_load(f->vx + j);
+                sums.vy += weight * sph2d__lanes_load(f->vy + j);
+            }
+        finish_wall(s, b, &sums);
     }
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
 #define FOR_KERNEL(name, kernel)                                                                                       \
-    static void wall_##name(sph2d__system *s)                                                                          \
+    static void wall_##name(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        walls_with(s, kernel);                                                                                         \
+        walls_with(s, first, last, kernel);                                                                            \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
@@ -92,4 +86,4 @@ FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
 
 #define NAME_(isa) sph2d__wcsph_wall_##isa
 #define NAME(isa) NAME_(isa)
-sph2d__wcsph_pass *const NAME(SPH2D__ISA)[5] = {wall_c2, wall_c4, wall_c6, wall_cubic, wall_quintic};
+sph2d__span_work *const NAME(SPH2D__ISA)[5] = {wall_c2, wall_c4, wall_c6, wall_cubic, wall_quintic};

@@ -48,16 +48,19 @@ typedef struct axis {
     double origin, size, count;
 } axis;
 
-/** Cells of at least `size` over an extent, or exactly over a period, which must hold three. */
-static axis lay_axis(double low, double high, double size, double period_low, double period)
+/** Cells of at least `size`, `parts` together, over an extent, or exactly over a period, which must hold three times as
+ * many. */
+static axis lay_axis(double low, double high, double size, double parts, double period_low, double period)
 {
+    double rim = RIM * parts;
     if (period > 0) {
-        double count = fmax(floor(period / size), 3);
+        double count = parts * fmax(floor(period / size), 3);
         size = period / count;
-        return (axis){period_low - RIM * size, size, count + 2 * RIM};
+        return (axis){period_low - rim * size, size, count + 2 * rim};
     }
+    size /= parts;
     double count = floor(high / size - low / size) + 1; /* the difference alone might overflow */
-    return (axis){low - RIM * size, size, count + 2 * RIM};
+    return (axis){low - rim * size, size, count + 2 * rim};
 }
 
 /** Lays the grid over the particles. Cells grow where sparse particles would need far more cells than there are
@@ -69,8 +72,8 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
     double size = support * MARGIN;
     axis x, y;
     for (;;) {
-        x = lay_axis(b.min_x, b.max_x, size, p->low_x, p->length_x);
-        y = lay_axis(b.min_y, b.max_y, size, p->low_y, p->length_y);
+        x = lay_axis(b.min_x, b.max_x, size, cells->columns, p->low_x, p->length_x);
+        y = lay_axis(b.min_y, b.max_y, size, 1, p->low_y, p->length_y);
         if (x.count * y.count <= limit)
             break;
         double excess = sqrt(x.count) * sqrt(y.count / limit);
@@ -115,13 +118,13 @@ static void assign_cells(sph2d__cells *cells, const sph2d__store *store, int thr
 {
     const double *x = store->x, *y = store->y;
     double ox = cells->origin_x, oy = cells->origin_y, ix = cells->inverse_x, iy = cells->inverse_y;
-    double last_x = cells->nx - 1.0 - RIM, last_y = cells->ny - 1.0 - RIM;
+    double rim_x = (double)RIM * cells->columns, last_x = cells->nx - 1.0 - rim_x, last_y = cells->ny - 1.0 - RIM;
     uint32_t nx = cells->nx;
     uint32_t *cell = cells->cell;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < store->count; ++i) {
         double fx = (x[i] - ox) * ix, fy = (y[i] - oy) * iy;
-        fx = fx > RIM ? fx : RIM;
+        fx = fx > rim_x ? fx : rim_x;
         fy = fy > RIM ? fy : RIM;
         fx = fx < last_x ? fx : last_x;
         fy = fy < last_y ? fy : last_y;
@@ -176,32 +179,36 @@ void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
         sph2d__release(memory, &by_cell[i], cells->cell_capacity, sizeof(uint32_t));
     for (int i = 0; i < 3; ++i)
         sph2d__release(memory, &by_particle[i], cells->particle_capacity, sizeof(uint32_t));
-    *cells = (sph2d__cells){.period = cells->period};
+    *cells = (sph2d__cells){.period = cells->period, .columns = cells->columns};
 }
 
 /* ---- asking ------------------------------------------------------------------------------------------------------ */
 
-/** Some of the three neighbouring rows or columns: they follow each other, moved by one period or not. */
+/** Some of the neighbouring rows or columns: they follow each other, moved by one period or not. */
 typedef struct stretch {
     uint32_t first, count;
     double offset;
 } stretch;
 
-/** The rows or columns beside `middle`, in one stretch or, at an end of the period, two. Returns the number. */
-static int stretches(uint32_t middle, uint32_t all, double period, stretch out[2])
+/** The rows or columns up to `reach` away from `middle`, in one stretch or, at an end of the period, two. Returns the
+ * number. */
+static int stretches(uint32_t middle, uint32_t reach, uint32_t all, double period, stretch out[2])
 {
-    uint32_t low = RIM, high = all - RIM; /* the columns of the period */
-    out[0] = (stretch){middle - 1, 3, 0};
+    uint32_t low = RIM * reach, high = all - low; /* the columns of the period */
+    uint32_t first = middle - reach, count = 2 * reach + 1;
+    out[0] = (stretch){first, count, 0};
     if (!(period > 0))
         return 1;
-    if (middle <= low) { /* the image below the first column is the last one */
-        out[0] = (stretch){middle - 1 + high - low, low - middle + 1, period};
-        out[1] = (stretch){low, 2 - (low - middle), 0};
+    if (first < low) { /* the image below the first column is the last one */
+        uint32_t beyond = low - first;
+        out[0] = (stretch){high - beyond, beyond, period};
+        out[1] = (stretch){low, count - beyond, 0};
         return 2;
     }
-    if (middle >= high - 1) {
-        out[0] = (stretch){middle - 1, high - middle + 1, 0};
-        out[1] = (stretch){low, 2 - (high - middle), -period};
+    if (first + count > high) {
+        uint32_t beyond = first + count - high;
+        out[0] = (stretch){first, count - beyond, 0};
+        out[1] = (stretch){low, beyond, -period};
         return 2;
     }
     return 1;
@@ -221,11 +228,11 @@ static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row
     to->y[r] = offset;
 }
 
-void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
     stretch columns[2], rows[2];
-    int column_count = stretches(cell % cells->nx, cells->nx, cells->period.length_x, columns);
-    int row_count = stretches(cell / cells->nx, cells->ny, cells->period.length_y, rows);
+    int column_count = stretches(cell % cells->nx, cells->columns, cells->nx, cells->period.length_x, columns);
+    int row_count = stretches(cell / cells->nx, 1, cells->ny, cells->period.length_y, rows);
     to->count = 0;
     for (int b = 0; b < row_count; ++b)
         for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)

@@ -2,13 +2,16 @@
 /** @file cells.h
  *  Linked-list cells that put particles in order, and the contiguous ranges of neighbours that follow from it.
  *
- *  A grid of square cells, at least one support radius wide, covers the particles. Each cell heads a linked list of its
- *  particles; walking the lists cell by cell, row by row, gives the order in which the store is then kept. In that
- * order the particles of three neighbouring cells of one row are one contiguous range, so that all neighbours of a
- * particle lie in three ranges. A rim of two empty cells around the grid makes every particle's 3 x 3 cells exist.
+ *  A grid of cells covers the particles: at least one support radius high, and `columns` of them at least one
+ *  support radius wide. Each cell heads a linked list of its particles; walking the lists cell by cell, row by row,
+ * gives the order in which the store is then kept. In that order the particles of neighbouring cells of one row are one
+ *  contiguous range, so that all neighbours of a particle lie in three ranges: the narrower the cells, the fewer others
+ *  do, and the more often ranges must be looked up. A rim of empty cells around the grid makes the cells around every
+ * particle exist.
  *
- *  In a periodic direction the cells divide the period, and 3 x 3 cells that reach over its end go on at the other: as
- * ranges of their own (six at most), each with the way by which the asking particle must be moved to be beside them.
+ *  In a periodic direction the cells divide the period, and those around a particle that reach over its end go on at
+ * the other: as ranges of their own (six at most), each with the way by which the asking particle must be moved to be
+ *  beside them.
  * There are no ghost copies to store, refresh or keep out of files. */
 #ifndef SPH2D_PARTICLES_CELLS_H
 #define SPH2D_PARTICLES_CELLS_H
@@ -16,11 +19,12 @@
 #include "particles/period.h"
 #include "particles/store.h"
 
-/** Empty cells around the grid. */
+/** Support radii of empty cells around the grid. */
 enum { SPH2D__RIM = 2 };
 
 typedef struct sph2d__cells {
     sph2d__period period;        /**< set by the owner */
+    uint32_t columns;            /**< cells to a support radius in a row, 1 at least; set by the owner */
     double origin_x, origin_y;   /**< lower left corner of the grid with its rim [m] */
     double inverse_x, inverse_y; /**< one over the width and height of a cell [1/m] */
     uint32_t nx, ny;             /**< cells, rim included */
@@ -45,19 +49,37 @@ typedef struct sph2d__ranges {
     double x[6], y[6];
 } sph2d__ranges;
 
-/** Index of the cell that holds a place, if its 3 x 3 cells lie in the grid; UINT32_MAX otherwise: no particle is
- * within one cell of it. A place beyond a period must be wrapped before. */
+/** Index of the cell that holds a place, if those around it lie in the grid; UINT32_MAX otherwise: no particle is
+ * within the support radius of it. A place beyond a period must be wrapped before. */
 static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, double y)
 {
     double fx = (x - cells->origin_x) * cells->inverse_x;
     double fy = (y - cells->origin_y) * cells->inverse_y;
-    if (!(fx >= 1 && fy >= 1 && fx < cells->nx - 1.0 && fy < cells->ny - 1.0))
+    if (!(fx >= cells->columns && fy >= 1 && fx < (double)cells->nx - cells->columns && fy < cells->ny - 1.0))
         return UINT32_MAX;
     return (uint32_t)fy * cells->nx + (uint32_t)fx;
 }
 
-/** The ranges of the 3 x 3 cells around a cell that sph2d__cells_find gave; none is empty. */
-void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
+/** The same where a direction is periodic. */
+void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
+
+/** The ranges of the cells around a cell that sph2d__cells_find gave; none is empty. */
+static inline void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+{
+    if (cells->period.length_x > 0 || cells->period.length_y > 0) {
+        sph2d__cells_periodic_ranges(cells, cell, to);
+        return;
+    }
+    const uint32_t *row = cells->start + cell - cells->nx - cells->columns;
+    to->count = 0;
+    for (int k = 0; k < 3; ++k, row += cells->nx) {
+        int r = to->count;
+        to->begin[r] = row[0];
+        to->end[r] = row[2 * cells->columns + 1];
+        to->x[r] = to->y[r] = 0;
+        to->count += to->begin[r] < to->end[r];
+    }
+}
 
 /** Runs the statement behind it for each particle `j` in the ranges, `r` being the number of its range. */
 #define SPH2D__FOR_NEIGHBOURS(ranges, r, j)                                                                            \

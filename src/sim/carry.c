@@ -98,7 +98,10 @@ sph2d_status sph2d__count_events(sph2d_sim *sim, const sph2d__events *events)
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
-    return sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->threads) ? SPH2D_OK : SPH2D_NOMEM;
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SORT);
+    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->threads);
+    sph2d__profile_enter(&s->profile, before);
+    return sorted ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 /* Shifting is a diffusion of particles with D = gain U H: explicit steps stand D dt / H^2 of this. */

@@ -48,12 +48,17 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
     return SPH2D_OK;
 }
 
+/* Support radius over spacing from which narrower cells spare more blocks of candidates than they cost: below a range
+ * is two blocks long anyway. */
+static const double WIDE = 2.8;
+
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 {
     const sph2d_scene *scene = &sim->scene;
     sph2d__derived d = sph2d__scene_derive(scene);
     sph2d__system *s = &sim->system;
     s->memory = &sim->memory;
+    s->profile.phase = SPH2D_PHASE_COUNT;
 #ifdef _OPENMP
     s->threads = options->threads > 0 ? options->threads : default_threads();
 #else
@@ -79,6 +84,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->walls.has = s->walls.carried = sim->method->walls;
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
+    s->fluid_cells.columns = s->wall_cells.columns = s->reach < WIDE * s->spacing ? 1 : 4;
     s->body.center_x = scene->central_force.center.x;
     s->body.center_y = scene->central_force.center.y;
     s->body.central_rate2 = scene->central_force.rate * scene->central_force.rate;
@@ -182,6 +188,7 @@ static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *op
     if (sim) {
         sim->memory = memory;
         status = build(sim, scene, options, state, report);
+        sim->system.profile.on = options->profile;
     }
     if (!sim || status == SPH2D_NOMEM) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory while making the simulation");

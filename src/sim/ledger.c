@@ -142,3 +142,8 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
     sph2d__sim_sum_energy(sim, &out);
     return out;
 }
+
+sph2d_profile sph2d_sim_profile(const sph2d_sim *sim)
+{
+    return sim->system.profile.sums;
+}

@@ -6,6 +6,7 @@
 static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)
 {
     sim->stopped = status;
+    sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_COUNT);
     if (status == SPH2D_NOMEM)
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory in step %llu",
                          (unsigned long long)sim->record.steps);
@@ -67,13 +68,17 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
                          sph2d_status_text(sim->stopped));
         return sim->stopped;
     }
+    sph2d__profile *profile = &sim->system.profile;
+    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
     sph2d_status status = come_and_go(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     double dt = sim->record.next_step;
     sim->system.step = dt;
     sim->system.speed = sim->record.speed;
+    sph2d__profile_enter(profile, SPH2D_PHASE_MOVE);
     status = move(sim, dt);
+    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
     if (status == SPH2D_GUARD)
         sph2d__sim_measure(sim, report); /* names the particle */
     if (status != SPH2D_OK)
@@ -82,5 +87,6 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     if (!sph2d__sim_measure(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
+    sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
     return SPH2D_OK;
 }

@@ -21,7 +21,8 @@ in_terminal() {
     script -qec "$2" /dev/null >"$1" </dev/null || fail "$2"
 }
 export TERM=xterm
-quoted="'$SPH2D' run '$TINY' --no-frames -s spacing=0.02"
+# Long enough for a bar, which appears after a tenth of a second.
+quoted="'$SPH2D' run '$TINY' --no-frames -s run.until=2"
 in_terminal bar "$quoted -o bar_folder"
 grep -q "$escape\[K\[=*>" bar || fail 'no bar on a terminal'
 grep -q ' %  .* left  t ' bar || fail 'no time left'

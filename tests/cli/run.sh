@@ -34,8 +34,14 @@ grep -v '^{"severity": "note", .*}$' err && fail 'messages are not JSON'
 if command -v python3 >/dev/null; then
     python3 -c 'import json; json.load(open("out")); [json.loads(line) for line in open("err")]' || fail 'not JSON'
 fi
+
+# Where the time went, for who asks.
+expect 0 "$SPH2D" run "$TINY" -o profile --no-frames --progress never --profile
+prints '^profile  *move  *[0-9.]* %' && prints '^  *density  *[0-9.]* %  .* CPU ns a particle and step'
+expect 0 "$SPH2D" run "$TINY" -o profiled --no-frames --json --profile && prints '"profile": {"move": {"seconds": '
+
 # The same bytes again, and without frames.
-same table quiet && same table json
+same table quiet && same table json && same table profile
 rm -rf folder/frames && same table folder
 
 # The end between two snapshots is kept in a checkpoint; without snapshots there is none.
