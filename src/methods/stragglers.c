@@ -13,6 +13,8 @@
 /* What is not right after so many turns, each a look at all particles and then sweeps over those in want of it, is left
  * to the next step. */
 enum { TURNS = 2, SWEEPS = 6 };
+/* So few of all disturb nobody who would be found by another look. */
+static const double FEW = 1e-3;
 
 /* In place of a residual where a particle has moved. Above every limit. */
 static const double UNKNOWN = 1e9;
@@ -149,7 +151,10 @@ void sph2d__stragglers_correct(sph2d__system *s, double limit, double share)
                     .stride = sph2d__isa_lanes(s->isa)};
     c.hardest = sph2d__over_fluid(s, step_slab, NULL).most;
     s->fluid.next_x[s->fluid.count] = s->fluid.next_y[s->fluid.count] = 1e30;
-    for (int turn = 0; turn < TURNS && sph2d__over_fluid(s, look_slab, &limit).first > 0; ++turn)
-        for (int k = 0; k < SWEEPS && !sweep(s, &c); ++k)
+    double found = INFINITY;
+    for (int turn = 0; turn < TURNS && found > FEW * (double)s->fluid.count; ++turn) {
+        found = sph2d__over_fluid(s, look_slab, &limit).first;
+        for (int k = 0; k < SWEEPS && found > 0 && !sweep(s, &c); ++k)
             ;
+    }
 }
