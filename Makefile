@@ -132,6 +132,8 @@ VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2
 SOMAJOR := 0
 CORE_SRC := $(sort $(foreach d,base kernels scene particles flows physics methods sim,$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter src/methods/%_pass.c,$(CORE_SRC))
+# Those that are compiled for floats, too.
+MIXED_SRC := $(foreach k,force rate wall,src/methods/wcsph_$(k)_pass.c)
 IO_SRC := $(sort $(wildcard src/files/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
@@ -139,6 +141,7 @@ CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
 # Tests and examples that draw are left out where nothing draws.
 buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
+BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh examples/*.sh))
@@ -150,16 +153,17 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(SHADERS))
+    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
-CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o))
+CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
 BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
 RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
+BENCH_OBJ := $(call objects,$(BENCH_SRC))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
 TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,front.c order.c record.c \
     reduce.c reference.c refine.c settings.c))
@@ -186,6 +190,7 @@ $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
+$(BENCH_OBJ): PART = -Iinclude
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
@@ -198,6 +203,8 @@ link = $(call say,LD,$@)mkdir -p $(@D) && \
 define isa_rule
 $(OBJ)/src/methods/%_pass.$(1).o: src/methods/%_pass.c
 	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
+$(OBJ)/src/methods/%_pass.$(1)_mixed.o: src/methods/%_pass.c
+	$$(call compile,$$< ($(1), mixed),$(ISA_FLAGS_$(1)) -DSPH2D__MIXED -DSPH2D__ISA=$(1)_mixed)
 endef
 $(foreach i,$(ISAS),$(eval $(call isa_rule,$(i))))
 $(OBJ)/gen/%.o: $(BUILD)/gen/%.c
@@ -226,6 +233,8 @@ $(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
+$(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
 
@@ -264,7 +273,7 @@ packages:
 	@printf '%s\n' 'sph2d: pkg-config does not find $(MISSING). "make demo" and "make test" install it; or run:' \
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
--include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(EXAMPLE_OBJ))
+-include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -274,10 +283,11 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(EXAMPLE_BIN) ## the tests (installs missing packages)
+test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
+	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/check_all
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
@@ -295,6 +305,9 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
 	$(hush)$(MAKE) test-sanitize
 	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+
+bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
+	$(hush)$(BUILD)/tests/bench $(BENCH)
 
 # ---- what an error costs ---------------------------------------------------------------------------------------------
 REPORT := tests/report/report.sh $(BUILD)/sph2d
@@ -348,8 +361,8 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(wildcard src/files/*.c src/render/*.c cli/*.c cli/study/*.c tests/*.c examples/*.c))
-ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h))
+C_FILES := $(sort $(CORE_SRC) $(wildcard src/files/*.c src/render/*.c cli/*.c cli/study/*.c tests/*.c tests/bench/*.c examples/*.c))
+ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -412,6 +425,6 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full report report-full report-readme \
+.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full bench report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -21,6 +21,7 @@
     X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
     X(wcsph)                                                                                                           \
+    X(mixed)                                                                                                           \
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \

@@ -182,6 +182,11 @@ static void set_cubic(stage *s)
     s->scene.method.kernel = SPH2D_KERNEL_CUBIC;
 }
 
+static void set_mixed(stage *s)
+{
+    s->scene.method.precision = SPH2D_PRECISION_MIXED;
+}
+
 static void set_tait(stage *s)
 {
     s->scene.method.state_equation = SPH2D_STATE_TAIT;
@@ -267,6 +272,7 @@ static const struct feature {
     {"walls", ALL, set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
     {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_cubic},
+    {"method.precision", WCSPH, set_mixed},
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
     {"method.artificial_viscosity", WCSPH, set_alpha},

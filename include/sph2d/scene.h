@@ -95,6 +95,12 @@ typedef enum sph2d_method {
                                    large steps (Bodin, Lacoursiere & Servin 2011) */
 } sph2d_method;
 
+/** What pair loops of method wcsph compute with. The state and the integration are always in doubles. */
+typedef enum sph2d_precision {
+    SPH2D_PRECISION_DOUBLE = 0,
+    SPH2D_PRECISION_MIXED = 1 /**< floats relative to the particles' surroundings: twice as many at a time */
+} sph2d_precision;
+
 /** How method wcsph takes derivatives. */
 typedef enum sph2d_operators {
     SPH2D_OPERATORS_SYMMETRIC = 0, /**< kernel sums that conserve momentum: for free surfaces and impacts */
@@ -188,6 +194,7 @@ typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_sw
 typedef struct sph2d_method_options {
     sph2d_method name;                   /**< default muller */
     sph2d_operators operators;           /**< wcsph; default symmetric */
+    sph2d_precision precision;           /**< wcsph with symmetric operators; default double */
     sph2d_kernel kernel;                 /**< wcsph with symmetric operators, pcisph, constraint; default wendland_c2 */
     sph2d_state_equation state_equation; /**< wcsph; default linear */
     sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators; default morris */

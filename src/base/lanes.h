@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lanes.h
- *  Vectors of doubles as wide as the instruction set that the including file is compiled for.
+ *  Vectors of doubles as wide as the instruction set that the including file is compiled for; of floats, twice as many,
+ *  where it is compiled with SPH2D__MIXED (lanes_float.h). sph2d__real is what is in them.
  *
  *  Plain arithmetic works on them (a compiler extension that GCC and Clang share); the few functions below are what the
  *  language lacks. A loop over lanes in plain C would say the same, but compilers unroll so short a loop before they
@@ -13,6 +14,11 @@
 #include <string.h>
 
 #define SPH2D__INLINE static inline __attribute__((always_inline))
+
+#if defined(SPH2D__MIXED)
+#include "base/lanes_float.h"
+#else
+typedef double sph2d__real;
 
 #if defined(__AVX512F__)
 #include <immintrin.h>
@@ -221,27 +227,6 @@ static inline double sph2d__twin_value(double kept)
     return a;
 }
 
-/** The values at `from`, of any alignment. */
-SPH2D__INLINE sph2d__lanes sph2d__lanes_load(const double *from)
-{
-    sph2d__lanes a;
-    memcpy(&a, from, sizeof a);
-    return a;
-}
-
-/** Writes the lanes at `to`, of any alignment. */
-SPH2D__INLINE void sph2d__lanes_store(double *to, sph2d__lanes a)
-{
-    memcpy(to, &a, sizeof a);
-}
-
-/** `a` in lanes where left > right, 0 in the others. */
-SPH2D__INLINE sph2d__lanes sph2d__lanes_where(sph2d__lanes left, sph2d__lanes right, sph2d__lanes a)
-{
-    typedef int64_t bits __attribute__((vector_size(sizeof(sph2d__lanes))));
-    return (sph2d__lanes)((bits)(left > right) & (bits)a);
-}
-
 /** Sum over the lanes: of halves, of halves of the halves, and so on. */
 SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
 {
@@ -253,6 +238,34 @@ SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
 #else
     return a[0] + a[1];
 #endif
+}
+#endif /* SPH2D__MIXED */
+
+/** The same in all lanes. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_all(double a)
+{
+    return (sph2d__lanes){0} + (sph2d__real)a;
+}
+
+/** The values at `from`, of any alignment. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_load(const sph2d__real *from)
+{
+    sph2d__lanes a;
+    memcpy(&a, from, sizeof a);
+    return a;
+}
+
+/** Writes the lanes at `to`, of any alignment. */
+SPH2D__INLINE void sph2d__lanes_store(sph2d__real *to, sph2d__lanes a)
+{
+    memcpy(to, &a, sizeof a);
+}
+
+/** `a` in lanes where left > right, 0 in the others. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_where(sph2d__lanes left, sph2d__lanes right, sph2d__lanes a)
+{
+    typedef int64_t bits __attribute__((vector_size(sizeof(sph2d__lanes))));
+    return (sph2d__lanes)((bits)(left > right) & (bits)a);
 }
 
 #endif

@@ -52,7 +52,7 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_value(sph2d_kernel kind, sph2d__lanes q
     sph2d__lanes t = sph2d__above_zero(1 - q), t2 = t * t, t4 = t2 * t2;
     switch (kind) {
     case SPH2D_KERNEL_WENDLAND_C4:
-        return t4 * t2 * ((35.0 / 3 * q + 6) * q + 1);
+        return t4 * t2 * (((sph2d__real)(35.0 / 3) * q + 6) * q + 1);
     case SPH2D_KERNEL_WENDLAND_C6:
         return t4 * t4 * (((32 * q + 25) * q + 8) * q + 1);
     case SPH2D_KERNEL_CUBIC: {
@@ -76,7 +76,7 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_slope(sph2d_kernel kind, sph2d__lanes q
     sph2d__lanes t = sph2d__above_zero(1 - q), t2 = t * t, t4 = t2 * t2;
     switch (kind) {
     case SPH2D_KERNEL_WENDLAND_C4:
-        return -56.0 / 3 * t4 * t * (5 * q + 1);
+        return (sph2d__real)(-56.0 / 3) * t4 * t * (5 * q + 1);
     case SPH2D_KERNEL_WENDLAND_C6:
         return -22 * t4 * t2 * t * ((16 * q + 7) * q + 1);
     case SPH2D_KERNEL_CUBIC: {
@@ -103,14 +103,14 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_slope(sph2d_kernel kind, sph2d__lanes q
 /** f(q) of one distance. */
 static inline double sph2d__kernel_value_at(sph2d_kernel kind, double q)
 {
-    sph2d__lanes value = sph2d__kernel_value(kind, (sph2d__lanes){0} + q);
+    sph2d__lanes value = sph2d__kernel_value(kind, sph2d__lanes_all(q));
     return value[0];
 }
 
 /** g(q) of one distance. */
 static inline double sph2d__kernel_slope_at(sph2d_kernel kind, double q)
 {
-    sph2d__lanes slope = sph2d__kernel_slope(kind, (sph2d__lanes){0} + q);
+    sph2d__lanes slope = sph2d__kernel_slope(kind, sph2d__lanes_all(q));
     return slope[0];
 }
 

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "methods/isa.h"
+#include "methods/packed.h"
 #include "methods/state_equation.h"
 #include "methods/tension.h"
 
@@ -15,16 +17,30 @@ static const double VISCOUS = 0.03;
 static const double MONAGHAN = 3;
 static const double FORCE = 0.25;
 
-/** The pair loop of one kind for the system's instruction set and kernel, over the particles of a store. */
+/** The pair loops of one kind by instruction set and precision, each by kernel. */
 #ifdef SPH2D__ISA_X86
-#define RUN(kind, s, store)                                                                                            \
-    sph2d__over_particles(s, (store)->count,                                                                           \
-                          ((s)->isa == SPH2D_ISA_AVX512 ? sph2d__wcsph_##kind##_avx512                                 \
-                           : (s)->isa == SPH2D_ISA_AVX2 ? sph2d__wcsph_##kind##_avx2                                   \
-                                                        : sph2d__wcsph_##kind##_baseline)[(s)->method.kernel])
+#define TABLE(kind)                                                                                                    \
+    {                                                                                                                  \
+        {sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed},                                        \
+            {sph2d__wcsph_##kind##_avx2, sph2d__wcsph_##kind##_avx2_mixed},                                            \
+            {sph2d__wcsph_##kind##_avx512, sph2d__wcsph_##kind##_avx512_mixed},                                        \
+    }
 #else
-#define RUN(kind, s, store) sph2d__over_particles(s, (store)->count, sph2d__wcsph_##kind##_baseline[(s)->method.kernel])
+#define TABLE(kind)                                                                                                    \
+    {                                                                                                                  \
+        {                                                                                                              \
+            sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed                                       \
+        }                                                                                                              \
+    }
 #endif
+
+/** One that suits the system, over the particles of a store. */
+#define RUN(kind, s, store)                                                                                            \
+    do {                                                                                                               \
+        static sph2d__span_work *const *const table[SPH2D__ISA_COUNT][2] = TABLE(kind);                                \
+        bool mixed = (s)->method.precision == SPH2D_PRECISION_MIXED;                                                   \
+        sph2d__over_particles(s, (store)->count, table[(s)->isa - SPH2D_ISA_BASELINE][mixed][(s)->method.kernel]);     \
+    } while (0)
 
 static void prepare(sph2d__system *s)
 {
@@ -48,12 +64,21 @@ static void set_volumes(sph2d__system *s)
         f->volume[i] = s->mass / f->density[i];
 }
 
+/** Fills the walls with what the liquid in front of them says. */
+static void fill_walls(sph2d__system *s)
+{
+    if (!s->walls_press)
+        return;
+    RUN(wall, s, &s->walls);
+    sph2d__pack_walls(s);
+}
+
 static void density_rate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
     set_volumes(s);
-    if (s->walls_press)
-        RUN(wall, s, &s->walls);
+    sph2d__pack_fluid(s);
+    fill_walls(s);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     RUN(rate, s, &s->fluid);
     sph2d__profile_enter(&s->profile, before);
@@ -64,8 +89,8 @@ static bool evaluate(sph2d__system *s)
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
     set_volumes(s);
     sph2d__state_equation_apply(s, &s->fluid);
-    if (s->walls_press)
-        RUN(wall, s, &s->walls);
+    sph2d__pack_fluid(s);
+    fill_walls(s);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     RUN(force, s, &s->fluid);
     sph2d__tension_add(s);

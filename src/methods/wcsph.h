@@ -27,6 +27,8 @@
  *  sum V_j r_ji grad W, 1 in full surroundings and half at a flat surface, tells the free surface (Marrone 2010):
  *  within H of it a shift has no part across the surface, and in spray there is none (Sun et al. 2017).
  *
+ *  Pair loops are compiled for doubles and, for precision `mixed`, for floats (packed.h).
+ *
  *  Where pressure is negative and the surface farther than H, |p_i| stands for p_i in the force (Sun et al. 2018):
  *  liquid under tension neither pairs nor tears. Momentum is then kept to the order of the scheme alone.
  */
@@ -46,9 +48,12 @@ extern const sph2d__method sph2d__wcsph;
     extern sph2d__span_work *const sph2d__wcsph_rate_##isa[5], *const sph2d__wcsph_wall_##isa[5],                      \
                                                                    *const sph2d__wcsph_force_##isa[5];
 SPH2D__WCSPH_PASSES(baseline)
+SPH2D__WCSPH_PASSES(baseline_mixed)
 #ifdef SPH2D__ISA_X86
 SPH2D__WCSPH_PASSES(avx2)
+SPH2D__WCSPH_PASSES(avx2_mixed)
 SPH2D__WCSPH_PASSES(avx512)
+SPH2D__WCSPH_PASSES(avx512_mixed)
 #endif
 
 #endif

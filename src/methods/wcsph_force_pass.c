@@ -23,13 +23,21 @@ typedef struct terms {
     bool slope;              /**< density diffusion and shifting need the slope of density */
     bool full;               /**< shifting or tensile control needs to know the free surface */
     bool shift;              /**< particles are shifted */
-    double near;             /**< 1/f(dx/H) */
+    sph2d__real near;        /**< 1/f(dx/H) */
     bool sticky;             /**< walls are rough */
 } terms;
 
+/* In place of 0 where it is divided by. */
+#ifdef SPH2D__MIXED
+#define TINY 1e-37
+#else
+#define TINY 1e-300
+#endif
+
 /** The particle that feels. */
 typedef struct receiver {
-    double x, y, vx, vy, density;
+    double x, y;
+    sph2d__real vx, vy, density;
 } receiver;
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
@@ -38,7 +46,7 @@ SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel 
     if (with->shift) {
         sph2d__lanes near = sph2d__kernel_value(kernel, p->q) * with->near;
         near *= near;
-        sph2d__lanes crowd = vg * (1 + 0.2 * near * near);
+        sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
         sums->crowd_x += crowd * p->dx;
         sums->crowd_y += crowd * p->dy;
     }
@@ -53,7 +61,7 @@ SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair
     sums->morris_x += vg * dvx;
     sums->morris_y += vg * dvy;
     if (with->monaghan > 0) {
-        sph2d__lanes tiny = (sph2d__lanes){0} + 1e-300;
+        sph2d__lanes tiny = sph2d__lanes_all(TINY);
         sph2d__lanes along = vg * (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny);
         sums->monaghan_x += along * p->dx;
         sums->monaghan_y += along * p->dy;
@@ -61,7 +69,7 @@ SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair
 }
 
 SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p,
-                              const receiver *me, const sph2d__store *f, size_t j)
+                              const receiver *me, const sph2d__packed *f, size_t j)
 {
     sph2d__lanes volume = sph2d__lanes_load(f->volume + j), vg = volume * p->g;
     sph2d__lanes press = p->g * sph2d__lanes_load(f->pressure + j) * volume * volume;
@@ -83,10 +91,10 @@ SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel 
 
 /** Boundary particles have masses of their own. */
 SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p, const receiver *me,
-                            const sph2d__store *w, size_t j, double mass)
+                            const sph2d__packed *w, size_t j, sph2d__real inverse_mass)
 {
-    sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * (1 / mass);
-    sph2d__lanes own = sph2d__lanes_max(ratio, (sph2d__lanes){0} + 1e-300);
+    sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * inverse_mass;
+    sph2d__lanes own = sph2d__lanes_max(ratio, sph2d__lanes_all(TINY));
     sph2d__lanes press = p->g * sph2d__lanes_load(w->pressure + j) * volume * volume / own;
     sums->plain_x += p->g * ratio * p->dx;
     sums->plain_y += p->g * ratio * p->dy;
@@ -95,8 +103,8 @@ SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel ke
     if (with->full)
         add_layout(sums, with, kernel, p, volume * p->g);
     if (with->sticky)
-        add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->image_vx + j),
-                      me->vy - sph2d__lanes_load(w->image_vy + j));
+        add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->vx + j),
+                      me->vy - sph2d__lanes_load(w->vy + j));
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
@@ -160,7 +168,7 @@ static terms terms_of(const sph2d__system *s)
                   .slope = s->method.density_diffusion > 0 || s->method.shifting > 0,
                   .shift = s->method.shifting > 0};
     with.full = with.shift || s->method.tensile_control == SPH2D_SWITCH_ON;
-    with.near = 1 / sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
+    with.near = (sph2d__real)1 / (sph2d__real)sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
     with.sticky = s->wall_slip == SPH2D_SLIP_NONE && (with.morris > 0 || with.monaghan > 0);
     return with;
 }
@@ -169,23 +177,26 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, sph2d
 {
     sph2d__store *f = &s->fluid;
     terms with = terms_of(s);
+    const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
+    const sph2d__real inverse_mass = (sph2d__real)(1 / s->mass);
     double scale = slope_scale(s);
     sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
     for (size_t i = first; i < last; ++i) {
-        receiver me = {f->x[i], f->y[i], f->vx[i], f->vy[i], f->density[i]};
+        receiver me = {f->x[i], f->y[i], (sph2d__real)f->vx[i], (sph2d__real)f->vy[i],
+                       (sph2d__real)(f->density[i] - liquid.from)};
         double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
         force_sums sums = {0};
         sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
         SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-            pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, f, j, left);
-            add_liquid(&sums, &with, kernel, &p, &me, f, j);
+            pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, &liquid, j, left);
+            add_liquid(&sums, &with, kernel, &p, &me, &liquid, j);
         }
         if (with.slope)
             finish_slope(f, i, &sums);
         if (near_walls(s, &wall_cursor, me.x, me.y))
             SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &s->walls, j, left);
-                add_wall(&sums, &with, kernel, &p, &me, &s->walls, j, s->mass);
+                pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &walls, j, left);
+                add_wall(&sums, &with, kernel, &p, &me, &walls, j, inverse_mass);
             }
         if (with.full) {
             double fullness = fullness_of(&sums, scale);
@@ -196,8 +207,8 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, sph2d
             if (with.shift)
                 finish_crowd(s, i, &sums, fullness, scale);
         }
-        add_sums(s, &sums, &with, own, me.density, &ax, &ay);
-        sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
+        add_sums(s, &sums, &with, own, f->density[i], &ax, &ay);
+        sph2d__body_add(&s->body, me.x, me.y, f->vx[i], f->vy[i], &ax, &ay);
         f->ax[i] = ax;
         f->ay[i] = ay;
     }

@@ -5,7 +5,7 @@
 #define SPH2D_METHODS_WCSPH_PAIR_H
 
 #include "kernels/kernel.h"
-#include "methods/system.h"
+#include "methods/packed.h"
 #include "methods/traverse.h"
 
 /** Distance to a block's particles, in units of the support radius too, and g of the kernel there, 0 in lanes that
@@ -15,13 +15,13 @@ typedef struct pair {
 } pair;
 
 SPH2D__INLINE pair pair_with(sph2d_kernel kernel, double support, double x, double y, const sph2d__ranges *ranges,
-                             int range, const sph2d__store *from, size_t j, double left)
+                             int range, const sph2d__packed *from, size_t j, double left)
 {
     pair p;
-    p.dx = x + ranges->x[range] - sph2d__lanes_load(from->x + j);
-    p.dy = y + ranges->y[range] - sph2d__lanes_load(from->y + j);
+    p.dx = (sph2d__real)(x + ranges->x[range]) - sph2d__lanes_load(from->x + j);
+    p.dy = (sph2d__real)(y + ranges->y[range]) - sph2d__lanes_load(from->y + j);
     p.r2 = p.dx * p.dx + p.dy * p.dy;
-    p.q = sph2d__lanes_sqrt(p.r2) * (1 / support);
+    p.q = sph2d__lanes_sqrt(p.r2) * (sph2d__real)(1 / support);
     p.g = sph2d__lanes_first(sph2d__kernel_slope(kernel, p.q), left);
     return p;
 }

@@ -17,7 +17,7 @@ static const double SURFACE = 0.6;
 static const double FITTED = 0.75;
 
 /** m_j v_ij . r_ij g of a block. */
-SPH2D__INLINE sph2d__lanes flux_of(const pair *p, double vx, double vy, const sph2d__store *from, size_t j)
+SPH2D__INLINE sph2d__lanes flux_of(const pair *p, sph2d__real vx, sph2d__real vy, const sph2d__packed *from, size_t j)
 {
     return p->g * ((vx - sph2d__lanes_load(from->vx + j)) * p->dx + (vy - sph2d__lanes_load(from->vy + j)) * p->dy);
 }
@@ -31,8 +31,8 @@ typedef struct rate_sums {
 } rate_sums;
 
 /** Adds what a shifted particle needs: velocity differences around it, and where the surface is. */
-SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, double vx, double vy, const sph2d__store *f, size_t j,
-                           double left, double far2)
+SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, sph2d__real vx, sph2d__real vy, const sph2d__packed *f,
+                           size_t j, double left, double far2)
 {
     sph2d__lanes vg = p->g * sph2d__lanes_load(f->volume + j);
     sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
@@ -44,7 +44,7 @@ SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, double vx, double vy,
     sums->uy += gy * dvx;
     sums->vx += gx * dvy;
     sums->vy += gy * dvy;
-    sph2d__lanes far = (sph2d__lanes){0} + far2;
+    sph2d__lanes far = sph2d__lanes_all(far2);
     sph2d__lanes away = sph2d__lanes_below(sph2d__lanes_load(f->fullness + j), SURFACE, p->r2, far);
     away = sph2d__lanes_below(sph2d__lanes_first(far, left), 0.5 * far2, far, away);
     sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -away);
@@ -80,36 +80,37 @@ SPH2D__INLINE void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
 SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     sph2d__store *f = &s->fluid;
-    const sph2d__store *walls = &s->walls;
+    const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
     double far2 = s->support * s->support;
+    const sph2d__real half = 0.5;
     bool diffuse = spread > 0, way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;
     sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
     for (size_t i = first; i < last; ++i) {
-        double x = f->x[i], y = f->y[i], vx = f->vx[i], vy = f->vy[i];
-        double rho = f->density[i], sx = f->slope_x[i], sy = f->slope_y[i];
-        rate_sums sums = {.nearest2 = (sph2d__lanes){0} + far2};
+        double x = f->x[i], y = f->y[i];
+        sph2d__real vx = (sph2d__real)f->vx[i], vy = (sph2d__real)f->vy[i];
+        sph2d__real rho = (sph2d__real)(f->density[i] - liquid.from);
+        sph2d__real sx = (sph2d__real)f->slope_x[i], sy = (sph2d__real)f->slope_y[i];
+        rate_sums sums = {.nearest2 = sph2d__lanes_all(far2)};
         sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
         SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-            pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, f, j, left);
-            sums.flux += flux_of(&p, vx, vy, f, j);
+            pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, &liquid, j, left);
+            sums.flux += flux_of(&p, vx, vy, &liquid, j);
             if (diffuse) {
-                sph2d__lanes linear =
-                    (sx + sph2d__lanes_load(f->slope_x + j)) * p.dx + (sy + sph2d__lanes_load(f->slope_y + j)) * p.dy;
-                sums.smooth +=
-                    p.g * sph2d__lanes_load(f->volume + j) * (rho - sph2d__lanes_load(f->density + j) - 0.5 * linear);
+                sph2d__lanes linear = (sx + sph2d__lanes_load(liquid.slope_x + j)) * p.dx +
+                                      (sy + sph2d__lanes_load(liquid.slope_y + j)) * p.dy;
+                sums.smooth += p.g * sph2d__lanes_load(liquid.volume + j) *
+                               (rho - sph2d__lanes_load(liquid.density + j) - half * linear);
             }
             if (way)
-                add_way(&sums, &p, vx, vy, f, j, left, far2);
+                add_way(&sums, &p, vx, vy, &liquid, j, left, far2);
         }
         double rate = s->mass * sph2d__lanes_total(sums.flux) + spread * sph2d__lanes_total(sums.smooth);
         if (near_walls(s, &wall_cursor, x, y)) {
             sph2d__lanes wall_flux = {0};
             SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, walls, j, left);
-                sph2d__lanes dvx = vx - sph2d__lanes_load(walls->image_vx + j);
-                sph2d__lanes dvy = vy - sph2d__lanes_load(walls->image_vy + j);
-                wall_flux += p.g * (dvx * p.dx + dvy * p.dy) * sph2d__lanes_load(walls->mass + j);
+                pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, &walls, j, left);
+                wall_flux += flux_of(&p, vx, vy, &walls, j) * sph2d__lanes_load(walls.mass + j);
             }
             rate += sph2d__lanes_total(wall_flux);
         }

@@ -48,24 +48,25 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums
 
 SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
-    const sph2d__store *f = &s->fluid;
+    const sph2d__packed f = sph2d__packed_of(s, &s->fluid, false);
     sph2d__store *w = &s->walls;
+    const sph2d__real inverse_support = (sph2d__real)(1 / s->support), from = (sph2d__real)f.from;
     sph2d__cursor cursor = SPH2D__CURSOR_START;
     for (size_t b = first; b < last; ++b) {
         wall_sums sums = {0};
         if (w->bounce[b] < 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, w->x[b], w->y[b]))
             SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                sph2d__lanes dx = w->x[b] + cursor.ranges.x[r] - sph2d__lanes_load(f->x + j);
-                sph2d__lanes dy = w->y[b] + cursor.ranges.y[r] - sph2d__lanes_load(f->y + j);
-                sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support);
+                sph2d__lanes dx = (sph2d__real)(w->x[b] + cursor.ranges.x[r]) - sph2d__lanes_load(f.x + j);
+                sph2d__lanes dy = (sph2d__real)(w->y[b] + cursor.ranges.y[r]) - sph2d__lanes_load(f.y + j);
+                sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * inverse_support;
                 sph2d__lanes weight = sph2d__lanes_first(sph2d__kernel_value(kernel, q), left);
-                sph2d__lanes heavy = weight * sph2d__lanes_load(f->density + j);
+                sph2d__lanes heavy = weight * (from + sph2d__lanes_load(f.density + j));
                 sums.weight += weight;
-                sums.pressure += weight * sph2d__lanes_load(f->pressure + j);
+                sums.pressure += weight * sph2d__lanes_load(f.pressure + j);
                 sums.weight_x += heavy * dx;
                 sums.weight_y += heavy * dy;
-                sums.vx += weight * sph2d__lanes_load(f->vx + j);
-                sums.vy += weight * sph2d__lanes_load(f->vy + j);
+                sums.vx += weight * sph2d__lanes_load(f.vx + j);
+                sums.vy += weight * sph2d__lanes_load(f.vy + j);
             }
         finish_wall(s, b, &sums);
     }

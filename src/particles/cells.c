@@ -81,6 +81,8 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
     }
     cells->nx = (uint32_t)x.count;
     cells->ny = (uint32_t)y.count;
+    cells->width = x.size;
+    cells->height = y.size;
     cells->inverse_x = 1 / x.size;
     cells->inverse_y = 1 / y.size;
     cells->origin_x = x.origin;
@@ -238,4 +240,24 @@ void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2
         for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
             for (int a = 0; a < column_count; ++a)
                 add_range(to, cells, row, &columns[a], rows[b].offset);
+}
+
+void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+{
+    stretch columns[2], rows[2];
+    int column_count = stretches(cell % cells->nx, cells->columns, cells->nx, cells->period.length_x, columns);
+    int row_count = stretches(cell / cells->nx, 1, cells->ny, cells->period.length_y, rows);
+    to->count = 0;
+    for (int b = 0; b < row_count; ++b)
+        for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
+            for (int a = 0; a < column_count; ++a) {
+                uint32_t end = columns[a].first + columns[a].count;
+                for (uint32_t first = columns[a].first; first < end;) {
+                    uint32_t next = (first / SPH2D__TILE + 1) * SPH2D__TILE;
+                    next = next < end ? next : end;
+                    stretch part = {first, next - first, columns[a].offset - sph2d__tile_x(cells, first)};
+                    add_range(to, cells, row, &part, rows[b].offset - sph2d__tile_y(cells, row));
+                    first = next;
+                }
+            }
 }

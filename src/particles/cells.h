@@ -26,12 +26,13 @@ typedef struct sph2d__cells {
     sph2d__period period;        /**< set by the owner */
     uint32_t columns;            /**< cells to a support radius in a row, 1 at least; set by the owner */
     double origin_x, origin_y;   /**< lower left corner of the grid with its rim [m] */
-    double inverse_x, inverse_y; /**< one over the width and height of a cell [1/m] */
+    double width, height;        /**< of a cell [m] */
+    double inverse_x, inverse_y; /**< one over them [1/m] */
     uint32_t nx, ny;             /**< cells, rim included */
     uint32_t *start;             /**< first particle of each cell, nx * ny + 1 values */
     uint32_t *head;              /**< first particle of each cell's list */
     uint32_t *next;              /**< next particle in the list */
-    uint32_t *cell;              /**< cell of each particle, then of each in the new order */
+    uint32_t *cell;              /**< cell of each particle, in the order before the last sorting */
     uint32_t *order;             /**< particle order[k] becomes particle k */
     size_t cell_capacity, particle_capacity;
 } sph2d__cells;
@@ -41,12 +42,15 @@ typedef struct sph2d__cells {
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
+/** The most ranges that there are: three rows, cut in two by the end of a period and again by that of a tile. */
+enum { SPH2D__RANGES = 12 };
+
 /** The neighbours' ranges around a place: particles begin[r] to end[r] - 1 for r < count. A particle in range r is at a
  *  distance of (x[r], y[r]) more than the coordinates say: their images are the ones that are near. */
 typedef struct sph2d__ranges {
     int count;
-    uint32_t begin[6], end[6];
-    double x[6], y[6];
+    uint32_t begin[SPH2D__RANGES], end[SPH2D__RANGES];
+    double x[SPH2D__RANGES], y[SPH2D__RANGES];
 } sph2d__ranges;
 
 /** Index of the cell that holds a place, if those around it lie in the grid; UINT32_MAX otherwise: no particle is
@@ -79,6 +83,45 @@ static inline void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell,
         to->x[r] = to->y[r] = 0;
         to->count += to->begin[r] < to->end[r];
     }
+}
+
+/** Cells of a row that make a tile. Floats that tell a place relative to the lower left corner of its tile are as good
+ *  anywhere as near the origin. */
+enum { SPH2D__TILE = 256 };
+
+/** The lower left corner of the tile in which a cell is [m]. */
+static inline double sph2d__tile_x(const sph2d__cells *cells, uint32_t column)
+{
+    return cells->origin_x + (double)(column / SPH2D__TILE * SPH2D__TILE) * cells->width;
+}
+static inline double sph2d__tile_y(const sph2d__cells *cells, uint32_t row)
+{
+    return cells->origin_y + (double)row * cells->height;
+}
+
+/** The same ranges, each in one tile; the ways are such that the asking particle comes to be relative to its corner. */
+void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
+
+static inline void sph2d__cells_tiled_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+{
+    uint32_t row = cell / cells->nx, column = cell - row * cells->nx, reach = cells->columns;
+    bool periodic = cells->period.length_x > 0 || cells->period.length_y > 0;
+    if (periodic || (column - reach) / SPH2D__TILE != (column + reach) / SPH2D__TILE) {
+        sph2d__cells_cut_ranges(cells, cell, to);
+        return;
+    }
+    const uint32_t *start = cells->start + cell - reach;
+    double x = -sph2d__tile_x(cells, column);
+    int count = 0;
+    for (uint32_t k = row - 1; k <= row + 1; ++k) {
+        const uint32_t *first = start + (size_t)k * cells->nx - (size_t)row * cells->nx;
+        to->begin[count] = first[0];
+        to->end[count] = first[2 * reach + 1];
+        to->x[count] = x;
+        to->y[count] = -sph2d__tile_y(cells, k);
+        count += first[0] < first[2 * reach + 1];
+    }
+    to->count = count;
 }
 
 /** Runs the statement behind it for each particle `j` in the ranges, `r` being the number of its range. */

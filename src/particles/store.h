@@ -46,12 +46,17 @@ enum { SPH2D__PADDING = 16 };
     X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
     X(next_y)                                                                                                          \
     X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \
-    X(diagonal)   /* of the matrix of a pressure solver, then its inverse */                                           \
-    X(multiplier) /* dt^2 p/rho0 while it is solved for [m^2] */                                                       \
-    X(residual)   /* compression that is left to correct */                                                            \
-    X(direction)  /* of the search, or what it tries: a float twice, lanes.h */                                        \
-    X(product)    /* the matrix times the direction */                                                                 \
-    X(start_x)    /* position, velocity and density when the step began */                                             \
+    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \
+    X(multiplier)   /* dt^2 p/rho0 while it is solved for [m^2] */                                                     \
+    X(residual)     /* compression that is left to correct */                                                          \
+    X(direction)    /* of the search, or what it tries: a float twice, lanes.h */                                      \
+    X(product)      /* the matrix times the direction */                                                               \
+    X(packed_place) /* two arrays of floats each, one behind the other: packed.h */                                    \
+    X(packed_velocity)                                                                                                 \
+    X(packed_state)                                                                                                    \
+    X(packed_slope)                                                                                                    \
+    X(packed_rest)                                                                                                     \
+    X(start_x) /* position, velocity and density when the step began */                                                \
     X(start_y)                                                                                                         \
     X(start_vx)                                                                                                        \
     X(start_vy)                                                                                                        \
@@ -72,6 +77,11 @@ _Static_assert(SPH2D__STORE_COUNT <= 64, "a set of arrays has 64 bits");
 
 /** What every store has. */
 #define SPH2D__STORE_BASIC (SPH2D__BIT(x) | SPH2D__BIT(y) | SPH2D__BIT(vx) | SPH2D__BIT(vy))
+
+/** The arrays of floats. */
+#define SPH2D__PACKED_WALLS                                                                                            \
+    (SPH2D__BIT(packed_place) | SPH2D__BIT(packed_velocity) | SPH2D__BIT(packed_state) | SPH2D__BIT(packed_rest))
+#define SPH2D__PACKED_FLUID (SPH2D__PACKED_WALLS | SPH2D__BIT(packed_slope))
 
 /** A store; start it with its two sets of arrays and zeros. */
 typedef struct sph2d__store {

@@ -43,6 +43,7 @@ static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
+static const char *const precision_words[] = {"double", "mixed", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
@@ -301,6 +302,8 @@ static const sph2d_key method_items[] = {
      .standard = "symmetric",
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "
              "its room"},
+    {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
+     .standard = "double", .text = "wcsph with symmetric operators: mixed takes floats for what is summed over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
      .standard = "wendland_c2", .text = "wcsph with symmetric operators, pcisph, constraint: the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,

@@ -79,9 +79,11 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
     s->surface_tension = scene->fluid.surface_tension;
-    s->fluid.has = sim->method->fluid;
+    bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
+    s->fluid.has = sim->method->fluid | (mixed ? SPH2D__PACKED_FLUID : 0);
     s->fluid.carried = sim->method->carried;
-    s->walls.has = s->walls.carried = sim->method->walls;
+    s->walls.carried = sim->method->walls;
+    s->walls.has = sim->method->walls | (mixed ? SPH2D__PACKED_WALLS : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     s->fluid_cells.columns = s->wall_cells.columns = s->reach < WIDE * s->spacing ? 1 : 4;

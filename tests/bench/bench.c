@@ -19,16 +19,16 @@ typedef struct wishes {
     bench_form form;
 } wishes;
 
-static const char usage[] =
-    "Usage: bench [OPTION...]\n"
-    "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
-    "  -s, --scenes NAME,...   which scenes; default all: plain, wcsph, muller, pcisph, constraint, fitted\n"
-    "  -p, --particles N,...   about so many particles; default 16000\n"
-    "  -j, --threads N,...     default 1\n"
-    "      --isa NAME,...      auto, baseline, avx2, avx512; default auto\n"
-    "  -n, --steps N           steps of a run; default 400000 over the particles, 5 at least\n"
-    "  -r, --runs N            default 5\n"
-    "      --csv, --json       instead of a table\n";
+static const char usage[] = "Usage: bench [OPTION...]\n"
+                            "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
+                            "  -s, --scenes NAME,...   which scenes; default all: plain, plain-mixed, wcsph,\n"
+                            "                          wcsph-mixed, muller, pcisph, constraint, fitted\n"
+                            "  -p, --particles N,...   about so many particles; default 16000\n"
+                            "  -j, --threads N,...     default 1\n"
+                            "      --isa NAME,...      auto, baseline, avx2, avx512; default auto\n"
+                            "  -n, --steps N           steps of a run; default 400000 over the particles, 5 at least\n"
+                            "  -r, --runs N            default 5\n"
+                            "      --csv, --json       instead of a table\n";
 
 static int fault(const char *what, const char *value)
 {

@@ -37,6 +37,7 @@ static sph2d_sim *make(const bench_job *job, sph2d_report *report)
     scene.blocks = &block;
     scene.block_count = 1;
     scene.run.until = 100;
+    scene.method.precision = job->scene->precision;
     options.threads = job->threads;
     options.isa = job->isa;
     options.profile = true;
@@ -109,7 +110,7 @@ typedef struct column {
 
 enum { TEXTS = 3, COLUMNS = 25 };
 static const column columns[COLUMNS] = {
-    {"scene", -10, 0},       {"isa", -8, 0},    {"precision", -9, 0},  {"threads", 7, 0},       {"particles", 9, 0},
+    {"scene", -11, 0},       {"isa", -8, 0},    {"precision", -9, 0},  {"threads", 7, 0},       {"particles", 9, 0},
     {"neighbours", 10, 1},   {"M/s", 6, 2},     {"M/CPU s", 7, 2},     {"c dt/dx", 7, 3},       {"carried M/s", 11, 2},
     {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2}, {"traversals", 10, 1}, {"ns/traversal", 12, 1}, {"move %", 6, 0},
     {"sort %", 6, 0},        {"walls %", 7, 0}, {"search %", 8, 0},    {"density %", 9, 0},     {"forces %", 8, 0},
@@ -155,7 +156,8 @@ void bench_print_head(FILE *out, bench_form form)
 
 void bench_print(FILE *out, bench_form form, const bench_row *row, const bench_machine *machine)
 {
-    const char *texts[TEXTS] = {row->job.scene->name, sph2d_isa_name(row->isa), "double"};
+    const char *texts[TEXTS] = {row->job.scene->name, sph2d_isa_name(row->isa),
+                                row->job.scene->precision == SPH2D_PRECISION_MIXED ? "mixed" : "double"};
     double values[COLUMNS];
     fill(row, machine, values);
     for (int k = 0; k < COLUMNS; ++k) {

@@ -77,11 +77,13 @@ static void vortices(sph2d_scene *scene, sph2d_block *block, double particles)
 /* Of a pair, Wendland's C2: distance 7, slope 4. Rate of density: flux 7, diffusion 11. Force: pressure 12, Morris'
  * viscosity 6, artificial 8, slope of density 16. Shifting: 14 in the force, 22 in the rate. */
 const bench_scene bench_scenes[] = {
-    {"plain", "dam break, wcsph without shifting, H/dx 2.6", 76, 17, dam_plain},
-    {"wcsph", "dam break, wcsph as it is", 120, 19, dam_wcsph},
-    {"muller", "dam break, muller", 34, 8, dam_muller},
-    {"pcisph", "dam break, pcisph, 1 %", 40, 6, dam_pcisph},
-    {"constraint", "dam break, constraint, 1 %", 40, 6, dam_constraint},
-    {"fitted", "Taylor-Green, wcsph with fitted operators, H/dx 2.5", 324, 15, vortices},
+    {"plain", "dam break, wcsph without shifting, H/dx 2.6", 76, 17, SPH2D_PRECISION_DOUBLE, dam_plain},
+    {"plain-mixed", "the same in floats", 76, 17, SPH2D_PRECISION_MIXED, dam_plain},
+    {"wcsph", "dam break, wcsph as it is", 120, 19, SPH2D_PRECISION_DOUBLE, dam_wcsph},
+    {"wcsph-mixed", "the same in floats", 120, 19, SPH2D_PRECISION_MIXED, dam_wcsph},
+    {"muller", "dam break, muller", 34, 8, SPH2D_PRECISION_DOUBLE, dam_muller},
+    {"pcisph", "dam break, pcisph, 1 %", 40, 6, SPH2D_PRECISION_DOUBLE, dam_pcisph},
+    {"constraint", "dam break, constraint, 1 %", 40, 6, SPH2D_PRECISION_DOUBLE, dam_constraint},
+    {"fitted", "Taylor-Green, wcsph with fitted operators, H/dx 2.5", 324, 15, SPH2D_PRECISION_DOUBLE, vortices},
 };
 const size_t bench_scene_count = sizeof bench_scenes / sizeof *bench_scenes;

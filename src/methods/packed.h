@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/** @file packed.h
+ *  What the pair loops of method `wcsph` read of the other particle: the store's own arrays, or, with precision
+ * `mixed`, copies in floats. The state stays in doubles, as do the sums once a particle's are complete.
+ *
+ *  Floats have seven digits. Places are relative to the corner of a tile of cells (cells.h), densities to the rest
+ *  density, so that none of them is lost to where a scene lies or to what all particles have in common. */
+#ifndef SPH2D_METHODS_PACKED_H
+#define SPH2D_METHODS_PACKED_H
+
+#include "base/lanes.h"
+#include "methods/system.h"
+
+/** Arrays of one value a particle. Density is that over `from`. */
+typedef struct sph2d__packed {
+    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness;
+    double from; /**< [kg/m^3] */
+} sph2d__packed;
+
+/** The floats that an array of doubles has room for: two arrays. */
+static inline float *sph2d__floats(const sph2d__store *store, double *array, int which)
+{
+    void *floats = array; /* nothing else is ever kept there */
+    return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
+}
+
+#ifdef SPH2D__MIXED
+SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
+{
+    (void)walls;
+    return (sph2d__packed){.x = sph2d__floats(t, t->packed_place, 0),
+                           .y = sph2d__floats(t, t->packed_place, 1),
+                           .vx = sph2d__floats(t, t->packed_velocity, 0),
+                           .vy = sph2d__floats(t, t->packed_velocity, 1),
+                           .density = sph2d__floats(t, t->packed_state, 0),
+                           .pressure = sph2d__floats(t, t->packed_state, 1),
+                           .slope_x = sph2d__floats(t, t->packed_slope, 0),
+                           .slope_y = sph2d__floats(t, t->packed_slope, 1),
+                           .volume = sph2d__floats(t, t->packed_rest, 0),
+                           .fullness = sph2d__floats(t, t->packed_rest, 1),
+                           .mass = sph2d__floats(t, t->packed_rest, 1), /* of walls, which are not full of anything */
+                           .from = s->rest_density};
+}
+#else
+SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
+{
+    (void)s;
+    return (sph2d__packed){t->x,
+                           t->y,
+                           walls ? t->image_vx : t->vx,
+                           walls ? t->image_vy : t->vy,
+                           t->density,
+                           t->pressure,
+                           t->volume,
+                           t->mass,
+                           t->slope_x,
+                           t->slope_y,
+                           t->fullness,
+                           0};
+}
+#endif
+
+/** Copies what pair loops read of the fluid, or of the boundary particles; nothing without packed arrays. */
+void sph2d__pack_fluid(sph2d__system *system);
+void sph2d__pack_walls(sph2d__system *system);
+
+#endif

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_mixed.c
+ *  Precision `mixed` of method `wcsph`: what is summed in floats is what is summed in doubles, wherever a scene lies;
+ * places in tiles; the same bits for any number of threads. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common.h"
+#include "sim/simulation.h"
+
+static const double DX = 0.01;
+
+static sph2d_scene scene;
+static sph2d_block block;
+static sph2d_obstacle obstacle;
+static sph2d_sim *sims[2];
+
+static void finish(void)
+{
+    for (int k = 0; k < 2; ++k) {
+        sph2d_sim_destroy(sims[k]);
+        sims[k] = NULL;
+    }
+}
+
+/** Disturbed liquid with every term, its lower left corner at (x, y): a tank with an obstacle that moves, or a periodic
+ * strip that is as wide as four tiles. */
+static void disturbed(double x, double y, bool strip)
+{
+    double width = strip ? 600 * DX : 60 * DX, height = strip ? 26 * DX : 40 * DX;
+    scene = test_scene(DX, x, y, x + width, y + 1.5 * height);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.artificial_viscosity = 0.05;
+    scene.gravity.y = -9.81;
+    scene.fluid.dynamic_viscosity = 0.5;
+    scene.wall_slip = SPH2D_SLIP_NONE;
+    if (strip)
+        scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+    block = test_block(x, y, x + width, y + height);
+    block.perturb.amplitude = 0.2;
+    block.velocity = (sph2d_vec2){0.3, -0.2};
+    scene.blocks = &block;
+    scene.block_count = 1;
+    obstacle = sph2d_obstacle_default();
+    obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    obstacle.outline.circle = (sph2d_disc){{x + 30 * DX, y + 15 * DX}, 8 * DX};
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = 1;
+}
+
+static void start(int threads)
+{
+    for (int k = 0; k < 2; ++k) {
+        sph2d_sim_options options = sph2d_sim_options_default();
+        options.threads = threads;
+        scene.method.precision = k == 0 ? SPH2D_PRECISION_DOUBLE : SPH2D_PRECISION_MIXED;
+        sims[k] = test_create(&scene, &options);
+    }
+}
+
+/** Largest difference of two arrays over the largest size of the first. */
+static double difference(const double *a, const double *b, size_t count)
+{
+    double most = 0, size = 0;
+    for (size_t i = 0; i < count; ++i) {
+        most = fmax(most, fabs(a[i] - b[i]));
+        size = fmax(size, fabs(a[i]));
+    }
+    ck_assert_double_gt(size, 0);
+    return most / size;
+}
+
+static const struct place {
+    double x, y;
+    bool strip;
+} places[] = {{0, 0, false}, {-12345.6, 6543.21, false}, {0, 0, true}, {98765.4, -3210.1, true}};
+enum { PLACES = sizeof places / sizeof *places };
+
+START_TEST(sums_in_floats_are_those_in_doubles)
+{
+    disturbed(places[_i].x, places[_i].y, places[_i].strip);
+    start(1);
+    for (int k = 0; k < 2; ++k) {
+        sph2d__store *f = &sims[k]->system.fluid;
+        for (size_t i = 0; i < f->count; ++i)
+            f->density[i] *= 1 + 0.01 * sin(70 * (f->x[i] - places[_i].x)) * cos(50 * (f->y[i] - places[_i].y));
+        sims[k]->method->evaluate(&sims[k]->system);
+        sims[k]->method->density_rate(&sims[k]->system);
+    }
+    const sph2d__store *a = &sims[0]->system.fluid, *b = &sims[1]->system.fluid;
+    const sph2d__store *v = &sims[0]->system.walls, *w = &sims[1]->system.walls;
+    ck_assert_uint_eq(a->count, b->count);
+    ck_assert_mem_eq(a->id, b->id, a->count * sizeof *a->id);
+    ck_assert_double_le(difference(a->ax, b->ax, a->count), 3e-5);
+    ck_assert_double_le(difference(a->ay, b->ay, a->count), 3e-5);
+    ck_assert_double_le(difference(a->slope_x, b->slope_x, a->count), 2e-4); /* an inverse of what is summed */
+    ck_assert_double_le(difference(a->crowd_x, b->crowd_x, a->count), 1e-3); /* less what is across a surface */
+    ck_assert_double_le(difference(a->fullness, b->fullness, a->count), 1e-5);
+    ck_assert_double_le(difference(a->density_rate, b->density_rate, a->count), 1e-5);
+    ck_assert_double_le(difference(v->pressure, w->pressure, v->count), 5e-5);
+    ck_assert_double_le(difference(v->image_vx, w->image_vx, v->count), 1e-5);
+    ck_assert_int_ne(memcmp(a->ax, b->ax, a->count * sizeof *a->ax), 0); /* they are floats */
+}
+END_TEST
+
+START_TEST(threads_change_no_bit)
+{
+    disturbed(0, 0, true);
+    start(1);
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = 3;
+    sph2d_sim_destroy(sims[0]);
+    sims[0] = test_create(&scene, &options);
+    test_steps(sims[0], 10);
+    test_steps(sims[1], 10);
+    const sph2d__store *a = &sims[0]->system.fluid, *b = &sims[1]->system.fluid;
+    ck_assert_mem_eq(a->x, b->x, a->count * sizeof *a->x);
+    ck_assert_mem_eq(a->vy, b->vy, a->count * sizeof *a->vy);
+    ck_assert_mem_eq(a->density, b->density, a->count * sizeof *a->density);
+}
+END_TEST
+
+START_TEST(a_state_goes_on_as_if_nothing_was)
+{
+    disturbed(0, 0, false);
+    start(1);
+    test_steps(sims[1], 15);
+    test_state state = test_state_copy(sims[1]);
+    sph2d_sim *other = NULL;
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &other, NULL), SPH2D_OK);
+    test_steps(sims[1], 15);
+    test_steps(other, 15);
+    const sph2d__store *a = &sims[1]->system.fluid, *b = &other->system.fluid;
+    ck_assert_mem_eq(a->x, b->x, a->count * sizeof *a->x);
+    ck_assert_mem_eq(a->vy, b->vy, a->count * sizeof *a->vy);
+    sph2d_sim_destroy(other);
+    test_state_free(&state);
+}
+END_TEST
+
+Suite *suite_mixed(void)
+{
+    Suite *suite = suite_create("mixed");
+    TCase *cases = tcase_create("mixed");
+    tcase_add_checked_fixture(cases, NULL, finish);
+    tcase_set_timeout(cases, 60);
+    tcase_add_loop_test(cases, sums_in_floats_are_those_in_doubles, 0, PLACES);
+    tcase_add_test(cases, threads_change_no_bit);
+    tcase_add_test(cases, a_state_goes_on_as_if_nothing_was);
+    suite_add_tcase(suite, cases);
+    return suite;
+}
