@@ -230,7 +230,24 @@ static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row
     to->y[r] = offset;
 }
 
-void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+/** Adds the cells of one row, or, to be cut at the ends of tiles, each part of them relative to its tile's corner. */
+static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, stretch columns, double offset,
+                    bool cut)
+{
+    if (!cut) {
+        add_range(to, cells, row, &columns, offset);
+        return;
+    }
+    uint32_t end = columns.first + columns.count;
+    for (uint32_t first = columns.first, next; first < end; first = next) {
+        next = (first / SPH2D__TILE + 1) * SPH2D__TILE;
+        next = next < end ? next : end;
+        stretch part = {first, next - first, columns.offset - sph2d__tile_x(cells, first)};
+        add_range(to, cells, row, &part, offset - sph2d__tile_y(cells, row));
+    }
+}
+
+static void add_rows(sph2d__ranges *to, const sph2d__cells *cells, uint32_t cell, bool cut)
 {
     stretch columns[2], rows[2];
     int column_count = stretches(cell % cells->nx, cells->columns, cells->nx, cells->period.length_x, columns);
@@ -239,25 +256,15 @@ void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2
     for (int b = 0; b < row_count; ++b)
         for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
             for (int a = 0; a < column_count; ++a)
-                add_range(to, cells, row, &columns[a], rows[b].offset);
+                add_row(to, cells, row, columns[a], rows[b].offset, cut);
+}
+
+void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+{
+    add_rows(to, cells, cell, false);
 }
 
 void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
-    stretch columns[2], rows[2];
-    int column_count = stretches(cell % cells->nx, cells->columns, cells->nx, cells->period.length_x, columns);
-    int row_count = stretches(cell / cells->nx, 1, cells->ny, cells->period.length_y, rows);
-    to->count = 0;
-    for (int b = 0; b < row_count; ++b)
-        for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
-            for (int a = 0; a < column_count; ++a) {
-                uint32_t end = columns[a].first + columns[a].count;
-                for (uint32_t first = columns[a].first; first < end;) {
-                    uint32_t next = (first / SPH2D__TILE + 1) * SPH2D__TILE;
-                    next = next < end ? next : end;
-                    stretch part = {first, next - first, columns[a].offset - sph2d__tile_x(cells, first)};
-                    add_range(to, cells, row, &part, rows[b].offset - sph2d__tile_y(cells, row));
-                    first = next;
-                }
-            }
+    add_rows(to, cells, cell, true);
 }

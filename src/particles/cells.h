@@ -99,9 +99,10 @@ static inline double sph2d__tile_y(const sph2d__cells *cells, uint32_t row)
     return cells->origin_y + (double)row * cells->height;
 }
 
-/** The same ranges, each in one tile; the ways are such that the asking particle comes to be relative to its corner. */
+/** The tiled ranges where they reach over the end of a tile, or a direction is periodic. */
 void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
 
+/** The same ranges, each in one tile; the ways are such that the asking particle comes to be relative to its corner. */
 static inline void sph2d__cells_tiled_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
     uint32_t row = cell / cells->nx, column = cell - row * cells->nx, reach = cells->columns;
