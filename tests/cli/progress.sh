@@ -13,7 +13,7 @@ grep -q "$escape" err && fail 'escape sequences in a file'
 expect 0 "$SPH2D" "$@" -o never --progress never
 grep -q ' left  t ' err && fail 'progress all the same'
 expect 0 "$SPH2D" "$@" -o json --json && says '"severity": "note".* 50 %'
-expect 0 "$SPH2D" "$@" -o always --progress always -s spacing=0.02 && says '\[=*>* *\] .* left'
+expect 0 "$SPH2D" "$@" -o always --progress always -s run.until=4 && says '\[=*>* *\] .* left'
 
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77 # no such command, or no pseudo-terminals here
 # in_terminal FILE COMMAND: what the command prints in a pseudo-terminal.
