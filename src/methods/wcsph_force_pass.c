@@ -5,27 +5,41 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
-#include "methods/traverse.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_pair.h"
 
 /** What is summed for the force and the slope of density. */
 typedef struct force_sums {
+    sph2d__lanes press_x, press_y; /* along the line between two: pressure, and viscosity of Monaghan's form */
+    sph2d__lanes morris_x, morris_y;
     sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
-    sph2d__lanes press_x, press_y, morris_x, morris_y, monaghan_x, monaghan_y;
     sph2d__lanes xx, xy, yy, slope_x, slope_y;
     sph2d__lanes crowd_x, crowd_y;
 } force_sums;
 
-/** Terms that a scene may do without. */
+/** How much is learnt of a particle's neighbourhood: each includes the one before. */
+typedef enum layout {
+    BARE,    /**< nothing */
+    SLOPED,  /**< the slope of density, for its diffusion */
+    FULL,    /**< how far it is filled, for tensile control */
+    CROWDED, /**< where it is crowded, for shifting */
+} layout;
+
+/** The terms of a scene, constants in each copy of the loops. */
 typedef struct terms {
-    double morris, monaghan; /**< dynamic viscosity [Pa s] of each form */
-    bool slope;              /**< density diffusion and shifting need the slope of density */
-    bool full;               /**< shifting or tensile control needs to know the free surface */
-    bool shift;              /**< particles are shifted */
-    sph2d__real near;        /**< 1/f(dx/H) */
-    bool sticky;             /**< walls are rough */
+    sph2d_kernel kernel;
+    layout layout;
+    bool morris, monaghan; /**< either form of viscosity acts */
 } terms;
+
+/** Numbers of the scene. */
+typedef struct numbers {
+    sph2d__real inverse_support;
+    sph2d__real inverse_mass;
+    sph2d__real near;        /**< 1/f(dx/H) */
+    double morris, monaghan; /**< dynamic viscosity of each form [Pa s] */
+    bool sticky;             /**< walls are rough */
+} numbers;
 
 /* In place of 0 where it is divided by. */
 #ifdef SPH2D__MIXED
@@ -34,17 +48,17 @@ typedef struct terms {
 #define TINY 1e-300
 #endif
 
-/** The particle that feels. */
+/** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes Monaghan's viscosity of
+ * the same unit. */
 typedef struct receiver {
-    double x, y;
-    sph2d__real vx, vy, density;
+    sph2d__lanes vx, vy, density, own, damping;
 } receiver;
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
-SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p, sph2d__lanes vg)
+SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg)
 {
-    if (with->shift) {
-        sph2d__lanes near = sph2d__kernel_value(kernel, p->q) * with->near;
+    if (with.layout >= CROWDED) {
+        sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
         near *= near;
         sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
         sums->crowd_x += crowd * p->dx;
@@ -55,73 +69,84 @@ SPH2D__INLINE void add_layout(force_sums *sums, const terms *with, sph2d_kernel 
     sums->yy += vg * p->dy * p->dy;
 }
 
-SPH2D__INLINE void add_viscosity(force_sums *sums, const terms *with, const pair *p, sph2d__lanes vg, sph2d__lanes dvx,
-                                 sph2d__lanes dvy)
+/** Adds the viscosity of a candidate of velocity (vx, vy). */
+SPH2D__INLINE void add_viscosity(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__lanes vg,
+                                 sph2d__real vx, sph2d__real vy)
 {
-    sums->morris_x += vg * dvx;
-    sums->morris_y += vg * dvy;
-    if (with->monaghan > 0) {
+    sph2d__lanes dvx = me->vx - vx, dvy = me->vy - vy;
+    if (with.morris) {
+        sums->morris_x += vg * dvx;
+        sums->morris_y += vg * dvy;
+    }
+    if (with.monaghan) {
         sph2d__lanes tiny = sph2d__lanes_all(TINY);
-        sph2d__lanes along = vg * (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny);
-        sums->monaghan_x += along * p->dx;
-        sums->monaghan_y += along * p->dy;
+        sph2d__lanes along = (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny) * (me->damping * vg);
+        sums->press_x += along * p->dx;
+        sums->press_y += along * p->dy;
     }
 }
 
-SPH2D__INLINE void add_liquid(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p,
-                              const receiver *me, const sph2d__packed *f, size_t j)
+/** Adds the pressure of a candidate whose mass is `ratio` times that of the liquid's particles. The own part of the
+ * pair is known beforehand where nothing but the sums can turn it round. */
+SPH2D__INLINE void add_pressure(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
+                                sph2d__real theirs)
 {
-    sph2d__lanes volume = sph2d__lanes_load(f->volume + j), vg = volume * p->g;
-    sph2d__lanes press = p->g * sph2d__lanes_load(f->pressure + j) * volume * volume;
-    sums->plain_x += p->g * p->dx;
-    sums->plain_y += p->g * p->dy;
-    sums->press_x += press * p->dx;
-    sums->press_y += press * p->dy;
-    if (with->morris > 0 || with->monaghan > 0)
-        add_viscosity(sums, with, p, vg, me->vx - sph2d__lanes_load(f->vx + j), me->vy - sph2d__lanes_load(f->vy + j));
-    if (with->slope || with->full)
-        add_layout(sums, with, kernel, p, vg);
-    if (with->slope) {
-        sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
-        sph2d__lanes drho = sph2d__lanes_load(f->density + j) - me->density;
-        sums->slope_x += gx * drho;
-        sums->slope_y += gy * drho;
+    if (with.layout >= FULL) {
+        sph2d__lanes plain = p->g * ratio, press = p->g * theirs;
+        sums->plain_x += plain * p->dx;
+        sums->plain_y += plain * p->dy;
+        sums->press_x += press * p->dx;
+        sums->press_y += press * p->dy;
+    } else {
+        sph2d__lanes press = p->g * (me->own * ratio + theirs);
+        sums->press_x += press * p->dx;
+        sums->press_y += press * p->dy;
+    }
+}
+
+SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+                              const sph2d__packed *f, size_t j)
+{
+    const sph2d__real volume = f->volume[j];
+    sph2d__lanes vg = volume * p->g;
+    add_pressure(sums, with, me, p, 1, f->pressure[j] * volume * volume);
+    if (with.morris || with.monaghan)
+        add_viscosity(sums, with, me, p, vg, f->vx[j], f->vy[j]);
+    if (with.layout >= SLOPED) {
+        add_layout(sums, with, n, p, vg);
+        sph2d__lanes drho = f->density[j] - me->density;
+        sums->slope_x += vg * p->dx * drho;
+        sums->slope_y += vg * p->dy * drho;
     }
 }
 
 /** Boundary particles have masses of their own. */
-SPH2D__INLINE void add_wall(force_sums *sums, const terms *with, sph2d_kernel kernel, const pair *p, const receiver *me,
-                            const sph2d__packed *w, size_t j, sph2d__real inverse_mass)
+SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+                            const sph2d__packed *w, size_t j)
 {
-    sph2d__lanes volume = sph2d__lanes_load(w->volume + j), ratio = sph2d__lanes_load(w->mass + j) * inverse_mass;
-    sph2d__lanes own = sph2d__lanes_max(ratio, sph2d__lanes_all(TINY));
-    sph2d__lanes press = p->g * sph2d__lanes_load(w->pressure + j) * volume * volume / own;
-    sums->plain_x += p->g * ratio * p->dx;
-    sums->plain_y += p->g * ratio * p->dy;
-    sums->press_x += press * p->dx;
-    sums->press_y += press * p->dy;
-    if (with->full)
-        add_layout(sums, with, kernel, p, volume * p->g);
-    if (with->sticky)
-        add_viscosity(sums, with, p, volume * p->g, me->vx - sph2d__lanes_load(w->vx + j),
-                      me->vy - sph2d__lanes_load(w->vy + j));
+    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass;
+    add_pressure(sums, with, me, p, ratio, ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0);
+    if (with.layout >= FULL)
+        add_layout(sums, with, n, p, volume * p->g);
+    if (n->sticky)
+        add_viscosity(sums, with, me, p, volume * p->g, w->vx[j], w->vy[j]);
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
  * both lack the same constant. None where the neighbours are on one line. */
-SPH2D__INLINE void finish_slope(sph2d__store *f, size_t i, const force_sums *sums)
+SPH2D__INLINE void finish_slope(sph2d__store *f, size_t i, const force_sums *sums, int l)
 {
-    double xx = -sph2d__lanes_total(sums->xx), xy = -sph2d__lanes_total(sums->xy), yy = -sph2d__lanes_total(sums->yy);
-    double bx = sph2d__lanes_total(sums->slope_x), by = sph2d__lanes_total(sums->slope_y);
+    double xx = -(double)sums->xx[l], xy = -(double)sums->xy[l], yy = -(double)sums->yy[l];
+    double bx = (double)sums->slope_x[l], by = (double)sums->slope_y[l];
     corrected(xx, xy, yy, bx, by, &f->slope_x[i], &f->slope_y[i]);
 }
 
 /** How far the neighbourhood is filled: the smaller eigenvalue of M, 1 in the bulk, near 0.5 at a flat surface, less in
  *  spray (Marrone et al. 2010, eq. 8; there of the inverse). */
-SPH2D__INLINE double fullness_of(const force_sums *sums, double scale)
+SPH2D__INLINE double fullness_of(const force_sums *sums, int l, double scale)
 {
-    double xx = -scale * sph2d__lanes_total(sums->xx), xy = -scale * sph2d__lanes_total(sums->xy);
-    double yy = -scale * sph2d__lanes_total(sums->yy);
+    double xx = -scale * (double)sums->xx[l], xy = -scale * (double)sums->xy[l];
+    double yy = -scale * (double)sums->yy[l];
     double middle = (xx + yy) / 2, half = (xx - yy) / 2;
     return middle - sqrt(half * half + xy * xy);
 }
@@ -130,13 +155,14 @@ SPH2D__INLINE double fullness_of(const force_sums *sums, double scale)
 static const double SPRAY = 0.4, BULK = 0.75;
 
 /** The crowding that particles are shifted by, which near a free surface has no part across it. */
-SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, double fullness, double scale)
+SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, int l, double fullness,
+                                double scale)
 {
     sph2d__store *f = &s->fluid;
     double unit = fullness < SPRAY ? 0 : s->support * scale;
-    double cx = unit * sph2d__lanes_total(sums->crowd_x), cy = unit * sph2d__lanes_total(sums->crowd_y);
+    double cx = unit * (double)sums->crowd_x[l], cy = unit * (double)sums->crowd_y[l];
     if (fullness < BULK || f->surface[i] < s->support) {
-        double nx = sph2d__lanes_total(sums->plain_x), ny = sph2d__lanes_total(sums->plain_y), n2 = nx * nx + ny * ny;
+        double nx = (double)sums->plain_x[l], ny = (double)sums->plain_y[l], n2 = nx * nx + ny * ny;
         double across = n2 > 0 ? (cx * nx + cy * ny) / n2 : 0;
         cx -= across * nx;
         cy -= across * ny;
@@ -145,81 +171,142 @@ SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *su
     f->crowd_y[i] = cy;
 }
 
-/** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle. */
-SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, const terms *with, double own,
-                            double density, double *ax, double *ay)
+/** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle where it is not in them. */
+SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int l, terms with, const numbers *n,
+                            double own, double density, double *ax, double *ay)
 {
     double scale = slope_scale(s), press = -scale / s->mass;
-    *ax += press * own * sph2d__lanes_total(sums->plain_x);
-    *ay += press * own * sph2d__lanes_total(sums->plain_y);
-    double morris = 2 * with->morris * scale / density, monaghan = 8 * with->monaghan * scale / density;
-    *ax += press * sph2d__lanes_total(sums->press_x) + morris * sph2d__lanes_total(sums->morris_x) +
-           monaghan * sph2d__lanes_total(sums->monaghan_x);
-    *ay += press * sph2d__lanes_total(sums->press_y) + morris * sph2d__lanes_total(sums->morris_y) +
-           monaghan * sph2d__lanes_total(sums->monaghan_y);
+    double x = sums->press_x[l], y = sums->press_y[l];
+    if (with.layout >= FULL) {
+        x += own * (double)sums->plain_x[l];
+        y += own * (double)sums->plain_y[l];
+    }
+    *ax += press * x;
+    *ay += press * y;
+    if (with.morris) {
+        double morris = 2 * n->morris * scale / density;
+        *ax += morris * (double)sums->morris_x[l];
+        *ay += morris * (double)sums->morris_y[l];
+    }
 }
 
-static terms terms_of(const sph2d__system *s)
+static numbers numbers_of(const sph2d__system *s)
 {
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    terms with = {.morris = morris ? s->viscosity : 0,
-                  .monaghan = artificial + (morris ? 0 : s->viscosity),
-                  .slope = s->method.density_diffusion > 0 || s->method.shifting > 0,
-                  .shift = s->method.shifting > 0};
-    with.full = with.shift || s->method.tensile_control == SPH2D_SWITCH_ON;
-    with.near = (sph2d__real)1 / (sph2d__real)sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
-    with.sticky = s->wall_slip == SPH2D_SLIP_NONE && (with.morris > 0 || with.monaghan > 0);
-    return with;
+    double near = sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
+    return (numbers){.inverse_support = (sph2d__real)(1 / s->support),
+                     .inverse_mass = (sph2d__real)(1 / s->mass),
+                     .near = (sph2d__real)(1 / near),
+                     .morris = morris ? s->viscosity : 0,
+                     .monaghan = artificial + (morris ? 0 : s->viscosity),
+                     .sticky = s->wall_slip == SPH2D_SLIP_NONE};
 }
 
-SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+/** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
+SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
+                          terms with, const numbers *n)
 {
     sph2d__store *f = &s->fluid;
-    terms with = terms_of(s);
+    double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
+    if (with.layout >= SLOPED)
+        finish_slope(f, i, liquid, l);
+    if (with.layout >= FULL) {
+        double scale = slope_scale(s), fullness = fullness_of(sums, l, scale);
+        bool inside = fullness > BULK && f->surface[i] >= s->support;
+        f->fullness[i] = fullness;
+        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
+            own = -own;
+        if (with.layout >= CROWDED)
+            finish_crowd(s, i, sums, l, fullness, scale);
+    }
+    add_sums(s, sums, l, with, n, own, f->density[i], &ax, &ay);
+    sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+    f->ax[i] = ax;
+    f->ay[i] = ay;
+}
+
+/** Adds the boundary particles near a group. */
+SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
+                             terms with, const numbers *n, const receiver *me, const sph2d__packed *walls)
+{
+    sph2d__ranges ranges;
+    if (!sph2d__group_near(by, g, &ranges))
+        return;
+    for (int r = 0; r < ranges.count; ++r) {
+        place at = place_of(&s->fluid, g, &ranges, r);
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+            pair p = pair_with(with.kernel, n->inverse_support, &at, walls, j);
+            add_wall(sums, with, n, me, &p, walls, j);
+        }
+    }
+}
+
+SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms with)
+{
+    sph2d__store *f = &s->fluid;
+    const numbers n = numbers_of(s);
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
-    const sph2d__real inverse_mass = (sph2d__real)(1 / s->mass);
-    double scale = slope_scale(s);
-    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-    for (size_t i = first; i < last; ++i) {
-        receiver me = {f->x[i], f->y[i], (sph2d__real)f->vx[i], (sph2d__real)f->vy[i],
-                       (sph2d__real)(f->density[i] - liquid.from)};
-        double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
+    const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
+        receiver me = {sph2d__lanes_load(liquid.vx + g.first), sph2d__lanes_load(liquid.vy + g.first),
+                       sph2d__lanes_load(liquid.density + g.first),
+                       sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
+                       -8 * (sph2d__real)n.monaghan * volume};
         force_sums sums = {0};
-        sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
-        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-            pair p = pair_with(kernel, s->support, me.x, me.y, &cursor.ranges, r, &liquid, j, left);
-            add_liquid(&sums, &with, kernel, &p, &me, &liquid, j);
-        }
-        if (with.slope)
-            finish_slope(f, i, &sums);
-        if (near_walls(s, &wall_cursor, me.x, me.y))
-            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, me.x, me.y, &wall_cursor.ranges, r, &walls, j, left);
-                add_wall(&sums, &with, kernel, &p, &me, &walls, j, inverse_mass);
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        for (int r = 0; r < ranges.count; ++r) {
+            place at = place_of(f, &g, &ranges, r);
+            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+                pair p = pair_with(with.kernel, n.inverse_support, &at, &liquid, j);
+                add_liquid(&sums, with, &n, &me, &p, &liquid, j);
             }
-        if (with.full) {
-            double fullness = fullness_of(&sums, scale);
-            bool inside = fullness > BULK && f->surface[i] >= s->support;
-            f->fullness[i] = fullness;
-            if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
-                own = -own;
-            if (with.shift)
-                finish_crowd(s, i, &sums, fullness, scale);
         }
-        add_sums(s, &sums, &with, own, f->density[i], &ax, &ay);
-        sph2d__body_add(&s->body, me.x, me.y, f->vx[i], f->vy[i], &ax, &ay);
-        f->ax[i] = ax;
-        f->ay[i] = ay;
+        const force_sums beside = sums; /* the sums themselves can then stay in registers */
+        add_walls(s, &by, &g, &sums, with, &n, &me, &walls);
+        const force_sums all = sums;
+        for (int l = 0; l < g.count; ++l)
+            finish(s, g.first + (size_t)l, &all, &beside, l, with, &n);
     }
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
+/** The copy of the loops that has the scene's terms and no others. */
+SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t last, terms with)
+{
+    const numbers n = numbers_of(s);
+    with.morris = n.morris > 0;
+    with.monaghan = n.monaghan > 0;
+    if (with.morris && with.monaghan)
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, true});
+    else if (with.morris)
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, false});
+    else if (with.monaghan)
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, true});
+    else
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, false});
+}
+
+SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+{
+    if (s->method.shifting > 0)
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = CROWDED});
+    else if (s->method.tensile_control == SPH2D_SWITCH_ON)
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = FULL});
+    else if (s->method.density_diffusion > 0)
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SLOPED});
+    else
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = BARE});
+}
+
 #define FOR_KERNEL(name, kernel)                                                                                       \
     static void force_##name(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        force_with(s, first, last, kernel);                                                                            \
+        force_by_layout(s, first, last, kernel);                                                                       \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)

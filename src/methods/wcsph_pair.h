@@ -5,24 +5,34 @@
 #define SPH2D_METHODS_WCSPH_PAIR_H
 
 #include "kernels/kernel.h"
+#include "methods/group.h"
 #include "methods/packed.h"
-#include "methods/traverse.h"
 
-/** Distance to a block's particles, in units of the support radius too, and g of the kernel there, 0 in lanes that
- * count as nothing. */
+/** Distances of a group to a candidate, in units of the support radius too, and g of the kernel there. */
 typedef struct pair {
     sph2d__lanes dx, dy, r2, q, g;
 } pair;
 
-SPH2D__INLINE pair pair_with(sph2d_kernel kernel, double support, double x, double y, const sph2d__ranges *ranges,
-                             int range, const sph2d__packed *from, size_t j, double left)
+/** Where the particles of a group are, as candidates of one range see them. */
+typedef struct place {
+    sph2d__lanes x, y;
+} place;
+
+SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, const sph2d__ranges *ranges, int r)
+{
+    return (place){sph2d__group_lanes(store->x + g->first, ranges->x[r]),
+                   sph2d__group_lanes(store->y + g->first, ranges->y[r])};
+}
+
+SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const place *at,
+                             const sph2d__packed *from, size_t j)
 {
     pair p;
-    p.dx = (sph2d__real)(x + ranges->x[range]) - sph2d__lanes_load(from->x + j);
-    p.dy = (sph2d__real)(y + ranges->y[range]) - sph2d__lanes_load(from->y + j);
+    p.dx = at->x - from->x[j];
+    p.dy = at->y - from->y[j];
     p.r2 = p.dx * p.dx + p.dy * p.dy;
-    p.q = sph2d__lanes_sqrt(p.r2) * (sph2d__real)(1 / support);
-    p.g = sph2d__lanes_first(sph2d__kernel_slope(kernel, p.q), left);
+    p.q = sph2d__lanes_sqrt(p.r2) * inverse_support;
+    p.g = sph2d__kernel_slope(kernel, p.q);
     return p;
 }
 
@@ -31,12 +41,6 @@ static inline double slope_scale(const sph2d__system *s)
 {
     double h2 = s->support * s->support;
     return sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
-}
-
-/** Whether boundary particles are near; then the cursor is at their ranges. */
-SPH2D__INLINE bool near_walls(const sph2d__system *s, sph2d__cursor *cursor, double x, double y)
-{
-    return s->walls_press && sph2d__cursor_move(cursor, &s->wall_cells, x, y);
 }
 
 /* det M / (tr M)^2 is 0.25 in the bulk, about as much at a flat surface, and 0 where all neighbours are on one line, as

@@ -6,7 +6,6 @@
 
 #include "kernels/kernel.h"
 #include "methods/shift.h"
-#include "methods/traverse.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_pair.h"
 
@@ -16,11 +15,10 @@ static const double SURFACE = 0.6;
  * a wall with a million times the energy of a drop that fell. */
 static const double FITTED = 0.75;
 
-/** m_j v_ij . r_ij g of a block. */
-SPH2D__INLINE sph2d__lanes flux_of(const pair *p, sph2d__real vx, sph2d__real vy, const sph2d__packed *from, size_t j)
-{
-    return p->g * ((vx - sph2d__lanes_load(from->vx + j)) * p->dx + (vy - sph2d__lanes_load(from->vy + j)) * p->dy);
-}
+/** The particles of a group that meet a candidate. */
+typedef struct receiver {
+    sph2d__lanes vx, vy, density, slope_x, slope_y;
+} receiver;
 
 /** What is summed for the rate of density, and for the way of a shifted particle. */
 typedef struct rate_sums {
@@ -30,13 +28,26 @@ typedef struct rate_sums {
     sph2d__lanes nearest2;       /* squared distance to the surface */
 } rate_sums;
 
-/** Adds what a shifted particle needs: velocity differences around it, and where the surface is. */
-SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, sph2d__real vx, sph2d__real vy, const sph2d__packed *f,
-                           size_t j, double left, double far2)
+/** v_ij . r_ij g. */
+SPH2D__INLINE sph2d__lanes flux_of(const pair *p, const receiver *me, const sph2d__packed *from, size_t j)
 {
-    sph2d__lanes vg = p->g * sph2d__lanes_load(f->volume + j);
+    return p->g * ((me->vx - from->vx[j]) * p->dx + (me->vy - from->vy[j]) * p->dy);
+}
+
+/** Adds the diffusion of density. */
+SPH2D__INLINE void add_diffusion(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
+{
+    const sph2d__real half = 0.5;
+    sph2d__lanes linear = (me->slope_x + f->slope_x[j]) * p->dx + (me->slope_y + f->slope_y[j]) * p->dy;
+    sums->smooth += p->g * f->volume[j] * (me->density - f->density[j] - half * linear);
+}
+
+/** Adds what a shifted particle needs: velocity differences around it, and where the surface is. */
+SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
+{
+    sph2d__lanes vg = p->g * f->volume[j];
     sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
-    sph2d__lanes dvx = vx - sph2d__lanes_load(f->vx + j), dvy = vy - sph2d__lanes_load(f->vy + j);
+    sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
     sums->xx += gx * p->dx;
     sums->xy += gx * p->dy;
     sums->yy += gy * p->dy;
@@ -44,79 +55,97 @@ SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, sph2d__real vx, sph2d
     sums->uy += gy * dvx;
     sums->vx += gx * dvy;
     sums->vy += gy * dvy;
-    sph2d__lanes far = sph2d__lanes_all(far2);
-    sph2d__lanes away = sph2d__lanes_below(sph2d__lanes_load(f->fullness + j), SURFACE, p->r2, far);
-    away = sph2d__lanes_below(sph2d__lanes_first(far, left), 0.5 * far2, far, away);
-    sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -away);
-}
-
-/** The smallest of all lanes. */
-SPH2D__INLINE double least(sph2d__lanes a)
-{
-    double least = a[0];
-    for (int l = 1; l < SPH2D__LANES; ++l)
-        least = a[l] < least ? a[l] : least;
-    return least;
+    if (f->fullness[j] < SURFACE)
+        sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -p->r2);
 }
 
 /** Velocity and density change along the shift as the fields around say (Sun et al. 2019), if these are known; old_ax
  * and old_ay hold that of velocity until the step is made. */
-SPH2D__INLINE void finish_way(sph2d__system *s, size_t i, const rate_sums *sums)
+SPH2D__INLINE void finish_way(sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     sph2d__store *f = &s->fluid;
     sph2d_vec2 w = sph2d__shift_velocity(s, i);
-    double xx = sph2d__lanes_total(sums->xx), xy = sph2d__lanes_total(sums->xy), yy = sph2d__lanes_total(sums->yy);
+    double xx = sums->xx[l], xy = sums->xy[l], yy = sums->yy[l];
     double ux, uy, vx, vy;
     if (f->fullness[i] < FITTED)
         w = (sph2d_vec2){0, 0};
-    corrected(xx, xy, yy, sph2d__lanes_total(sums->ux), sph2d__lanes_total(sums->uy), &ux, &uy);
-    corrected(xx, xy, yy, sph2d__lanes_total(sums->vx), sph2d__lanes_total(sums->vy), &vx, &vy);
+    corrected(xx, xy, yy, sums->ux[l], sums->uy[l], &ux, &uy);
+    corrected(xx, xy, yy, sums->vx[l], sums->vy[l], &vx, &vy);
     f->old_ax[i] = w.x * ux + w.y * uy;
     f->old_ay[i] = w.x * vx + w.y * vy;
     f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
-    f->surface[i] = f->fullness[i] < SURFACE ? 0 : sqrt(least(sums->nearest2));
+    bool far = sums->nearest2[l] >= (sph2d__real)(s->support * s->support);
+    double surface = far ? s->support : sqrt(sums->nearest2[l]);
+    f->surface[i] = f->fullness[i] < SURFACE ? 0 : surface;
 }
 
-SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+/** m_j v_ij . r_ij g of the boundary particles near a group. */
+SPH2D__INLINE sph2d__lanes wall_flux(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
+                                     const sph2d__group *g, const receiver *me, const sph2d__packed *walls)
+{
+    const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
+    sph2d__lanes flux = {0};
+    sph2d__ranges ranges;
+    if (!sph2d__group_near(by, g, &ranges))
+        return flux;
+    for (int r = 0; r < ranges.count; ++r) {
+        place at = place_of(&s->fluid, g, &ranges, r);
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+            pair p = pair_with(kernel, inverse_support, &at, walls, j);
+            flux += flux_of(&p, me, walls, j) * walls->mass[j];
+        }
+    }
+    return flux;
+}
+
+/** The rates that the sums of all lanes stand for. */
+SPH2D__INLINE void total_rates(const sph2d__system *s, sph2d__lanes wall_flux, const rate_sums *sums, bool diffuse,
+                               double out[SPH2D__LANES])
+{
+    double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        double smooth = diffuse ? spread * (double)sums->smooth[l] : 0;
+        out[l] = scale * (s->mass * (double)sums->flux[l] + smooth + (double)wall_flux[l]);
+    }
+}
+
+SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, bool diffuse,
+                                     bool way)
 {
     sph2d__store *f = &s->fluid;
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
-    double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
-    double far2 = s->support * s->support;
-    const sph2d__real half = 0.5;
-    bool diffuse = spread > 0, way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;
-    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-    for (size_t i = first; i < last; ++i) {
-        double x = f->x[i], y = f->y[i];
-        sph2d__real vx = (sph2d__real)f->vx[i], vy = (sph2d__real)f->vy[i];
-        sph2d__real rho = (sph2d__real)(f->density[i] - liquid.from);
-        sph2d__real sx = (sph2d__real)f->slope_x[i], sy = (sph2d__real)f->slope_y[i];
-        rate_sums sums = {.nearest2 = sph2d__lanes_all(far2)};
-        sph2d__cursor_move(&cursor, &s->fluid_cells, x, y);
-        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-            pair p = pair_with(kernel, s->support, x, y, &cursor.ranges, r, &liquid, j, left);
-            sums.flux += flux_of(&p, vx, vy, &liquid, j);
-            if (diffuse) {
-                sph2d__lanes linear = (sx + sph2d__lanes_load(liquid.slope_x + j)) * p.dx +
-                                      (sy + sph2d__lanes_load(liquid.slope_y + j)) * p.dy;
-                sums.smooth += p.g * sph2d__lanes_load(liquid.volume + j) *
-                               (rho - sph2d__lanes_load(liquid.density + j) - half * linear);
+    const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first), .vy = sph2d__lanes_load(liquid.vy + g.first)};
+        if (diffuse) {
+            me.density = sph2d__lanes_load(liquid.density + g.first);
+            me.slope_x = sph2d__lanes_load(liquid.slope_x + g.first);
+            me.slope_y = sph2d__lanes_load(liquid.slope_y + g.first);
+        }
+        rate_sums sums = {.nearest2 = sph2d__lanes_all(s->support * s->support)};
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        for (int r = 0; r < ranges.count; ++r) {
+            place at = place_of(f, &g, &ranges, r);
+            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+                pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
+                sums.flux += flux_of(&p, &me, &liquid, j);
+                if (diffuse)
+                    add_diffusion(&sums, &p, &me, &liquid, j);
+                if (way)
+                    add_way(&sums, &p, &me, &liquid, j);
             }
+        }
+        const rate_sums done = sums; /* the sums themselves can then stay in registers */
+        double rates[SPH2D__LANES];
+        total_rates(s, wall_flux(s, kernel, &by, &g, &me, &walls), &done, diffuse, rates);
+        for (int l = 0; l < g.count; ++l) {
+            f->density_rate[g.first + (size_t)l] = rates[l];
             if (way)
-                add_way(&sums, &p, vx, vy, &liquid, j, left, far2);
+                finish_way(s, g.first + (size_t)l, &done, l);
         }
-        double rate = s->mass * sph2d__lanes_total(sums.flux) + spread * sph2d__lanes_total(sums.smooth);
-        if (near_walls(s, &wall_cursor, x, y)) {
-            sph2d__lanes wall_flux = {0};
-            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left) {
-                pair p = pair_with(kernel, s->support, x, y, &wall_cursor.ranges, r, &walls, j, left);
-                wall_flux += flux_of(&p, vx, vy, &walls, j) * sph2d__lanes_load(walls.mass + j);
-            }
-            rate += sph2d__lanes_total(wall_flux);
-        }
-        f->density_rate[i] = scale * rate;
-        if (way)
-            finish_way(s, i, &sums);
     }
 }
 
@@ -125,7 +154,14 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
 #define FOR_KERNEL(name, kernel)                                                                                       \
     static void rate_##name(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        density_rate_with(s, first, last, kernel);                                                                     \
+        bool diffuse = s->method.density_diffusion > 0;                                                                \
+        bool way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;                             \
+        if (way)                                                                                                       \
+            density_rate_with(s, first, last, kernel, true, true);                                                     \
+        else if (diffuse)                                                                                              \
+            density_rate_with(s, first, last, kernel, true, false);                                                    \
+        else                                                                                                           \
+            density_rate_with(s, first, last, kernel, false, false);                                                   \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)

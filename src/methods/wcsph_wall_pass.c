@@ -4,7 +4,6 @@
  *  Compiled once for each instruction set, named by SPH2D__ISA, and in it once for each kernel. */
 #include "kernels/kernel.h"
 #include "methods/state_equation.h"
-#include "methods/traverse.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_pair.h"
 
@@ -27,48 +26,52 @@ static void set_image(sph2d__store *w, size_t b, double vx, double vy, bool roug
 }
 
 /** Where no liquid is near, the pressure is 0 and the image is the wall itself. */
-SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums)
+SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums, int l)
 {
     sph2d__store *w = &s->walls;
-    double weight = sph2d__lanes_total(sums->weight), gx = 0, gy = 0;
-    bool wet = weight > 1e-12;
+    double weight = sums->weight[l], gx = 0, gy = 0;
+    bool wet = weight > 1e-12 && w->bounce[b] < 0;
     double share = wet ? 1 / weight : 0;
     sph2d__body_add(&s->body, w->x[b], w->y[b], w->vx[b], w->vy[b], &gx, &gy);
     gx -= w->ax[b];
     gy -= w->ay[b];
-    double pressure = share * (sph2d__lanes_total(sums->pressure) + gx * sph2d__lanes_total(sums->weight_x) +
-                               gy * sph2d__lanes_total(sums->weight_y));
+    double pressure =
+        share * ((double)sums->pressure[l] + gx * (double)sums->weight_x[l] + gy * (double)sums->weight_y[l]);
     w->pressure[b] = pressure;
     w->density[b] = sph2d__density_of(s, pressure);
     w->volume[b] = w->mass[b] / w->density[b];
-    double vx = wet ? share * sph2d__lanes_total(sums->vx) : w->vx[b];
-    double vy = wet ? share * sph2d__lanes_total(sums->vy) : w->vy[b];
+    double vx = wet ? share * (double)sums->vx[l] : w->vx[b];
+    double vy = wet ? share * (double)sums->vy[l] : w->vy[b];
     set_image(w, b, vx, vy, s->wall_slip == SPH2D_SLIP_NONE);
 }
 
 SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     const sph2d__packed f = sph2d__packed_of(s, &s->fluid, false);
-    sph2d__store *w = &s->walls;
+    const sph2d__grouping by = sph2d__grouping_of(&s->walls, &s->wall_cells, &s->fluid_cells);
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support), from = (sph2d__real)f.from;
-    sph2d__cursor cursor = SPH2D__CURSOR_START;
-    for (size_t b = first; b < last; ++b) {
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
         wall_sums sums = {0};
-        if (w->bounce[b] < 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, w->x[b], w->y[b]))
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left) {
-                sph2d__lanes dx = (sph2d__real)(w->x[b] + cursor.ranges.x[r]) - sph2d__lanes_load(f.x + j);
-                sph2d__lanes dy = (sph2d__real)(w->y[b] + cursor.ranges.y[r]) - sph2d__lanes_load(f.y + j);
+        sph2d__ranges ranges = {0};
+        sph2d__group_near(&by, &g, &ranges);
+        for (int r = 0; r < ranges.count; ++r) {
+            place at = place_of(&s->walls, &g, &ranges, r);
+            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+                sph2d__lanes dx = at.x - f.x[j], dy = at.y - f.y[j];
                 sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * inverse_support;
-                sph2d__lanes weight = sph2d__lanes_first(sph2d__kernel_value(kernel, q), left);
-                sph2d__lanes heavy = weight * (from + sph2d__lanes_load(f.density + j));
+                sph2d__lanes weight = sph2d__kernel_value(kernel, q), heavy = weight * (from + f.density[j]);
                 sums.weight += weight;
-                sums.pressure += weight * sph2d__lanes_load(f.pressure + j);
+                sums.pressure += weight * f.pressure[j];
                 sums.weight_x += heavy * dx;
                 sums.weight_y += heavy * dy;
-                sums.vx += weight * sph2d__lanes_load(f.vx + j);
-                sums.vy += weight * sph2d__lanes_load(f.vy + j);
+                sums.vx += weight * f.vx[j];
+                sums.vy += weight * f.vy[j];
             }
-        finish_wall(s, b, &sums);
+        }
+        const wall_sums done = sums;
+        for (int l = 0; l < g.count; ++l)
+            finish_wall(s, g.first + (size_t)l, &done, l);
     }
 }
 

@@ -192,12 +192,13 @@ typedef struct stretch {
     double offset;
 } stretch;
 
-/** The rows or columns up to `reach` away from `middle`, in one stretch or, at an end of the period, two. Returns the
- * number. */
-static int stretches(uint32_t middle, uint32_t reach, uint32_t all, double period, stretch out[2])
+/** The rows or columns from `reach` before `first` to `reach` behind `last`, in one stretch or, at an end of the
+ * period, two. Returns the number. */
+static int stretches(uint32_t first, uint32_t last, uint32_t reach, uint32_t all, double period, stretch out[2])
 {
     uint32_t low = RIM * reach, high = all - low; /* the columns of the period */
-    uint32_t first = middle - reach, count = 2 * reach + 1;
+    uint32_t count = last - first + 2 * reach + 1;
+    first -= reach;
     out[0] = (stretch){first, count, 0};
     if (!(period > 0))
         return 1;
@@ -247,11 +248,11 @@ static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, 
     }
 }
 
-static void add_rows(sph2d__ranges *to, const sph2d__cells *cells, uint32_t cell, bool cut)
+void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool cut, sph2d__ranges *to)
 {
     stretch columns[2], rows[2];
-    int column_count = stretches(cell % cells->nx, cells->columns, cells->nx, cells->period.length_x, columns);
-    int row_count = stretches(cell / cells->nx, 1, cells->ny, cells->period.length_y, rows);
+    int column_count = stretches(p->left, p->right, cells->columns, cells->nx, cells->period.length_x, columns);
+    int row_count = stretches(p->bottom, p->top, 1, cells->ny, cells->period.length_y, rows);
     to->count = 0;
     for (int b = 0; b < row_count; ++b)
         for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
@@ -259,12 +260,21 @@ static void add_rows(sph2d__ranges *to, const sph2d__cells *cells, uint32_t cell
                 add_row(to, cells, row, columns[a], rows[b].offset, cut);
 }
 
+/** The patch of one cell. */
+static sph2d__patch patch_of(const sph2d__cells *cells, uint32_t cell)
+{
+    uint32_t row = cell / cells->nx, column = cell - row * cells->nx;
+    return (sph2d__patch){column, column, row, row};
+}
+
 void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
-    add_rows(to, cells, cell, false);
+    sph2d__patch patch = patch_of(cells, cell);
+    sph2d__cells_around(cells, &patch, false, to);
 }
 
 void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
-    add_rows(to, cells, cell, true);
+    sph2d__patch patch = patch_of(cells, cell);
+    sph2d__cells_around(cells, &patch, true, to);
 }

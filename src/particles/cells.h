@@ -42,8 +42,8 @@ typedef struct sph2d__cells {
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
-/** The most ranges that there are: three rows, cut in two by the end of a period and again by that of a tile. */
-enum { SPH2D__RANGES = 12 };
+/** The most ranges that there are: four rows, cut in two by the end of a period and each again by that of a tile. */
+enum { SPH2D__RANGES = 16 };
 
 /** The neighbours' ranges around a place: particles begin[r] to end[r] - 1 for r < count. A particle in range r is at a
  *  distance of (x[r], y[r]) more than the coordinates say: their images are the ones that are near. */
@@ -124,6 +124,32 @@ static inline void sph2d__cells_tiled_ranges(const sph2d__cells *cells, uint32_t
     }
     to->count = count;
 }
+
+/** Some cells side by side: columns `left` to `right`, rows `bottom` to `top`, both included. */
+typedef struct sph2d__patch {
+    uint32_t left, right, bottom, top;
+} sph2d__patch;
+
+/** The cells that a box touches, as far as those around them lie in the grid. False when no particle is within the
+ *  support radius of the box. A place beyond a period must be wrapped before. */
+static inline bool sph2d__cells_patch(const sph2d__cells *cells, double low_x, double low_y, double high_x,
+                                      double high_y, sph2d__patch *to)
+{
+    double reach = cells->columns, last_x = cells->nx - reach - 1, last_y = cells->ny - 2.0;
+    double left = (low_x - cells->origin_x) * cells->inverse_x, right = (high_x - cells->origin_x) * cells->inverse_x;
+    double bottom = (low_y - cells->origin_y) * cells->inverse_y, top = (high_y - cells->origin_y) * cells->inverse_y;
+    if (!(right >= reach && top >= 1 && left < last_x + 1 && bottom < last_y + 1))
+        return false;
+    to->left = (uint32_t)(left > reach ? left : reach);
+    to->right = (uint32_t)(right < last_x ? right : last_x);
+    to->bottom = (uint32_t)(bottom > 1 ? bottom : 1);
+    to->top = (uint32_t)(top < last_y ? top : last_y);
+    return true;
+}
+
+/** The ranges of the cells of a patch and those around it; `cut`: each in one tile, with ways from its corner. The
+ *  patch with what is around it must not be wider or higher than a period, nor higher than four rows. */
+void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *patch, bool cut, sph2d__ranges *to);
 
 /** Runs the statement behind it for each particle `j` in the ranges, `r` being the number of its range. */
 #define SPH2D__FOR_NEIGHBOURS(ranges, r, j)                                                                            \
