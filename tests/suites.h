@@ -22,6 +22,7 @@
     X(muller)                                                                                                          \
     X(wcsph)                                                                                                           \
     X(mixed)                                                                                                           \
+    X(terms)                                                                                                           \
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \

@@ -163,7 +163,7 @@ static unsigned sides(sph2d_vec2 p)
 {
     unsigned bits = 0;
     for (size_t i = 0; i < barrier.count; ++i)
-        bits |= (unsigned)(turn(barrier.segments[i].a, barrier.segments[i].b, p) > 0) << i;
+        bits |= (unsigned)(turn(barrier.segments[i].ends.a, barrier.segments[i].ends.b, p) > 0) << i;
     return bits;
 }
 

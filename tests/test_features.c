@@ -207,6 +207,15 @@ static void set_delta(stage *s)
     s->scene.method.density_diffusion = 0.05;
 }
 
+static void set_fourtakas(stage *s)
+{
+    s->scene.method.diffusion_form = SPH2D_DIFFUSION_FOURTAKAS;
+    if (s->scene.method.name == SPH2D_METHOD_WCSPH && s->scene.method.operators == SPH2D_OPERATORS_SYMMETRIC) {
+        s->scene.method.shifting = 0;
+        s->scene.method.tensile_control = SPH2D_SWITCH_OFF;
+    }
+}
+
 static void set_shifting(stage *s)
 {
     s->scene.method.shifting = 0.5;
@@ -277,6 +286,7 @@ static const struct feature {
     {"method.viscosity_form", WCSPH, set_monaghan},
     {"method.artificial_viscosity", WCSPH, set_alpha},
     {"method.density_diffusion", WCSPH | FITTED, set_delta},
+    {"method.diffusion_form", WCSPH, set_fourtakas},
     {"method.shifting", WCSPH | FITTED, set_shifting},
     {"method.tensile_control", WCSPH, set_tensile},
     {"method.damping", CONSTRAINT, set_damping},

@@ -129,6 +129,14 @@ typedef enum sph2d_viscosity_form {
     SPH2D_VISCOSITY_MONAGHAN = 1 /**< Monaghan & Gingold 1983: keeps angular momentum too */
 } sph2d_viscosity_form;
 
+/** What density diffuses down in delta-SPH. */
+typedef enum sph2d_diffusion_form {
+    SPH2D_DIFFUSION_ANTUONO = 0,  /**< density less what its gradients around say (Antuono et al. 2010): exact wherever
+                                       density is linear, at the price of the gradients */
+    SPH2D_DIFFUSION_FOURTAKAS = 1 /**< density less that of a liquid at rest (Fourtakas et al. 2019): at rest in gravity
+                                       and in a central force; the cheapest. No shifting, no tensile control */
+} sph2d_diffusion_form;
+
 /** The area of a block or drain. */
 typedef enum sph2d_shape_kind {
     SPH2D_SHAPE_NONE = 0,
@@ -200,6 +208,7 @@ typedef struct sph2d_method_options {
     sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators; default morris */
     double density_diffusion;            /**< wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where
                                               h = H/2 is the smoothing length; default 0.1 */
+    sph2d_diffusion_form diffusion_form; /**< wcsph, symmetric operators; default antuono */
     double artificial_viscosity;         /**< wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the
                                               kinematic viscosity alpha h c0 / 8; default 0 */
     double shifting;                     /**< wcsph: strength of particle shifting over the standard one, 0 to 2;

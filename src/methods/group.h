@@ -143,6 +143,9 @@ SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double way)
 #endif
 }
 
+/** Runs the statement behind it for each lane that has a particle. */
+#define SPH2D__FOR_LANES(g, l) for (int l = 0; l < SPH2D__LANES && l < (g).count; ++l)
+
 /** Runs the statement behind it for each group `g` of particles `from` to `last` - 1. */
 #define SPH2D__FOR_GROUPS(by, g, from, last)                                                                           \
     for (size_t at_##g = (from); at_##g < (last);)                                                                     \

@@ -31,6 +31,8 @@ typedef struct sph2d__method {
     sph2d__integrator integrator;
     sph2d__set fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
     sph2d__set walls;          /**< the arrays of the boundary particles' store */
+    /** Those of the fluid's arrays that a scene's options do without; NULL: none. */
+    sph2d__set (*unused)(const sph2d_method_options *options);
     /** Sets what follows from the scene's numbers and the walls. */
     void (*prepare)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The

@@ -5,42 +5,53 @@
 
 #include "methods/slabs.h"
 
-static void pack_place(sph2d__store *t, const sph2d__cells *cells, size_t i)
+/** Copies values `first` to `last` - 1, less what they are relative to. */
+static void pack(float *restrict to, const double *restrict from, double relative_to, size_t first, size_t last)
 {
-    uint32_t cell = cells->cell[cells->order[i]];
-    sph2d__floats(t, t->packed_place, 0)[i] = (float)(t->x[i] - sph2d__tile_x(cells, cell % cells->nx));
-    sph2d__floats(t, t->packed_place, 1)[i] = (float)(t->y[i] - sph2d__tile_y(cells, cell / cells->nx));
+    if (to && from)
+        for (size_t i = first; i < last; ++i)
+            to[i] = (float)(from[i] - relative_to);
 }
 
-static void pack_state(sph2d__store *t, double rest_density, const double *vx, const double *vy, const double *last,
-                       size_t i)
+/** Copies places, tile after tile. */
+static void pack_places(const sph2d__store *t, const sph2d__cells *cells, size_t first, size_t last)
 {
-    sph2d__floats(t, t->packed_velocity, 0)[i] = (float)vx[i];
-    sph2d__floats(t, t->packed_velocity, 1)[i] = (float)vy[i];
-    sph2d__floats(t, t->packed_state, 0)[i] = (float)(t->density[i] - rest_density);
-    sph2d__floats(t, t->packed_state, 1)[i] = (float)t->pressure[i];
-    sph2d__floats(t, t->packed_rest, 0)[i] = (float)t->volume[i];
-    sph2d__floats(t, t->packed_rest, 1)[i] = (float)last[i];
+    while (first < last) {
+        uint32_t cell = cells->cell[cells->order[first]], row = cell / cells->nx, column = cell - row * cells->nx;
+        uint32_t next = (column / SPH2D__TILE + 1) * SPH2D__TILE;
+        size_t end = cells->start[(size_t)row * cells->nx + (next < cells->nx ? next : cells->nx)];
+        end = end < last ? end : last;
+        pack(sph2d__floats(t, t->packed_place, 0), t->x, sph2d__tile_x(cells, column), first, end);
+        pack(sph2d__floats(t, t->packed_place, 1), t->y, sph2d__tile_y(cells, row), first, end);
+        first = end;
+    }
+}
+
+static void pack_state(const sph2d__store *t, double rest_density, const double *vx, const double *vy,
+                       const double *last_array, size_t first, size_t last)
+{
+    pack(sph2d__floats(t, t->packed_velocity, 0), vx, 0, first, last);
+    pack(sph2d__floats(t, t->packed_velocity, 1), vy, 0, first, last);
+    pack(sph2d__floats(t, t->packed_state, 0), t->density, rest_density, first, last);
+    pack(sph2d__floats(t, t->packed_state, 1), t->pressure, 0, first, last);
+    pack(sph2d__floats(t, t->packed_rest, 0), t->volume, 0, first, last);
+    pack(sph2d__floats(t, t->packed_rest, 1), last_array, 0, first, last);
 }
 
 static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
-        pack_place(f, &s->fluid_cells, i);
-        pack_state(f, s->rest_density, f->vx, f->vy, f->fullness, i);
-        sph2d__floats(f, f->packed_slope, 0)[i] = (float)f->slope_x[i];
-        sph2d__floats(f, f->packed_slope, 1)[i] = (float)f->slope_y[i];
-    }
+    pack_places(f, &s->fluid_cells, first, last);
+    pack_state(f, s->rest_density, f->vx, f->vy, f->fullness, first, last);
+    pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x ? f->slope_x : f->excess, 0, first, last);
+    pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
 }
 
 static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *w = &s->walls;
-    for (size_t i = first; i < last; ++i) {
-        pack_place(w, &s->wall_cells, i);
-        pack_state(w, s->rest_density, w->image_vx, w->image_vy, w->mass, i);
-    }
+    pack_places(w, &s->wall_cells, first, last);
+    pack_state(w, s->rest_density, w->image_vx, w->image_vy, w->mass, first, last);
 }
 
 void sph2d__pack_fluid(sph2d__system *s)

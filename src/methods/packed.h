@@ -13,7 +13,7 @@
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
-    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness;
+    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -36,6 +36,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .pressure = sph2d__floats(t, t->packed_state, 1),
                            .slope_x = sph2d__floats(t, t->packed_slope, 0),
                            .slope_y = sph2d__floats(t, t->packed_slope, 1),
+                           .excess = sph2d__floats(t, t->packed_slope, 0), /* there are no slopes then */
                            .volume = sph2d__floats(t, t->packed_rest, 0),
                            .fullness = sph2d__floats(t, t->packed_rest, 1),
                            .mass = sph2d__floats(t, t->packed_rest, 1), /* of walls, which are not full of anything */
@@ -56,6 +57,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->slope_x,
                            t->slope_y,
                            t->fullness,
+                           t->excess,
                            0};
 }
 #endif

@@ -55,30 +55,48 @@ static double limiting_viscosity(const sph2d__system *s)
     return MONAGHAN * artificial + (s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN ? MONAGHAN : 1) * liquid;
 }
 
-static void set_volumes(sph2d__system *s)
+/** Work of gravity and the central force from (x, y) to the domain's corner, over rho0/c0^2 the density of a liquid at
+ * rest there [m^2/s^2]. None in periodic directions. */
+static double work_from(const sph2d__system *s, double x, double y)
 {
-    sph2d__store *f = &s->fluid;
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < f->count; ++i)
-        f->volume[i] = s->mass / f->density[i];
+    const sph2d__period *p = &s->fluid_cells.period;
+    const sph2d__body *b = &s->body;
+    double gx = p->length_x > 0 ? 0 : b->gravity_x, gy = p->length_y > 0 ? 0 : b->gravity_y;
+    double rx = x - b->center_x, ry = y - b->center_y;
+    return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry);
 }
 
-/** Fills the walls with what the liquid in front of them says. */
-static void fill_walls(sph2d__system *s)
+/** Volumes of particles, and what of their densities diffuses. */
+static void set_some_volumes(sph2d__system *s, size_t first, size_t last)
 {
-    if (!s->walls_press)
-        return;
-    RUN(wall, s, &s->walls);
-    sph2d__pack_walls(s);
+    sph2d__store *f = &s->fluid;
+    double c2 = s->sound_speed * s->sound_speed;
+    for (size_t i = first; i < last; ++i)
+        f->volume[i] = s->mass / f->density[i];
+    if (f->has & SPH2D__BIT(excess))
+        for (size_t i = first; i < last; ++i)
+            f->excess[i] = f->density[i] - s->rest_density * (1 + work_from(s, f->x[i], f->y[i]) / c2);
+}
+
+/** Volumes and pressures of particles. */
+static void set_some_pressures(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        f->volume[i] = s->mass / f->density[i];
+        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
+    }
 }
 
 static void density_rate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
-    set_volumes(s);
+    sph2d__over_particles(s, s->fluid.count, set_some_volumes);
     sph2d__pack_fluid(s);
-    fill_walls(s);
+    if (s->walls_press) {
+        RUN(image, s, &s->walls);
+        sph2d__pack_walls(s);
+    }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     RUN(rate, s, &s->fluid);
     sph2d__profile_enter(&s->profile, before);
@@ -87,10 +105,12 @@ static void density_rate(sph2d__system *s)
 static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
-    set_volumes(s);
-    sph2d__state_equation_apply(s, &s->fluid);
+    sph2d__over_particles(s, s->fluid.count, set_some_pressures);
     sph2d__pack_fluid(s);
-    fill_walls(s);
+    if (s->walls_press) {
+        RUN(wall, s, &s->walls);
+        sph2d__pack_walls(s);
+    }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     RUN(force, s, &s->fluid);
     sph2d__tension_add(s);
@@ -104,13 +124,24 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), VISCOUS, FORCE, limit);
 }
 
+static sph2d__set unused(const sph2d_method_options *m)
+{
+    sph2d__layout layout = sph2d__wcsph_layout(m);
+    sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
+    sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface), crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y);
+    bool diffuses = m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
+    return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
+           (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (diffuses ? 0 : excess);
+}
+
 const sph2d__method sph2d__wcsph = {
     .name = "wcsph",
     .integrator = SPH2D__MIDPOINT,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
-             SPH2D__BIT(fullness) | SPH2D__BIT(surface),
+             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess),
+    .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
                SPH2D__BIT(surface),

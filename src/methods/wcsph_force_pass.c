@@ -17,18 +17,10 @@ typedef struct force_sums {
     sph2d__lanes crowd_x, crowd_y;
 } force_sums;
 
-/** How much is learnt of a particle's neighbourhood: each includes the one before. */
-typedef enum layout {
-    BARE,    /**< nothing */
-    SLOPED,  /**< the slope of density, for its diffusion */
-    FULL,    /**< how far it is filled, for tensile control */
-    CROWDED, /**< where it is crowded, for shifting */
-} layout;
-
 /** The terms of a scene, constants in each copy of the loops. */
 typedef struct terms {
     sph2d_kernel kernel;
-    layout layout;
+    sph2d__layout layout;
     bool morris, monaghan; /**< either form of viscosity acts */
 } terms;
 
@@ -38,7 +30,7 @@ typedef struct numbers {
     sph2d__real inverse_mass;
     sph2d__real near;        /**< 1/f(dx/H) */
     double morris, monaghan; /**< dynamic viscosity of each form [Pa s] */
-    bool sticky;             /**< walls are rough */
+    sph2d__real sticky;      /**< 1 where walls are rough, else 0 */
 } numbers;
 
 /* In place of 0 where it is divided by. */
@@ -57,7 +49,7 @@ typedef struct receiver {
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
 SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg)
 {
-    if (with.layout >= CROWDED) {
+    if (with.layout >= SPH2D__LAYOUT_CROWDED) {
         sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
         near *= near;
         sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
@@ -69,67 +61,64 @@ SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, co
     sums->yy += vg * p->dy * p->dy;
 }
 
-/** Adds the viscosity of a candidate of velocity (vx, vy). */
-SPH2D__INLINE void add_viscosity(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__lanes vg,
-                                 sph2d__real vx, sph2d__real vy)
+/** Adds what acts along the line to a candidate: pressure, and Monaghan's viscosity. The candidate's mass is `ratio`
+ * times that of the liquid's particles, `theirs` its p V^2 over that, (dvx, dvy) the difference of velocities. Pressure
+ * of their own is in the sums already where nothing but these can turn it round. */
+SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
+                             sph2d__real theirs, sph2d__lanes resistance, sph2d__lanes dvx, sph2d__lanes dvy)
 {
-    sph2d__lanes dvx = me->vx - vx, dvy = me->vy - vy;
-    if (with.morris) {
-        sums->morris_x += vg * dvx;
-        sums->morris_y += vg * dvy;
+    sph2d__lanes stress = sph2d__lanes_all(theirs);
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
+        sph2d__lanes plain = p->g * ratio;
+        sums->plain_x += plain * p->dx;
+        sums->plain_y += plain * p->dy;
+    } else {
+        stress += me->own * ratio;
     }
     if (with.monaghan) {
         sph2d__lanes tiny = sph2d__lanes_all(TINY);
-        sph2d__lanes along = (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny) * (me->damping * vg);
-        sums->press_x += along * p->dx;
-        sums->press_y += along * p->dy;
+        stress += (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny) * resistance;
     }
+    sph2d__lanes press = p->g * stress;
+    sums->press_x += press * p->dx;
+    sums->press_y += press * p->dy;
 }
 
-/** Adds the pressure of a candidate whose mass is `ratio` times that of the liquid's particles. The own part of the
- * pair is known beforehand where nothing but the sums can turn it round. */
-SPH2D__INLINE void add_pressure(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
-                                sph2d__real theirs)
+/** Adds Morris' viscosity. */
+SPH2D__INLINE void add_morris(force_sums *sums, sph2d__lanes vg, sph2d__lanes dvx, sph2d__lanes dvy)
 {
-    if (with.layout >= FULL) {
-        sph2d__lanes plain = p->g * ratio, press = p->g * theirs;
-        sums->plain_x += plain * p->dx;
-        sums->plain_y += plain * p->dy;
-        sums->press_x += press * p->dx;
-        sums->press_y += press * p->dy;
-    } else {
-        sph2d__lanes press = p->g * (me->own * ratio + theirs);
-        sums->press_x += press * p->dx;
-        sums->press_y += press * p->dy;
-    }
+    sums->morris_x += vg * dvx;
+    sums->morris_y += vg * dvy;
 }
 
 SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
                               const sph2d__packed *f, size_t j)
 {
     const sph2d__real volume = f->volume[j];
-    sph2d__lanes vg = volume * p->g;
-    add_pressure(sums, with, me, p, 1, f->pressure[j] * volume * volume);
-    if (with.morris || with.monaghan)
-        add_viscosity(sums, with, me, p, vg, f->vx[j], f->vy[j]);
-    if (with.layout >= SLOPED) {
+    sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
+    add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, me->damping * volume, dvx, dvy);
+    if (with.morris)
+        add_morris(sums, p->g * volume, dvx, dvy);
+    if (with.layout >= SPH2D__LAYOUT_SLOPED) {
+        sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
         add_layout(sums, with, n, p, vg);
-        sph2d__lanes drho = f->density[j] - me->density;
         sums->slope_x += vg * p->dx * drho;
         sums->slope_y += vg * p->dy * drho;
     }
 }
 
-/** Boundary particles have masses of their own. */
+/** Boundary particles have masses of their own; smooth ones have no viscosity. */
 SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
                             const sph2d__packed *w, size_t j)
 {
-    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass;
-    add_pressure(sums, with, me, p, ratio, ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0);
-    if (with.layout >= FULL)
-        add_layout(sums, with, n, p, volume * p->g);
-    if (n->sticky)
-        add_viscosity(sums, with, me, p, volume * p->g, w->vx[j], w->vy[j]);
+    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass, sticky = n->sticky;
+    const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
+    sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
+    add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky), dvx, dvy);
+    if (with.morris)
+        add_morris(sums, p->g * (volume * sticky), dvx, dvy);
+    if (with.layout >= SPH2D__LAYOUT_FULL)
+        add_layout(sums, with, n, p, p->g * volume);
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
@@ -177,7 +166,7 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
 {
     double scale = slope_scale(s), press = -scale / s->mass;
     double x = sums->press_x[l], y = sums->press_y[l];
-    if (with.layout >= FULL) {
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
         x += own * (double)sums->plain_x[l];
         y += own * (double)sums->plain_y[l];
     }
@@ -209,15 +198,15 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
 {
     sph2d__store *f = &s->fluid;
     double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
-    if (with.layout >= SLOPED)
+    if (with.layout >= SPH2D__LAYOUT_SLOPED)
         finish_slope(f, i, liquid, l);
-    if (with.layout >= FULL) {
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
         double scale = slope_scale(s), fullness = fullness_of(sums, l, scale);
         bool inside = fullness > BULK && f->surface[i] >= s->support;
         f->fullness[i] = fullness;
         if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
             own = -own;
-        if (with.layout >= CROWDED)
+        if (with.layout >= SPH2D__LAYOUT_CROWDED)
             finish_crowd(s, i, sums, l, fullness, scale);
     }
     add_sums(s, sums, l, with, n, own, f->density[i], &ax, &ay);
@@ -248,8 +237,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
     const numbers n = numbers_of(s);
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
         receiver me = {sph2d__lanes_load(liquid.vx + g.first), sph2d__lanes_load(liquid.vy + g.first),
                        sph2d__lanes_load(liquid.density + g.first),
@@ -268,7 +256,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         const force_sums beside = sums; /* the sums themselves can then stay in registers */
         add_walls(s, &by, &g, &sums, with, &n, &me, &walls);
         const force_sums all = sums;
-        for (int l = 0; l < g.count; ++l)
+        SPH2D__FOR_LANES (g, l)
             finish(s, g.first + (size_t)l, &all, &beside, l, with, &n);
     }
 }
@@ -293,14 +281,20 @@ SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t las
 
 SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
-    if (s->method.shifting > 0)
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = CROWDED});
-    else if (s->method.tensile_control == SPH2D_SWITCH_ON)
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = FULL});
-    else if (s->method.density_diffusion > 0)
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SLOPED});
-    else
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = BARE});
+    switch (sph2d__wcsph_layout(&s->method)) {
+    case SPH2D__LAYOUT_BARE:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_BARE});
+        break;
+    case SPH2D__LAYOUT_SLOPED:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_SLOPED});
+        break;
+    case SPH2D__LAYOUT_FULL:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_FULL});
+        break;
+    case SPH2D__LAYOUT_CROWDED:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_CROWDED});
+        break;
+    }
 }
 
 #define FOR_KERNEL(name, kernel)                                                                                       \

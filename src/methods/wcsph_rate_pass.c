@@ -15,34 +15,44 @@ static const double SURFACE = 0.6;
  * a wall with a million times the energy of a drop that fell. */
 static const double FITTED = 0.75;
 
-/** The particles of a group that meet a candidate. */
+/** What diffuses. */
+typedef enum diffusion {
+    NOTHING,
+    FIT,   /**< density less what its slopes explain */
+    EXCESS /**< density less that of a liquid at rest */
+} diffusion;
+
+/** The particles of a group that meet a candidate. `density` is the one that diffuses. */
 typedef struct receiver {
     sph2d__lanes vx, vy, density, slope_x, slope_y;
 } receiver;
 
 /** What is summed for the rate of density, and for the way of a shifted particle. */
 typedef struct rate_sums {
-    sph2d__lanes flux, smooth;
+    sph2d__lanes flux;           /* of mass, with what diffuses */
     sph2d__lanes xx, xy, yy;     /* M without its constant */
     sph2d__lanes ux, uy, vx, vy; /* velocity differences times grad W */
     sph2d__lanes nearest2;       /* squared distance to the surface */
 } rate_sums;
 
-/** v_ij . r_ij g. */
-SPH2D__INLINE sph2d__lanes flux_of(const pair *p, const receiver *me, const sph2d__packed *from, size_t j)
+/** v_ij . r_ij. */
+SPH2D__INLINE sph2d__lanes approach_of(const pair *p, const receiver *me, const sph2d__packed *from, size_t j)
 {
-    return p->g * ((me->vx - from->vx[j]) * p->dx + (me->vy - from->vy[j]) * p->dy);
+    return (me->vx - from->vx[j]) * p->dx + (me->vy - from->vy[j]) * p->dy;
 }
 
-/** Adds the diffusion of density. */
-SPH2D__INLINE void add_diffusion(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
+/** What stands for v_ij . r_ij by the diffusion of density: `strength` times V_j psi. */
+SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, const pair *p, const receiver *me,
+                                        const sph2d__packed *f, size_t j)
 {
+    if (form == EXCESS)
+        return (me->density - f->excess[j]) * (strength * f->volume[j]);
     const sph2d__real half = 0.5;
     sph2d__lanes linear = (me->slope_x + f->slope_x[j]) * p->dx + (me->slope_y + f->slope_y[j]) * p->dy;
-    sums->smooth += p->g * f->volume[j] * (me->density - f->density[j] - half * linear);
+    return (me->density - f->density[j] - half * linear) * (strength * f->volume[j]);
 }
 
-/** Adds what a shifted particle needs: velocity differences around it, and where the surface is. */
+/** Adds what a shifted particle needs: velocity differences around it. */
 SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
 {
     sph2d__lanes vg = p->g * f->volume[j];
@@ -55,6 +65,11 @@ SPH2D__INLINE void add_way(rate_sums *sums, const pair *p, const receiver *me, c
     sums->uy += gy * dvx;
     sums->vx += gx * dvy;
     sums->vy += gy * dvy;
+}
+
+/** Looks whether a candidate is the nearest of the free surface. */
+SPH2D__INLINE void look_for_surface(rate_sums *sums, const pair *p, const sph2d__packed *f, size_t j)
+{
     if (f->fullness[j] < SURFACE)
         sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -p->r2);
 }
@@ -74,6 +89,12 @@ SPH2D__INLINE void finish_way(sph2d__system *s, size_t i, const rate_sums *sums,
     f->old_ax[i] = w.x * ux + w.y * uy;
     f->old_ay[i] = w.x * vx + w.y * vy;
     f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
+}
+
+/** Distance to the surface. */
+SPH2D__INLINE void finish_surface(sph2d__system *s, size_t i, const rate_sums *sums, int l)
+{
+    sph2d__store *f = &s->fluid;
     bool far = sums->nearest2[l] >= (sph2d__real)(s->support * s->support);
     double surface = far ? s->support : sqrt(sums->nearest2[l]);
     f->surface[i] = f->fullness[i] < SURFACE ? 0 : surface;
@@ -92,38 +113,45 @@ SPH2D__INLINE sph2d__lanes wall_flux(const sph2d__system *s, sph2d_kernel kernel
         place at = place_of(&s->fluid, g, &ranges, r);
         for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
-            flux += flux_of(&p, me, walls, j) * walls->mass[j];
+            flux += approach_of(&p, me, walls, j) * p.g * walls->mass[j];
         }
     }
     return flux;
 }
 
-/** The rates that the sums of all lanes stand for. */
-SPH2D__INLINE void total_rates(const sph2d__system *s, sph2d__lanes wall_flux, const rate_sums *sums, bool diffuse,
-                               double out[SPH2D__LANES])
+/** The receivers of a group. */
+SPH2D__INLINE receiver receiver_of(const sph2d__packed *f, size_t first, diffusion form)
 {
-    double scale = slope_scale(s), spread = s->method.density_diffusion * s->support * s->sound_speed;
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        double smooth = diffuse ? spread * (double)sums->smooth[l] : 0;
-        out[l] = scale * (s->mass * (double)sums->flux[l] + smooth + (double)wall_flux[l]);
+    receiver me = {.vx = sph2d__lanes_load(f->vx + first), .vy = sph2d__lanes_load(f->vy + first)};
+    if (form == EXCESS)
+        me.density = sph2d__lanes_load(f->excess + first);
+    if (form == FIT) {
+        me.density = sph2d__lanes_load(f->density + first);
+        me.slope_x = sph2d__lanes_load(f->slope_x + first);
+        me.slope_y = sph2d__lanes_load(f->slope_y + first);
     }
+    return me;
 }
 
-SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, bool diffuse,
-                                     bool way)
+/** The rates that the sums of all lanes stand for. */
+SPH2D__INLINE void total_rates(const sph2d__system *s, sph2d__lanes wall_flux, const rate_sums *sums,
+                               double out[SPH2D__LANES])
+{
+    double scale = slope_scale(s), mass = s->mass;
+    for (int l = 0; l < SPH2D__LANES; ++l)
+        out[l] = scale * (mass * (double)sums->flux[l] + (double)wall_flux[l]);
+}
+
+SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, diffusion form,
+                                     sph2d__layout layout)
 {
     sph2d__store *f = &s->fluid;
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
-        receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first), .vy = sph2d__lanes_load(liquid.vy + g.first)};
-        if (diffuse) {
-            me.density = sph2d__lanes_load(liquid.density + g.first);
-            me.slope_x = sph2d__lanes_load(liquid.slope_x + g.first);
-            me.slope_y = sph2d__lanes_load(liquid.slope_y + g.first);
-        }
+    const sph2d__real strength = (sph2d__real)(s->method.density_diffusion * s->support * s->sound_speed / s->mass);
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
+        const receiver me = receiver_of(&liquid, g.first, form);
         rate_sums sums = {.nearest2 = sph2d__lanes_all(s->support * s->support)};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
@@ -131,37 +159,51 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
             place at = place_of(f, &g, &ranges, r);
             for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
                 pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
-                sums.flux += flux_of(&p, &me, &liquid, j);
-                if (diffuse)
-                    add_diffusion(&sums, &p, &me, &liquid, j);
-                if (way)
+                sph2d__lanes approach = approach_of(&p, &me, &liquid, j);
+                if (form != NOTHING)
+                    approach += diffusion_of(form, strength, &p, &me, &liquid, j);
+                sums.flux += p.g * approach;
+                if (layout >= SPH2D__LAYOUT_CROWDED)
                     add_way(&sums, &p, &me, &liquid, j);
+                if (layout >= SPH2D__LAYOUT_FULL)
+                    look_for_surface(&sums, &p, &liquid, j);
             }
         }
         const rate_sums done = sums; /* the sums themselves can then stay in registers */
         double rates[SPH2D__LANES];
-        total_rates(s, wall_flux(s, kernel, &by, &g, &me, &walls), &done, diffuse, rates);
-        for (int l = 0; l < g.count; ++l) {
+        total_rates(s, wall_flux(s, kernel, &by, &g, &me, &walls), &done, rates);
+        SPH2D__FOR_LANES (g, l) {
             f->density_rate[g.first + (size_t)l] = rates[l];
-            if (way)
+            if (layout >= SPH2D__LAYOUT_CROWDED)
                 finish_way(s, g.first + (size_t)l, &done, l);
+            if (layout >= SPH2D__LAYOUT_FULL)
+                finish_surface(s, g.first + (size_t)l, &done, l);
         }
     }
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
+/** The copy of the loops that has the scene's terms and no others. */
+SPH2D__INLINE void rate_by_terms(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+{
+    sph2d__layout layout = sph2d__wcsph_layout(&s->method);
+    if (layout == SPH2D__LAYOUT_CROWDED)
+        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_CROWDED);
+    else if (layout == SPH2D__LAYOUT_FULL)
+        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_FULL);
+    else if (!(s->method.density_diffusion > 0))
+        density_rate_with(s, first, last, kernel, NOTHING, SPH2D__LAYOUT_BARE);
+    else if (s->method.diffusion_form == SPH2D_DIFFUSION_FOURTAKAS)
+        density_rate_with(s, first, last, kernel, EXCESS, SPH2D__LAYOUT_BARE);
+    else
+        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_BARE);
+}
+
 #define FOR_KERNEL(name, kernel)                                                                                       \
     static void rate_##name(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        bool diffuse = s->method.density_diffusion > 0;                                                                \
-        bool way = s->method.shifting > 0 || s->method.tensile_control == SPH2D_SWITCH_ON;                             \
-        if (way)                                                                                                       \
-            density_rate_with(s, first, last, kernel, true, true);                                                     \
-        else if (diffuse)                                                                                              \
-            density_rate_with(s, first, last, kernel, true, false);                                                    \
-        else                                                                                                           \
-            density_rate_with(s, first, last, kernel, false, false);                                                   \
+        rate_by_terms(s, first, last, kernel);                                                                         \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)

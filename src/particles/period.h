@@ -5,6 +5,7 @@
 #define SPH2D_PARTICLES_PERIOD_H
 
 #include <math.h>
+#include <stdbool.h>
 
 /** Lower end and length of the period in each direction [m]; length 0: not periodic. */
 typedef struct sph2d__period {
@@ -19,6 +20,13 @@ static inline double sph2d__period_wrap(double x, double low, double length)
         return x;
     double wrapped = x - length * floor((x - low) / length);
     return wrapped >= low && wrapped < low + length ? wrapped : low; /* rounding may land on an end, or beside it */
+}
+
+/** Whether a place is within the period, in each direction that has one. */
+static inline bool sph2d__period_holds(const sph2d__period *p, double x, double y)
+{
+    return (!(p->length_x > 0) || (x >= p->low_x && x < p->low_x + p->length_x)) &&
+           (!(p->length_y > 0) || (y >= p->low_y && y < p->low_y + p->length_y));
 }
 
 /** The shortest of a distance and its images. */

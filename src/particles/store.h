@@ -42,6 +42,7 @@ enum { SPH2D__PADDING = 16 };
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
+    X(excess) /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */                \
     X(push)   /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */                 \
     X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
     X(next_y)                                                                                                          \

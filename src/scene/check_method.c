@@ -64,6 +64,7 @@ static void check_options(sph2d__checker *c)
     refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity, SYMMETRIC, hint);
     refuse(c, "method.density_diffusion", m->density_diffusion != standard.density_diffusion, SYMMETRIC | FITTED,
            wcsph);
+    refuse(c, "method.diffusion_form", m->diffusion_form != standard.diffusion_form, SYMMETRIC, hint);
     refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.tensile_control", m->tensile_control != standard.tensile_control, SYMMETRIC, hint);
     const char *projected = "leave it out, or take `method: {name: constraint}`";
@@ -81,6 +82,12 @@ static void check_options(sph2d__checker *c)
     if (belts && c->scene->wall_slip == SPH2D_SLIP_FREE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
                            "has no effect on free-slip walls; take wall_slip: none");
+    if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS && solver_of(m) == SYMMETRIC &&
+        (m->shifting > 0 || m->tensile_control == SPH2D_SWITCH_ON)) {
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.diffusion_form",
+                                                 "shifting and tensile control need the gradients of antuono");
+        sph2d_diagnostic_hint(d, "leave it out, or take `shifting: 0, tensile_control: off`");
+    }
     if (m->stiffness > 0 && m->sound_speed > 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.sound_speed", "give stiffness or sound_speed, not both");
 }

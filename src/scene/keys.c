@@ -47,6 +47,7 @@ static const char *const precision_words[] = {"double", "mixed", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
+static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
@@ -314,6 +315,10 @@ static const sph2d_key method_items[] = {
              "angular momentum"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .standard = "0.1", .text = "wcsph: delta; density diffuses with delta c0 H/2"},
+    {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,
+     .unit = "", .standard = "antuono",
+     .text = "wcsph, symmetric operators: antuono is exact for linear density, fourtakas for liquid at rest; fastest "
+             "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
      .unit = "", .standard = "0", .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",

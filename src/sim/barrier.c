@@ -21,7 +21,8 @@ bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__
         barrier->segments = block;
         barrier->capacity = grown;
     }
-    barrier->segments[barrier->count++] = segment;
+    double ex = segment.b.x - segment.a.x, ey = segment.b.y - segment.a.y, length = hypot(ex, ey);
+    barrier->segments[barrier->count++] = (sph2d__piece){segment, {ex / length, ey / length}, length};
     return true;
 }
 
@@ -29,7 +30,7 @@ static void lay_buckets(sph2d__barrier *b, double bucket)
 {
     double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
     for (size_t i = 0; i < b->count; ++i) {
-        const sph2d__segment *s = &b->segments[i];
+        const sph2d__segment *s = &b->segments[i].ends;
         min_x = fmin(min_x, fmin(s->a.x, s->b.x));
         min_y = fmin(min_y, fmin(s->a.y, s->b.y));
         max_x = fmax(max_x, fmax(s->a.x, s->b.x));
@@ -55,7 +56,7 @@ static bool touches(const sph2d__barrier *b, const sph2d__segment *s, int ix, in
 /** Visits each bucket that a segment touches: counts into start (items NULL) or fills items. */
 static void visit_segment(sph2d__barrier *b, size_t index, bool fill)
 {
-    const sph2d__segment *s = &b->segments[index];
+    const sph2d__segment *s = &b->segments[index].ends;
     double c = 1 / b->inverse_size;
     int x0 = sph2d__bucket_of(fmin(s->a.x, s->b.x) - c, b->origin_x, b->inverse_size, b->nx);
     int x1 = sph2d__bucket_of(fmax(s->a.x, s->b.x) + c, b->origin_x, b->inverse_size, b->nx);
@@ -144,12 +145,10 @@ typedef struct meeting {
 } meeting;
 
 /** Meets the line at the clearance, or (beside a wall's end) the wall itself. */
-static bool meet_segment(const sph2d__segment *s, double clearance, sph2d_vec2 from, sph2d_vec2 to, meeting *m)
+static bool meet_segment(const sph2d__piece *piece, double clearance, sph2d_vec2 from, sph2d_vec2 to, meeting *m)
 {
-    double ex = s->b.x - s->a.x, ey = s->b.y - s->a.y;
-    double length = hypot(ex, ey);
-    ex /= length;
-    ey /= length;
+    const sph2d__segment *s = &piece->ends;
+    double ex = piece->direction.x, ey = piece->direction.y, length = piece->length;
     double d0 = (from.y - s->a.y) * ex - (from.x - s->a.x) * ey;
     double d1 = (to.y - s->a.y) * ex - (to.x - s->a.x) * ey;
     double side = d0 < 0 ? -1 : 1;

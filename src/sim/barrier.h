@@ -10,8 +10,15 @@
 #include "base/memory.h"
 #include "scene/shape.h"
 
+/** A straight piece of wall with what is asked of it in every step. */
+typedef struct sph2d__piece {
+    sph2d__segment ends;
+    sph2d_vec2 direction; /**< from a to b, of length 1 */
+    double length;        /**< [m] */
+} sph2d__piece;
+
 typedef struct sph2d__barrier {
-    sph2d__segment *segments;
+    sph2d__piece *segments;
     size_t count, capacity;
     double clearance; /**< distance from a wall at which a particle is stopped [m] */
     /* A grid of buckets over the segments, each with the segments that come near it. */

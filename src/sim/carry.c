@@ -57,7 +57,7 @@ static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *
     return hits;
 }
 
-void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
+void sph2d__carry_held(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
 {
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;

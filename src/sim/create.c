@@ -49,8 +49,8 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
 }
 
 /* Cells are a quarter of the support radius wide: fewer candidates, where 1/2 and 1/8 took 5 % longer. Searches go in
- * blocks of candidates, which narrower cells spare only from this ratio of support radius and spacing on: below, a range
- * is two blocks long anyway. */
+ * blocks of candidates, which narrower cells spare only from this ratio of support radius and spacing on: below, a
+ * range is two blocks long anyway. */
 enum { COLUMNS = 4 };
 static const double WIDE = 2.8;
 
@@ -82,8 +82,9 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->wall_slip = scene->wall_slip;
     s->surface_tension = scene->fluid.surface_tension;
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
-    s->fluid.has = sim->method->fluid | (mixed ? SPH2D__PACKED_FLUID : 0);
-    s->fluid.carried = sim->method->carried;
+    sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
+    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? SPH2D__PACKED_FLUID : 0);
+    s->fluid.carried = sim->method->carried & ~unused;
     s->walls.carried = sim->method->walls;
     s->walls.has = sim->method->walls | (mixed ? SPH2D__PACKED_WALLS : 0);
     s->fluid_cells.period = s->wall_cells.period =
@@ -150,7 +151,7 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
     if (status != SPH2D_OK)
         return status;
     status = sph2d__sim_aim(sim, sim->record.time);
-    if (status == SPH2D_OK && (sim->method->carried & SPH2D__BIT(slope_x)))
+    if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(slope_x)))
         renew_slopes(sim);
     if (status == SPH2D_OK && sim->method->project)
         status = renew_neighbours(sim);

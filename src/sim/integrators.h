@@ -4,6 +4,8 @@
 #ifndef SPH2D_SIM_INTEGRATORS_H
 #define SPH2D_SIM_INTEGRATORS_H
 
+#include <math.h>
+
 #include "sim/simulation.h"
 
 /** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all: SPH2D_GUARD when a place is not finite,
@@ -23,9 +25,27 @@ typedef struct sph2d__events {
     uint64_t hits, reflections, bad;
 } sph2d__events;
 
+/** What sph2d__carry does with a particle that a wall or a side might stop (carry.c). */
+void sph2d__carry_held(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events);
+
 /** Moves particle i to its place plus (dx, dy), held by walls and brought round periodic sides, and sets its velocity
  * to *v, turned where a wall held it. */
-void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events);
+static inline void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
+{
+    sph2d__store *f = &sim->system.fluid;
+    sph2d_vec2 from = {f->x[i], f->y[i]}, to = {from.x + dx, from.y + dy};
+    bool free = !sim->system.walls_reflect && sim->moving_count == 0 && sph2d__barrier_far(&sim->barrier, from, to) &&
+                sph2d__period_holds(&sim->system.fluid_cells.period, to.x, to.y);
+    if (!free) {
+        sph2d__carry_held(sim, i, dx, dy, v, events);
+        return;
+    }
+    events->bad += !isfinite(to.x + to.y + v->x + v->y);
+    f->x[i] = to.x;
+    f->y[i] = to.y;
+    f->vx[i] = v->x;
+    f->vy[i] = v->y;
+}
 
 /** Adds the events to the run's counters. SPH2D_GUARD when a place is not finite. */
 sph2d_status sph2d__count_events(sph2d_sim *sim, const sph2d__events *events);

@@ -14,51 +14,45 @@ enum { COLLAPSED_STEPS = 100 };
 
 typedef struct extremes {
     double speed2, acceleration2, density, pressure;
-    size_t bad; /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
+    size_t bad;     /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
+    size_t escaped; /**< and of the first beyond a side that is a wall */
 } extremes;
 
-static extremes find_extremes(const sph2d__system *s)
+/** The domain as far as its sides are walls. */
+static sph2d_box walled_box(const sph2d_scene *scene)
 {
-    const sph2d__store *f = &s->fluid;
+    sph2d_boundary b = scene->boundary;
+    sph2d_box d = scene->domain;
+    return (sph2d_box){
+        {b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY},
+        {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
+}
+
+static extremes find_extremes(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d_box box = walled_box(&sim->scene);
     double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
-    size_t bad = SIZE_MAX;
-    int threads = sph2d__threads_for(s->threads, f->count);
+    size_t bad = SIZE_MAX, escaped = SIZE_MAX;
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)                                        \
     reduction(max                                                                                                      \
               : speed2, acceleration2, density, pressure) reduction(min                                                \
-                                                                    : bad)
+                                                                    : bad, escaped)
     for (size_t i = 0; i < f->count; ++i) {
+        double x = f->x[i], y = f->y[i];
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
         speed2 = v2 > speed2 ? v2 : speed2;
         acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
         density = f->density[i] > density ? f->density[i] : density;
         pressure = f->pressure[i] > pressure ? f->pressure[i] : pressure;
-        if (!isfinite(v2 + a2 + f->x[i] + f->y[i]) && i < bad)
+        if (!isfinite(v2 + a2 + x + y) && i < bad)
             bad = i;
-    }
-    return (extremes){speed2, acceleration2, density, pressure, bad};
-}
-
-/** Index of a particle beyond a side that is a wall; SIZE_MAX for none. */
-static size_t find_escaped(const sph2d_sim *sim)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    sph2d_boundary b = sim->scene.boundary;
-    sph2d_box d = sim->scene.domain;
-    double left = b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY,
-           right = b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY,
-           top = b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY;
-    size_t escaped = SIZE_MAX;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min : escaped)
-    for (size_t i = 0; i < f->count; ++i) {
-        bool outside = f->x[i] < left || f->x[i] > right || f->y[i] < bottom || f->y[i] > top;
-        if (outside && i < escaped)
+        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)
             escaped = i;
     }
-    return escaped;
+    return (extremes){speed2, acceleration2, density, pressure, bad, escaped};
 }
 
 static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i, const char *what,
@@ -79,9 +73,8 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
                         "lower method.time_step or method.cfl");
         return false;
     }
-    size_t escaped = find_escaped(sim);
-    if (escaped != SIZE_MAX) {
-        report_particle(sim, report, SPH2D_CODE_ESCAPED, escaped, "a particle is beyond a wall of the domain",
+    if (e->escaped != SIZE_MAX) {
+        report_particle(sim, report, SPH2D_CODE_ESCAPED, e->escaped, "a particle is beyond a wall of the domain",
                         "start liquid inside the domain; lower method.time_step");
         return false;
     }
@@ -167,7 +160,7 @@ static void choose_step(sph2d_sim *sim, const extremes *e)
 
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
 {
-    extremes e = find_extremes(&sim->system);
+    extremes e = find_extremes(sim);
     if (!guard_values(sim, &e, report))
         return false;
     double compression = e.density / sim->system.rest_density - 1;

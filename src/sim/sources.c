@@ -153,6 +153,18 @@ static int side_left(const sph2d_scene *scene, double x, double y)
     return y > d.max.y + height ? 3 : -1;
 }
 
+/** Whether any particle has left. */
+static bool any_left(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    uint64_t left = 0;
+    int threads = sph2d__threads_for(sim->system.threads, f->count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : left)
+    for (size_t i = 0; i < f->count; ++i)
+        left += side_left(&sim->scene, f->x[i], f->y[i]) >= 0;
+    return left > 0;
+}
+
 static bool in_drain(const sph2d_sim *sim, double x, double y)
 {
     for (size_t i = 0; i < sim->scene.drain_count; ++i) {
@@ -199,9 +211,11 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
     if (!can_lose(&sim->scene))
         return SPH2D_OK;
+    sph2d__store *f = &sim->system.fluid;
+    if (sim->scene.drain_count == 0 && !any_left(sim))
+        return SPH2D_OK;
     if (!reserve_flags(sim))
         return SPH2D_NOMEM;
-    sph2d__store *f = &sim->system.fluid;
     size_t lost = 0;
     int threads = sph2d__threads_for(sim->system.threads, f->count);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : lost)

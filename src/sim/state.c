@@ -52,7 +52,7 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
         out[n++] = find_field(sim, SPH2D_GROUP_FLUID, fluid_fields[i]);
     for (size_t i = 0; i < COUNT_OF(wall_fields); ++i)
         out[n++] = find_field(sim, SPH2D_GROUP_WALL, wall_fields[i]);
-    if (sim->method->carried & SPH2D__BIT(surface))
+    if (sim->system.fluid.carried & SPH2D__BIT(surface))
         out[n++] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
                                  .name = "SurfaceDistances",
                                  .description = "distance to the free surface within the last step, up to H",
