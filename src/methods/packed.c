@@ -42,8 +42,8 @@ static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     pack_places(f, &s->fluid_cells, first, last);
-    pack_state(f, s->rest_density, f->vx, f->vy, f->fullness, first, last);
-    pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x ? f->slope_x : f->excess, 0, first, last);
+    pack_state(f, s->rest_density, f->vx, f->vy, f->fullness ? f->fullness : f->excess, first, last);
+    pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
 }
 

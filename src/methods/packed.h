@@ -36,10 +36,10 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .pressure = sph2d__floats(t, t->packed_state, 1),
                            .slope_x = sph2d__floats(t, t->packed_slope, 0),
                            .slope_y = sph2d__floats(t, t->packed_slope, 1),
-                           .excess = sph2d__floats(t, t->packed_slope, 0), /* there are no slopes then */
                            .volume = sph2d__floats(t, t->packed_rest, 0),
                            .fullness = sph2d__floats(t, t->packed_rest, 1),
-                           .mass = sph2d__floats(t, t->packed_rest, 1), /* of walls, which are not full of anything */
+                           .excess = sph2d__floats(t, t->packed_rest, 1), /* fullness is not known then */
+                           .mass = sph2d__floats(t, t->packed_rest, 1),   /* of walls, which are not full of anything */
                            .from = s->rest_density};
 }
 #else

@@ -9,7 +9,6 @@
 #include "base/threads.h"
 
 enum { RIM = SPH2D__RIM };
-#define NONE UINT32_MAX
 
 /* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index.
  */
@@ -89,16 +88,32 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
     cells->origin_y = y.origin;
 }
 
+/* Threads that sort: each counts cells of its own. */
+enum { SORTERS = 4 };
+
 static bool reserve_cells(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
 {
     size_t was = cells->cell_capacity;
     if (needed <= was)
         return true;
     size_t now = needed > was + was / 2 ? needed : was + was / 2;
-    const sph2d__growth arrays[] = {{&cells->start, sizeof(uint32_t)}, {&cells->head, sizeof(uint32_t)}};
-    if (!sph2d__grow_all(memory, arrays, 2, was, now))
+    const sph2d__growth arrays[] = {{&cells->start, sizeof(uint32_t)}};
+    if (!sph2d__grow_all(memory, arrays, 1, was, now))
         return false;
     cells->cell_capacity = now;
+    return true;
+}
+
+static bool reserve_places(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
+{
+    size_t was = cells->place_capacity;
+    if (needed <= was)
+        return true;
+    size_t now = needed > was + was / 2 ? needed : was + was / 2;
+    const sph2d__growth arrays[] = {{&cells->places, sizeof(uint32_t)}};
+    if (!sph2d__grow_all(memory, arrays, 1, was, now))
+        return false;
+    cells->place_capacity = now;
     return true;
 }
 
@@ -107,54 +122,96 @@ static bool reserve_particles(sph2d__cells *cells, size_t needed, sph2d__memory 
     size_t was = cells->particle_capacity;
     if (needed <= was)
         return true;
-    const sph2d__growth arrays[] = {
-        {&cells->next, sizeof(uint32_t)}, {&cells->cell, sizeof(uint32_t)}, {&cells->order, sizeof(uint32_t)}};
-    if (!sph2d__grow_all(memory, arrays, 3, was, needed))
+    const sph2d__growth arrays[] = {{&cells->cell, sizeof(uint32_t)}, {&cells->order, sizeof(uint32_t)}};
+    if (!sph2d__grow_all(memory, arrays, 2, was, needed))
         return false;
     cells->particle_capacity = needed;
     return true;
 }
 
-/** The cell of each particle, by its place in the grid; rounding is kept inside the rim. */
-static void assign_cells(sph2d__cells *cells, const sph2d__store *store, int threads)
+/** Part k of `parts` equal ones of 0 to count. */
+static size_t part(size_t count, int k, int parts)
+{
+    return count / (size_t)parts * (size_t)k + count % (size_t)parts * (size_t)k / (size_t)parts;
+}
+
+/** The cell of each particle from `first` on, by its place in the grid; rounding is kept inside the rim. Counts them.
+ */
+static void assign_cells(sph2d__cells *cells, const sph2d__store *store, size_t first, size_t last, uint32_t *count)
 {
     const double *x = store->x, *y = store->y;
     double ox = cells->origin_x, oy = cells->origin_y, ix = cells->inverse_x, iy = cells->inverse_y;
     double rim_x = (double)RIM * cells->columns, last_x = cells->nx - 1.0 - rim_x, last_y = cells->ny - 1.0 - RIM;
     uint32_t nx = cells->nx;
-    uint32_t *cell = cells->cell;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < store->count; ++i) {
+    for (size_t i = first; i < last; ++i) {
         double fx = (x[i] - ox) * ix, fy = (y[i] - oy) * iy;
         fx = fx > rim_x ? fx : rim_x;
         fy = fy > RIM ? fy : RIM;
         fx = fx < last_x ? fx : last_x;
         fy = fy < last_y ? fy : last_y;
-        cell[i] = (uint32_t)fy * nx + (uint32_t)fx;
+        uint32_t cell = (uint32_t)fy * nx + (uint32_t)fx;
+        cells->cell[i] = cell;
+        ++count[cell];
     }
 }
 
-/** Links every particle into its cell's list, from the last to the first, so that a list keeps the present order. */
-static void link_particles(sph2d__cells *cells, size_t count, size_t cell_count)
+/** Particles in cells first to last - 1, of all sorters. */
+static uint32_t count_cells(const sph2d__cells *cells, size_t first, size_t last, size_t cell_count, int sorters)
 {
-    memset(cells->head, 0xff, cell_count * sizeof *cells->head);
-    for (size_t i = count; i-- > 0;) {
-        uint32_t *head = &cells->head[cells->cell[i]];
-        cells->next[i] = *head;
-        *head = (uint32_t)i;
-    }
+    uint32_t sum = 0;
+    for (int t = 0; t < sorters; ++t)
+        for (size_t c = first; c < last; ++c)
+            sum += cells->places[(size_t)t * cell_count + c];
+    return sum;
 }
 
-/** Walks the lists, cell after cell: the order of the particles, and where each cell starts in it. */
-static void walk_lists(sph2d__cells *cells, size_t cell_count)
+/** Where each of these cells starts, and in it the particles of each sorter; `k` particles are before them. */
+static void place_cells(sph2d__cells *cells, size_t first, size_t last, size_t cell_count, int sorters, uint32_t k)
 {
-    uint32_t k = 0;
-    for (size_t c = 0; c < cell_count; ++c) {
+    for (size_t c = first; c < last; ++c) {
         cells->start[c] = k;
-        for (uint32_t i = cells->head[c]; i != NONE; i = cells->next[i])
-            cells->order[k++] = i;
+        for (int t = 0; t < sorters; ++t) {
+            uint32_t *place = &cells->places[(size_t)t * cell_count + c], count = *place;
+            *place = k;
+            k += count;
+        }
     }
-    cells->start[cell_count] = k;
+}
+
+/** Sorts by counting, each sorter its part of the particles and its part of the cells; within a cell particles keep
+ *  the order that they had, however many sorters there are. */
+static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters)
+{
+    uint32_t sums[SORTERS];
+#pragma omp parallel num_threads(sorters) if (sorters > 1)
+    {
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < sorters; ++t) {
+            uint32_t *count = cells->places + (size_t)t * cell_count;
+            memset(count, 0, cell_count * sizeof *count);
+            assign_cells(cells, store, part(store->count, t, sorters), part(store->count, t + 1, sorters), count);
+        }
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < sorters; ++t)
+            sums[t] =
+                count_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters);
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < sorters; ++t) {
+            uint32_t before = 0;
+            for (int u = 0; u < t; ++u)
+                before += sums[u];
+            place_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters,
+                        before);
+        }
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < sorters; ++t) {
+            uint32_t *place = cells->places + (size_t)t * cell_count;
+            size_t last = part(store->count, t + 1, sorters);
+            for (size_t i = part(store->count, t, sorters); i < last; ++i)
+                cells->order[place[cells->cell[i]]++] = (uint32_t)i;
+        }
+    }
+    cells->start[cell_count] = (uint32_t)store->count;
 }
 
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads)
@@ -164,22 +221,22 @@ bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support
     bounds b = count > 0 ? find_bounds(store, threads) : (bounds){0, 0, 0, 0};
     lay_grid(cells, b, support, count);
     size_t cell_count = (size_t)cells->nx * cells->ny;
-    if (!reserve_cells(cells, cell_count + 1, memory) || !reserve_particles(cells, store->capacity, memory))
+    int sorters = threads < SORTERS ? threads : SORTERS;
+    if (!reserve_cells(cells, cell_count + 1, memory) || !reserve_places(cells, cell_count * (size_t)sorters, memory) ||
+        !reserve_particles(cells, store->capacity, memory))
         return false;
-    assign_cells(cells, store, threads);
-    link_particles(cells, count, cell_count);
-    walk_lists(cells, cell_count);
+    sort_particles(cells, store, cell_count, sorters);
     sph2d__store_reorder(store, cells->order, threads);
     return true;
 }
 
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
 {
-    void *by_cell[2] = {cells->start, cells->head};
-    void *by_particle[3] = {cells->next, cells->cell, cells->order};
+    void *start = cells->start, *places = cells->places;
+    void *by_particle[2] = {cells->cell, cells->order};
+    sph2d__release(memory, &start, cells->cell_capacity, sizeof(uint32_t));
+    sph2d__release(memory, &places, cells->place_capacity, sizeof(uint32_t));
     for (int i = 0; i < 2; ++i)
-        sph2d__release(memory, &by_cell[i], cells->cell_capacity, sizeof(uint32_t));
-    for (int i = 0; i < 3; ++i)
         sph2d__release(memory, &by_particle[i], cells->particle_capacity, sizeof(uint32_t));
     *cells = (sph2d__cells){.period = cells->period, .columns = cells->columns};
 }

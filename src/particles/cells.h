@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file cells.h
- *  Linked-list cells that put particles in order, and the contiguous ranges of neighbours that follow from it.
+ *  Cells that put particles in order, and the contiguous ranges of neighbours that follow from it.
  *
  *  A grid of cells covers the particles: at least one support radius high, and `columns` of them at least one
- *  support radius wide. Each cell heads a linked list of its particles; walking the lists cell by cell, row by row,
- * gives the order in which the store is then kept. In that order the particles of neighbouring cells of one row are one
+ *  support radius wide. Counting the particles of each cell tells where each cell's particles start, cell by cell, row
+ *  by row, and that is the order in which the store is then kept; lists of linked particles would give the same order,
+ *  but not to several threads at once. In that order the particles of neighbouring cells of one row are one
  *  contiguous range, so that all neighbours of a particle lie in three ranges: the narrower the cells, the fewer others
  *  do, and the more often ranges must be looked up. A rim of empty cells around the grid makes the cells around every
  * particle exist.
@@ -30,11 +31,10 @@ typedef struct sph2d__cells {
     double inverse_x, inverse_y; /**< one over them [1/m] */
     uint32_t nx, ny;             /**< cells, rim included */
     uint32_t *start;             /**< first particle of each cell, nx * ny + 1 values */
-    uint32_t *head;              /**< first particle of each cell's list */
-    uint32_t *next;              /**< next particle in the list */
+    uint32_t *places;            /**< for each sorter and cell: particles in it, then where its next one goes */
     uint32_t *cell;              /**< cell of each particle, in the order before the last sorting */
     uint32_t *order;             /**< particle order[k] becomes particle k */
-    size_t cell_capacity, particle_capacity;
+    size_t cell_capacity, place_capacity, particle_capacity;
 } sph2d__cells;
 
 /** Sorts the particles into cells of at least `support` and reorders the store. Positions must be finite. False when

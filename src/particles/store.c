@@ -7,6 +7,8 @@
 
 #include "base/threads.h"
 
+_Static_assert(sizeof(double) == sizeof(uint64_t), "numbers of particles are reordered where their values are");
+
 /** Length of the arrays for a capacity. */
 static size_t length_of(size_t capacity)
 {
@@ -22,7 +24,7 @@ static void list_reals(sph2d__store *store, double **slots[SPH2D__STORE_COUNT])
 #undef SLOT
 }
 
-enum { BLOCKS_MOST = SPH2D__STORE_COUNT + 3 };
+enum { BLOCKS_MOST = SPH2D__STORE_COUNT + 2 };
 
 /** Every block that the store has, as blocks that grow and go together. Returns their number. */
 static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[BLOCKS_MOST])
@@ -35,7 +37,6 @@ static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[BLOCKS_MOST]
             blocks[n++] = (sph2d__growth){slots[a], sizeof(double)};
     blocks[n++] = (sph2d__growth){&store->scratch, sizeof(double)};
     blocks[n++] = (sph2d__growth){&store->id, sizeof(uint64_t)};
-    blocks[n++] = (sph2d__growth){&store->scratch_id, sizeof(uint64_t)};
     return n;
 }
 
@@ -44,7 +45,7 @@ size_t sph2d__store_bytes(sph2d__set has)
     size_t arrays = 1;
     for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
         arrays += has >> a & 1;
-    return arrays * sizeof(double) + 2 * sizeof(uint64_t);
+    return arrays * sizeof(double) + sizeof(uint64_t);
 }
 
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity)
@@ -88,31 +89,37 @@ size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
     return i;
 }
 
-static void gather_reals(double **array, double **scratch, const uint32_t *order, size_t count, int threads)
-{
-    const double *from = *array;
-    double *to = *scratch;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t k = 0; k < count; ++k)
-        to[k] = from[order[k]];
-    *scratch = *array;
-    *array = to;
-}
-
 void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int threads)
 {
     threads = sph2d__threads_for(threads, store->count);
+    size_t count = store->count;
     double **slots[SPH2D__STORE_COUNT];
     list_reals(store, slots);
-    for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
-        if (store->has & store->carried & (sph2d__set)1 << a)
-            gather_reals(slots[a], &store->scratch, order, store->count, threads);
-    uint64_t *to = store->scratch_id;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t k = 0; k < store->count; ++k)
-        to[k] = store->id[order[k]];
-    store->scratch_id = store->id;
-    store->id = to;
+    const sph2d__set moved = store->has & store->carried;
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+        for (int a = 0; a < SPH2D__STORE_COUNT; ++a) {
+            if (!(moved >> a & 1))
+                continue;
+            const double *from = *slots[a];
+            double *to = store->scratch;
+#pragma omp for schedule(static)
+            for (size_t k = 0; k < count; ++k)
+                to[k] = from[order[k]];
+#pragma omp single
+            {
+                store->scratch = *slots[a];
+                *slots[a] = to;
+            }
+        }
+        uint64_t *to = store->scratch;
+#pragma omp for schedule(static)
+        for (size_t k = 0; k < count; ++k)
+            to[k] = store->id[order[k]];
+    }
+    uint64_t *ids = store->scratch;
+    store->scratch = store->id;
+    store->id = ids;
 }
 
 /** Moves the values without a flag to the front of an array. */

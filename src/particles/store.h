@@ -94,8 +94,7 @@ typedef struct sph2d__store {
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
 #undef SPH2D__STORE_MEMBER
     uint64_t *id;
-    double *scratch; /**< where reordering writes, then swapped with the array it read */
-    uint64_t *scratch_id;
+    void *scratch; /**< where reordering writes, then swapped with the array it read */
 } sph2d__store;
 
 /** Bytes that a particle takes in a store of these arrays. */

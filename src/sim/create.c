@@ -83,7 +83,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->surface_tension = scene->fluid.surface_tension;
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
-    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? SPH2D__PACKED_FLUID : 0);
+    sph2d__set packed = unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED_WALLS : SPH2D__PACKED_FLUID;
+    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed : 0);
     s->fluid.carried = sim->method->carried & ~unused;
     s->walls.carried = sim->method->walls;
     s->walls.has = sim->method->walls | (mixed ? SPH2D__PACKED_WALLS : 0);
