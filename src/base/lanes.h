@@ -77,6 +77,10 @@ SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigne
     __m256i index = _mm256_add_epi32(_mm256_set1_epi32((int)first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     _mm256_storeu_si256((__m256i_u *)to, _mm256_maskz_compress_epi32((__mmask8)which, index));
 }
+SPH2D__INLINE void sph2d__lanes_pack(double *to, sph2d__lanes a, unsigned which)
+{
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd((__mmask8)which, (__m512d)a));
+}
 
 #elif defined(__AVX__)
 #include <immintrin.h>
@@ -191,6 +195,14 @@ SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigne
 {
     for (int l = 0; l < SPH2D__LANES; ++l) {
         *to = first + (uint32_t)l;
+        to += which >> l & 1;
+    }
+}
+/** Writes the lanes whose bits are set one behind the other; up to a whole block is written. */
+SPH2D__INLINE void sph2d__lanes_pack(double *to, sph2d__lanes a, unsigned which)
+{
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        *to = a[l];
         to += which >> l & 1;
     }
 }

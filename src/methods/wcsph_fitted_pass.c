@@ -2,16 +2,16 @@
 /** @file wcsph_fitted_pass.c
  *  The pair loop of method `wcsph` with fitted operators. Compiled once for each instruction set, named by SPH2D__ISA.
  *
- *  A fit costs so much more than a distance that neighbours are first listed, then summed in full vectors, and the
- *  normal equations of as many particles as there are lanes are solved at once. */
+ *  A fit costs so much more than a distance that candidates are first listed: those that are not near the box around
+ *  a group, a quarter of them, are left out. Normal equations are solved for all particles of a group at once. */
+#include <math.h>
+
 #include "base/pi.h"
 #include "kernels/kernel.h"
+#include "methods/group.h"
 #include "methods/state_equation.h"
 #include "methods/traverse.h"
 #include "methods/wcsph_fitted.h"
-
-/* Neighbours that are listed before they are summed. */
-enum { LISTED = 64 };
 
 /* What is summed over the neighbours of a particle. Moments of order 1 to 4 of (xi, eta), then of the differences of
  * u, v and rho: plain, and with each basis function. */
@@ -37,99 +37,163 @@ enum {
     SUMS = FIELDS + 3 * FIELD_SUMS
 };
 
-/** Neighbours of one particle that wait to be summed. */
-typedef struct neighbours {
-    size_t count;
-    double xi[LISTED + SPH2D__LANES], eta[LISTED + SPH2D__LANES];
-    uint32_t index[LISTED + SPH2D__LANES];
-} neighbours;
+/** The sums of a group, each particle's in a lane. */
+typedef struct fit_sums {
+    sph2d__lanes of[SUMS];
+} fit_sums;
 
 /** Constants of a pass. */
 typedef struct constants {
     double inverse_support; /**< 1/H [1/m] */
     double crowd;           /**< 140/pi (dx/H)^2 */
-    double near;            /**< 1/f(dx/H) of Wendland's C2 */
+    double near;            /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
+    double viscosity;       /**< kinematic [m^2/s] */
 } constants;
 
-SPH2D__INLINE sph2d__lanes gather(const double *from, const uint32_t *index)
+/* ---- neighbours -------------------------------------------------------------------------------------------------- */
+
+/* Candidates that are listed before they are summed: more than a group has in liquid at rest. */
+enum { LISTED = 128 };
+
+/** Candidates that wait to be summed. */
+typedef struct list {
+    size_t count;
+    uint32_t index[LISTED];
+    double x[LISTED + 1], y[LISTED + 1]; /**< from the group's first particle, in units of H */
+} list;
+
+/** The particles of a group, and the box around them: places in the same units. */
+typedef struct receiver {
+    sph2d__lanes x, y, vx, vy, density;
+    double from_x, from_y;               /**< the first particle [m] */
+    double low_x, low_y, high_x, high_y; /**< the box */
+} receiver;
+
+/** Lists those of the particles from j on, in range r, that are near the box. */
+SPH2D__INLINE void list_block(list *to, const sph2d__store *f, const receiver *me, const sph2d__ranges *ranges, int r,
+                              size_t j, const constants *k)
 {
-    sph2d__lanes a = {0};
-    for (int l = 0; l < SPH2D__LANES; ++l)
-        a[l] = from[index[l]];
-    return a;
+    sph2d__lanes x = (sph2d__lanes_load(f->x + j) - (ranges->x[r] + me->from_x)) * k->inverse_support;
+    sph2d__lanes y = (sph2d__lanes_load(f->y + j) - (ranges->y[r] + me->from_y)) * k->inverse_support;
+    sph2d__lanes dx = sph2d__above_zero(sph2d__lanes_max(me->low_x - x, x - me->high_x));
+    sph2d__lanes dy = sph2d__above_zero(sph2d__lanes_max(me->low_y - y, y - me->high_y));
+    unsigned near = sph2d__lanes_which(dx * dx + dy * dy, 1);
+    size_t left = ranges->end[r] - j;
+    if (left < SPH2D__LANES)
+        near &= (1u << left) - 1;
+    sph2d__lanes_pack_index(to->index + to->count, (uint32_t)j, near);
+    sph2d__lanes_pack(to->x + to->count, x, near);
+    sph2d__lanes_pack(to->y + to->count, y, near);
+    to->count += (size_t)__builtin_popcount(near);
 }
 
-/** Adds the listed neighbours to the sums. Lanes behind the last are filled with the particle itself, whose distance
- * and differences are zero, as is every term then. */
-SPH2D__INLINE void sum_listed(sph2d__lanes *sums, neighbours *list, const sph2d__store *f, size_t i, const constants *k)
+/** A candidate as the particles of a group see it: its place, and 1 - q where that is positive, else 0. */
+typedef struct sight {
+    sph2d__lanes x, y, t;
+} sight;
+
+SPH2D__INLINE sight sight_of(const list *from, size_t n, const receiver *me)
 {
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        list->xi[list->count + (size_t)l] = list->eta[list->count + (size_t)l] = 0;
-        list->index[list->count + (size_t)l] = (uint32_t)i;
-    }
-    const double *values[3] = {f->vx, f->vy, f->density};
-    for (size_t n = 0; n < list->count; n += SPH2D__LANES) {
-        sph2d__lanes x = sph2d__lanes_load(list->xi + n), y = sph2d__lanes_load(list->eta + n);
-        sph2d__lanes xx = x * x, xy = x * y, yy = y * y;
-        sph2d__lanes q = sph2d__lanes_sqrt(xx + yy), t = sph2d__above_zero(1 - q), w = t * t * t;
-        sph2d__lanes near = sph2d__kernel_value(SPH2D_KERNEL_WENDLAND_C2, q) * k->near;
-        near *= near;
-        sph2d__lanes crowd = w * (1 + 0.2 * near * near);
-        sums[CROWD_X] += crowd * x;
-        sums[CROWD_Y] += crowd * y;
-        sph2d__lanes wx = w * x, wy = w * y, wxx = w * xx, wxy = w * xy, wyy = w * yy;
-        sums[M10] += wx;
-        sums[M01] += wy;
-        sums[M20] += wxx;
-        sums[M11] += wxy;
-        sums[M02] += wyy;
-        sums[M30] += wxx * x;
-        sums[M21] += wxx * y;
-        sums[M12] += wyy * x;
-        sums[M03] += wyy * y;
-        sums[M40] += wxx * xx;
-        sums[M31] += wxx * xy;
-        sums[M22] += wxx * yy;
-        sums[M13] += wyy * xy;
-        sums[M04] += wyy * yy;
-        for (int v = 0; v < 3; ++v) {
-            sph2d__lanes d = gather(values[v], list->index + n) - values[v][i];
-            sph2d__lanes *b = sums + FIELDS + v * FIELD_SUMS;
-            b[0] += w * d;
-            b[1] += wx * d;
-            b[2] += wy * d;
-            b[3] += wxx * d;
-            b[4] += wxy * d;
-            b[5] += wyy * d;
-        }
-    }
-    list->count = 0;
+    sph2d__lanes x = from->x[n] - me->x, y = from->y[n] - me->y;
+    return (sight){x, y, sph2d__above_zero(1 - sph2d__lanes_sqrt(x * x + y * y))};
 }
 
-/** All sums of one particle, into lane `lane` of `out`. */
-SPH2D__INLINE void sum_neighbours(const sph2d__system *s, const sph2d__cursor *cursor, size_t i, const constants *k,
-                                  double out[SUMS][SPH2D__LANES], int lane)
+/** Adds the differences d of a field, weighted by w. */
+SPH2D__INLINE void add_field(fit_sums *to, int field, const sight *at, sph2d__lanes w, sph2d__lanes d)
+{
+    sph2d__lanes *b = to->of + FIELDS + field * FIELD_SUMS;
+    sph2d__lanes wd = w * d, xd = wd * at->x, yd = wd * at->y;
+    b[0] += wd;
+    b[1] += xd;
+    b[2] += yd;
+    b[3] += xd * at->x;
+    b[4] += xd * at->y;
+    b[5] += yd * at->y;
+}
+
+/** Adds the moments, and the crowding. */
+SPH2D__INLINE void add_moments(fit_sums *to, sph2d__lanes x, sph2d__lanes y, sph2d__lanes t, const constants *k)
+{
+    sph2d__lanes t2 = t * t, w = t2 * t, near = t2 * t2 * (5 * k->near - 4 * k->near * t);
+    near *= near;
+    sph2d__lanes wx = w * x, wy = w * y, crowd = 1 + near * near;
+    sph2d__lanes wxx = wx * x, wxy = wx * y, wyy = wy * y;
+    sph2d__lanes w30 = wxx * x, w21 = wxx * y, w12 = wyy * x, w03 = wyy * y;
+    to->of[M10] += wx;
+    to->of[M01] += wy;
+    to->of[M20] += wxx;
+    to->of[M11] += wxy;
+    to->of[M02] += wyy;
+    to->of[M30] += w30;
+    to->of[M21] += w21;
+    to->of[M12] += w12;
+    to->of[M03] += w03;
+    to->of[M40] += w30 * x;
+    to->of[M31] += w30 * y;
+    to->of[M22] += w21 * y;
+    to->of[M13] += w03 * x;
+    to->of[M04] += w03 * y;
+    to->of[CROWD_X] += crowd * wx;
+    to->of[CROWD_Y] += crowd * wy;
+}
+
+/** Adds the listed candidates to the sums: of the fields in one loop, all others in a second, as all at once need more
+ * registers than there are. The next candidate's root is under way while one is summed: that spares 8 % of the time. */
+static void sum_listed(fit_sums *to, list *from, const sph2d__store *f, const receiver *me, const constants *k)
+{
+    sph2d__lanes kept[LISTED];
+    fit_sums sums = *to;
+    from->x[from->count] = from->y[from->count] = 0;
+    sight next = sight_of(from, 0, me);
+    for (size_t n = 0; n < from->count; ++n) {
+        const size_t j = from->index[n];
+        const sight at = next;
+        sph2d__lanes w = at.t * at.t * at.t;
+        next = sight_of(from, n + 1, me);
+        kept[n] = at.t;
+        add_field(&sums, 0, &at, w, f->vx[j] - me->vx);
+        add_field(&sums, 1, &at, w, f->vy[j] - me->vy);
+        add_field(&sums, 2, &at, w, f->density[j] - me->density);
+    }
+    for (size_t n = 0; n < from->count; ++n)
+        add_moments(&sums, from->x[n] - me->x, from->y[n] - me->y, kept[n], k);
+    *to = sums;
+    from->count = 0;
+}
+
+/** All sums of a group over the liquid. */
+static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const constants *k, fit_sums *to)
 {
     const sph2d__store *f = &s->fluid;
-    neighbours list;
-    list.count = 0;
-    sph2d__lanes sums[SUMS] = {{0}};
-    for (int r = 0; r < cursor->ranges.count; ++r) {
-        double xi = f->x[i] + cursor->ranges.x[r], yi = f->y[i] + cursor->ranges.y[r];
-        for (uint32_t j = cursor->ranges.begin[r]; j < cursor->ranges.end[r]; ++j) {
-            double x = (f->x[j] - xi) * k->inverse_support, y = (f->y[j] - yi) * k->inverse_support;
-            list.xi[list.count] = x;
-            list.eta[list.count] = y;
-            list.index[list.count] = j;
-            list.count += x * x + y * y < 1;
-            if (list.count == LISTED)
-                sum_listed(sums, &list, f, i, k);
-        }
-    }
-    sum_listed(sums, &list, f, i, k);
+    const size_t i = g->first;
+    const double x0 = f->x[i], y0 = f->y[i], unit = k->inverse_support;
+    const receiver me = {.x = (sph2d__lanes_load(f->x + i) - x0) * unit,
+                         .y = (sph2d__lanes_load(f->y + i) - y0) * unit,
+                         .vx = sph2d__lanes_load(f->vx + i),
+                         .vy = sph2d__lanes_load(f->vy + i),
+                         .density = sph2d__lanes_load(f->density + i),
+                         .from_x = x0,
+                         .from_y = y0,
+                         .low_x = (g->low_x - x0) * unit,
+                         .low_y = (g->low_y - y0) * unit,
+                         .high_x = (g->high_x - x0) * unit,
+                         .high_y = (g->high_y - y0) * unit};
+    sph2d__ranges ranges;
+    list found;
+    found.count = 0;
     for (int n = 0; n < SUMS; ++n)
-        out[n][lane] = sph2d__lanes_total(sums[n]);
+        to->of[n] = (sph2d__lanes){0};
+    sph2d__patch_ranges(&s->fluid_cells, &g->patch, &ranges);
+    for (int r = 0; r < ranges.count; ++r)
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; j += SPH2D__LANES) {
+            list_block(&found, f, &me, &ranges, r, j, k);
+            if (found.count > LISTED - SPH2D__LANES)
+                sum_listed(to, &found, f, &me, k);
+        }
+    sum_listed(to, &found, f, &me, k);
 }
+
+/* ---- fits -------------------------------------------------------------------------------------------------------- */
 
 /** Gradient, second derivatives and residual of the three fields, each in units of H. */
 typedef struct fit {
@@ -138,12 +202,12 @@ typedef struct fit {
 
 /** Derivatives of a linear fit, for a particle whose neighbours cannot carry a quadratic one; none where they are all
  * on one line. */
-static void fit_linear(double sums[SUMS][SPH2D__LANES], int lane, int first, int end, fit *out)
+static void fit_linear(const fit_sums *sums, int lane, int first, int end, fit *out)
 {
-    double a = sums[M20][lane], b = sums[M11][lane], c = sums[M02][lane], det = a * c - b * b;
+    double a = sums->of[M20][lane], b = sums->of[M11][lane], c = sums->of[M02][lane], det = a * c - b * b;
     bool sound = det > 1e-6 * (a + c) * (a + c);
     for (int v = first; v < end; ++v) {
-        double bx = sums[FIELDS + v * FIELD_SUMS + 1][lane], by = sums[FIELDS + v * FIELD_SUMS + 2][lane];
+        double bx = sums->of[FIELDS + v * FIELD_SUMS + 1][lane], by = sums->of[FIELDS + v * FIELD_SUMS + 2][lane];
         out->x[v][lane] = sound ? (c * bx - b * by) / det : 0;
         out->y[v][lane] = sound ? (a * by - b * bx) / det : 0;
         out->laplacian[v][lane] = out->residual[v][lane] = 0;
@@ -157,82 +221,89 @@ static const double SINGULAR = 1e-7;
 enum { MATRIX = 15 };
 
 /** A of the neighbours alone. */
-static void fill_matrix(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES])
+static void fill_matrix(const fit_sums *sums, sph2d__lanes matrix[MATRIX])
 {
     static const unsigned char moment[MATRIX] = {M20, M11, M02, M30, M21, M40, M21, M12,
                                                  M31, M22, M12, M03, M22, M13, M04};
     for (int n = 0; n < MATRIX; ++n)
-        memcpy(matrix[n], sums[moment[n]], sizeof matrix[n]);
+        matrix[n] = sums->of[moment[n]];
 }
 
-/** Solves the normal equations of all lanes by Cholesky's method, for the fields `first` to `end` - 1. */
-static void solve(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES], int first, int end, fit *out)
+/** Solves the normal equations of all lanes by Cholesky's method without roots, A = L D L^T, for the fields `first` to
+ * `end` - 1. */
+static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MATRIX], int first, int end, fit *out)
 {
-    sph2d__lanes l[5][5], weakest = (sph2d__lanes){0} + 1.0;
+    sph2d__lanes l[5][5], inverse[5], weakest = sph2d__lanes_all(1); /* above the diagonal of l: L D, transposed */
     for (int a = 0; a < 5; ++a)
         for (int b = 0; b <= a; ++b) {
-            sph2d__lanes whole = sph2d__lanes_load(matrix[a * (a + 1) / 2 + b]), rest = whole;
+            sph2d__lanes whole = matrix[a * (a + 1) / 2 + b], rest = whole;
             for (int n = 0; n < b; ++n)
-                rest -= l[a][n] * l[b][n];
+                rest -= l[n][a] * l[b][n];
             if (a == b) {
                 sph2d__lanes pivot = sph2d__lanes_max(rest, whole * SINGULAR + 1e-300);
                 weakest = sph2d__lanes_below(pivot - rest, 1e-300, weakest, (sph2d__lanes){0});
-                l[a][a] = 1 / sph2d__lanes_sqrt(pivot);
+                inverse[a] = 1 / pivot;
             } else {
-                l[a][b] = rest * l[b][b];
+                l[b][a] = rest;
+                l[a][b] = rest * inverse[b];
             }
         }
-    sph2d__lanes scale =
-        4 / sph2d__lanes_max(sph2d__lanes_load(sums[M20]) + sph2d__lanes_load(sums[M02]), (sph2d__lanes){0} + 1e-300);
+    sph2d__lanes scale = 4 / sph2d__lanes_max(sums->of[M20] + sums->of[M02], sph2d__lanes_all(1e-300));
     for (int v = first; v < end; ++v) {
-        double(*b)[SPH2D__LANES] = sums + FIELDS + v * FIELD_SUMS;
-        sph2d__lanes c[5], residual = sph2d__lanes_load(b[0]);
+        const sph2d__lanes *b = sums->of + FIELDS + v * FIELD_SUMS;
+        sph2d__lanes c[5], residual = b[0];
         for (int a = 0; a < 5; ++a) {
-            c[a] = sph2d__lanes_load(b[a + 1]);
+            c[a] = b[a + 1];
             for (int n = 0; n < a; ++n)
                 c[a] -= l[a][n] * c[n];
-            c[a] *= l[a][a];
         }
         for (int a = 4; a >= 0; --a) {
+            c[a] *= inverse[a];
             for (int n = a + 1; n < 5; ++n)
                 c[a] -= l[n][a] * c[n];
-            c[a] *= l[a][a];
-            residual -= c[a] * sph2d__lanes_load(sums[M10 + a]);
+            residual -= c[a] * sums->of[M10 + a];
         }
         out->x[v] = c[0];
         out->y[v] = c[1];
         out->laplacian[v] = 2 * (c[2] + c[4]);
         out->residual[v] = residual * scale;
     }
-    for (int lane = 0; lane < SPH2D__LANES; ++lane)
+    for (int lane = 0; lane < lanes; ++lane)
         if (weakest[lane] < 0.5)
             fit_linear(sums, lane, first, end, out);
 }
 
-/** The rates of one particle from its fit. */
-static void finish(sph2d__system *s, size_t i, const fit *fits, const double crowd[2], int lane)
+/** The rates of a group from its fits. */
+static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums, const fit *fits, const constants *k)
 {
     sph2d__store *f = &s->fluid;
-    double h1 = 1 / s->support, h2 = h1 * h1;
-    double dx[3], dy[3], laplacian[3];
+    double h1 = k->inverse_support, h2 = h1 * h1, most = 0.5 * s->speed;
+    double diffusion = s->method.density_diffusion / 2 * s->support * s->sound_speed * h2;
+    sph2d__lanes dx[3], dy[3], shift = sph2d__lanes_all(-s->shift_gain * s->speed * k->crowd);
     for (int v = 0; v < 3; ++v) {
-        dx[v] = fits->x[v][lane] * h1;
-        dy[v] = fits->y[v][lane] * h1;
-        laplacian[v] = (fits->laplacian[v][lane] + s->residual_gain * fits->residual[v][lane]) * h2;
+        dx[v] = fits->x[v] * h1;
+        dy[v] = fits->y[v] * h1;
     }
-    double shift = -s->shift_gain * s->speed, most = 0.5 * s->speed;
-    double wx = shift * crowd[0], wy = shift * crowd[1], w = sqrt(wx * wx + wy * wy);
-    double less = w > most ? most / w : 1;
-    f->shift_x[i] = wx *= less;
-    f->shift_y[i] = wy *= less;
-    double rho = f->density[i], push = -sph2d__sound_speed2_at(s, rho) / rho, nu = s->viscosity / s->rest_density;
-    double ax = push * dx[2] + nu * laplacian[0] + wx * dx[0] + wy * dy[0];
-    double ay = push * dy[2] + nu * laplacian[1] + wx * dx[1] + wy * dy[1];
-    sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
-    f->ax[i] = ax;
-    f->ay[i] = ay;
-    double diffusion = s->method.density_diffusion / 2 * s->support * s->sound_speed * fits->residual[2][lane] * h2;
-    f->density_rate[i] = -rho * (dx[0] + dy[1]) + wx * dx[2] + wy * dy[2] + diffusion;
+    sph2d__lanes wx = shift * sums->of[CROWD_X], wy = shift * sums->of[CROWD_Y];
+    sph2d__lanes w = sph2d__lanes_sqrt(wx * wx + wy * wy),
+                 less = most / sph2d__lanes_max(w, sph2d__lanes_all(most + 1e-300));
+    wx *= less;
+    wy *= less;
+    sph2d__lanes rho = sph2d__lanes_load(f->density + g->first), nu = sph2d__lanes_all(k->viscosity * h2);
+    sph2d__lanes ax = nu * (fits->laplacian[0] + s->residual_gain * fits->residual[0]) + wx * dx[0] + wy * dy[0];
+    sph2d__lanes ay = nu * (fits->laplacian[1] + s->residual_gain * fits->residual[1]) + wx * dx[1] + wy * dy[1];
+    sph2d__lanes rate = -rho * (dx[0] + dy[1]) + wx * dx[2] + wy * dy[2] + diffusion * fits->residual[2];
+    for (int lane = 0; lane < g->count; ++lane) {
+        size_t i = g->first + (size_t)lane;
+        double push = -sph2d__sound_speed2_at(s, f->density[i]) / f->density[i];
+        double own_ax = ax[lane] + push * dx[2][lane], own_ay = ay[lane] + push * dy[2][lane];
+        sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &own_ax, &own_ay);
+        f->ax[i] = own_ax;
+        f->ay[i] = own_ay;
+        f->shift_x[i] = wx[lane];
+        f->shift_y[i] = wy[lane];
+        f->density_rate[i] = rate[lane];
+    }
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
@@ -244,7 +315,7 @@ static const double FIRST_LAYER = 0.75;
 static const double SLOPE_WEIGHT = 0.1;
 
 /** Adds a point of a no-slip surface to the velocity's sums of a lane: the wall's velocity is known there. */
-static void add_surface(double sums[SUMS][SPH2D__LANES], int lane, double x, double y, const double known[2])
+static void add_surface(fit_sums *sums, int lane, double x, double y, const double known[2])
 {
     double q2 = x * x + y * y;
     if (q2 >= 1)
@@ -255,16 +326,16 @@ static void add_surface(double sums[SUMS][SPH2D__LANES], int lane, double x, dou
         x,         y,         x * x,         x * y,         y * y,         x * x * x,     x * x * y,
         x * y * y, y * y * y, x * x * x * x, x * x * x * y, x * x * y * y, x * y * y * y, y * y * y * y};
     for (int n = 0; n < 14; ++n)
-        sums[M10 + n][lane] += w * moments[n];
+        sums->of[M10 + n][lane] += w * moments[n];
     for (int v = 0; v < 2; ++v)
         for (int n = 0; n < FIELD_SUMS; ++n)
-            sums[FIELDS + v * FIELD_SUMS + n][lane] += w * basis[n] * known[v];
+            sums->of[FIELDS + v * FIELD_SUMS + n][lane] += w * basis[n] * known[v];
 }
 
 /** Adds what a wall knows of the slope of density to the equations of a lane: along its normal the pressure balances
  * the body force and the wall's acceleration. */
-static void add_slope(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH2D__LANES], int lane, double x,
-                      double y, double nx, double ny, double known)
+static void add_slope(fit_sums *sums, sph2d__lanes matrix[MATRIX], int lane, double x, double y, double nx, double ny,
+                      double known)
 {
     double q2 = x * x + y * y;
     if (q2 >= 1)
@@ -272,16 +343,15 @@ static void add_slope(double sums[SUMS][SPH2D__LANES], double matrix[MATRIX][SPH
     double t = 1 - sqrt(q2), w = SLOPE_WEIGHT * t * t * t;
     double basis[5] = {nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
     for (int a = 0, n = 0; a < 5; ++a) {
-        for (int b = 0; b <= a; ++b)
-            matrix[n++][lane] += w * basis[a] * basis[b];
-        sums[FIELDS + 2 * FIELD_SUMS + 1 + a][lane] += w * basis[a] * known;
+        for (int b = 0; b <= a; ++b, ++n) /* n++ below would count twice: a bug of GCC 12 */
+            matrix[n][lane] += w * basis[a] * basis[b];
+        sums->of[FIELDS + 2 * FIELD_SUMS + 1 + a][lane] += w * basis[a] * known;
     }
 }
 
 /** Adds the walls near particle i: all layers to its crowding, the surface to the sums of its velocity. */
-static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_t i, const constants *k,
-                      double sums[SUMS][SPH2D__LANES], double rough[SUMS][SPH2D__LANES],
-                      double matrix[MATRIX][SPH2D__LANES], int lane)
+static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_t i, const constants *k, fit_sums *sums,
+                      fit_sums *rough, sph2d__lanes matrix[MATRIX], int lane)
 {
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     SPH2D__FOR_NEIGHBOURS (&cursor->ranges, r, b) {
@@ -291,9 +361,9 @@ static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_
         double q = sqrt(x * x + y * y) * k->inverse_support;
         if (q < 1) {
             double near = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) * k->near, t = 1 - q;
-            double crowd = t * t * t * (1 + 0.2 * near * near * near * near) * k->inverse_support;
-            sums[CROWD_X][lane] += crowd * x;
-            sums[CROWD_Y][lane] += crowd * y;
+            double crowd = t * t * t * (1 + near * near * near * near) * k->inverse_support;
+            sums->of[CROWD_X][lane] += crowd * x;
+            sums->of[CROWD_Y][lane] += crowd * y;
         }
         if (w->depth[b] > FIRST_LAYER * s->spacing)
             continue;
@@ -311,58 +381,48 @@ static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_
 
 /* ---- groups of particles ----------------------------------------------------------------------------------------- */
 
-/** Where a thread is. */
-typedef struct place {
-    sph2d__cursor liquid, walls;
-} place;
-
-/** The rates of particles i to i + LANES - 1, as far as there are any. */
-static void rates_of_group(sph2d__system *s, place *at, size_t i, const constants *k)
+/** The rates of a group; `walls` stays where the last particle was. */
+static void rates_of_group(sph2d__system *s, const sph2d__group *g, sph2d__cursor *walls, const constants *k)
 {
     const sph2d__store *f = &s->fluid;
-    double sums[SUMS][SPH2D__LANES] __attribute__((aligned(64)));
-    double rough[SUMS][SPH2D__LANES] __attribute__((aligned(64)));
-    size_t left = f->count - i;
-    int lanes = left < SPH2D__LANES ? (int)left : SPH2D__LANES;
-    for (int lane = 0; lane < SPH2D__LANES; ++lane) {
-        size_t p = i + (size_t)(lane < lanes ? lane : 0);
-        sph2d__cursor_move(&at->liquid, &s->fluid_cells, f->x[p], f->y[p]);
-        sum_neighbours(s, &at->liquid, p, k, sums, lane);
-    }
-    double matrix[MATRIX][SPH2D__LANES] __attribute__((aligned(64)));
-    fill_matrix(sums, matrix);
+    fit_sums sums, rough;
+    sum_liquid(s, g, k, &sums);
+    sph2d__lanes matrix[MATRIX];
+    fill_matrix(&sums, matrix);
     bool walled = false;
-    for (int lane = 0; lane < lanes && s->walls_press; ++lane) {
-        size_t p = i + (size_t)lane;
-        if (!sph2d__cursor_move(&at->walls, &s->wall_cells, f->x[p], f->y[p]))
+    for (int lane = 0; lane < g->count && s->walls_press; ++lane) {
+        size_t i = g->first + (size_t)lane;
+        if (!sph2d__cursor_move(walls, &s->wall_cells, f->x[i], f->y[i]))
             continue;
         if (!walled)
-            memcpy(rough, sums, sizeof rough);
+            rough = sums;
         walled = true;
-        add_walls(s, &at->walls, p, k, sums, rough, matrix, lane);
+        add_walls(s, walls, i, k, &sums, &rough, matrix, lane);
     }
     fit fits;
     if (walled) {
-        solve(sums, matrix, 2, 3, &fits);
-        fill_matrix(rough, matrix);
-        solve(rough, matrix, 0, 2, &fits);
+        solve(&sums, g->count, matrix, 2, 3, &fits);
+        fill_matrix(&rough, matrix);
+        solve(&rough, g->count, matrix, 0, 2, &fits);
     } else {
-        solve(sums, matrix, 0, 3, &fits);
+        solve(&sums, g->count, matrix, 0, 3, &fits);
     }
-    for (int lane = 0; lane < lanes; ++lane) {
-        double crowd[2] = {k->crowd * sums[CROWD_X][lane], k->crowd * sums[CROWD_Y][lane]};
-        finish(s, i + (size_t)lane, &fits, crowd, lane);
-    }
+    finish(s, g, &sums, &fits, k);
 }
 
 static void rates(sph2d__system *s, size_t first, size_t last)
 {
     double ratio = s->support / s->spacing;
     constants k = {1 / s->support, 140 / (SPH2D__PI * ratio * ratio),
-                   1 / sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio)};
-    place at = {SPH2D__CURSOR_START, SPH2D__CURSOR_START};
-    for (size_t i = first; i < last; i += SPH2D__LANES)
-        rates_of_group(s, &at, i, &k);
+                   pow(0.2, 0.25) / sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio),
+                   s->viscosity / s->rest_density};
+    const sph2d__grouping by = sph2d__grouping_of(&s->fluid, &s->fluid_cells, NULL);
+    sph2d__cursor walls = SPH2D__CURSOR_START;
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        sph2d__group_box(&s->fluid, &g);
+        rates_of_group(s, &g, &walls, &k);
+    }
 }
 
 #define NAME_(isa) sph2d__fitted_passes_##isa
