@@ -34,12 +34,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    const sph2d__lanes index = {0, 1, 2, 3, 4, 5, 6, 7};
-    __mmask8 kept = _mm512_cmp_pd_mask((__m512d)index, _mm512_set1_pd(left), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm512_maskz_mov_pd(kept, (__m512d)a);
-}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __mmask8 below = _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(limit), _CMP_LT_OQ);
@@ -96,12 +90,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    const sph2d__lanes index = {0, 1, 2, 3};
-    __m256d kept = _mm256_cmp_pd((__m256d)index, _mm256_set1_pd(left), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm256_and_pd(kept, (__m256d)a);
-}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __m256d below = _mm256_cmp_pd((__m256d)a, _mm256_set1_pd(limit), _CMP_LT_OQ);
@@ -145,11 +133,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
-}
-/** `a` in lanes whose index is below `left`, 0 in the others. */
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    return (sph2d__lanes){0 < left ? a[0] : 0, 1 < left ? a[1] : 0};
 }
 /** `yes` in lanes where a is below the limit, `no` in the others. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
@@ -239,18 +222,6 @@ static inline double sph2d__twin_value(double kept)
     return a;
 }
 
-/** Sum over the lanes: of halves, of halves of the halves, and so on. */
-SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
-{
-#if defined(__AVX512F__)
-    return _mm512_reduce_add_pd((__m512d)a);
-#elif defined(__AVX__)
-    __m128d half = _mm_add_pd(_mm256_castpd256_pd128((__m256d)a), _mm256_extractf128_pd((__m256d)a, 1));
-    return half[0] + half[1];
-#else
-    return a[0] + a[1];
-#endif
-}
 #endif /* SPH2D__MIXED */
 
 /** The same in all lanes. */

@@ -19,20 +19,10 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm512_max_ps((__m512)a, (__m512)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    const sph2d__lanes index = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    __mmask16 kept = _mm512_cmp_ps_mask((__m512)index, _mm512_set1_ps((float)left), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm512_maskz_mov_ps(kept, (__m512)a);
-}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __mmask16 below = _mm512_cmp_ps_mask((__m512)a, _mm512_set1_ps((float)limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm512_mask_mov_ps((__m512)no, below, (__m512)yes);
-}
-SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
-{
-    return (double)_mm512_reduce_add_ps((__m512)a);
 }
 
 #elif defined(__AVX__)
@@ -48,21 +38,10 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm256_max_ps((__m256)a, (__m256)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    const sph2d__lanes index = {0, 1, 2, 3, 4, 5, 6, 7};
-    __m256 kept = _mm256_cmp_ps((__m256)index, _mm256_set1_ps((float)left), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm256_and_ps(kept, (__m256)a);
-}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __m256 below = _mm256_cmp_ps((__m256)a, _mm256_set1_ps((float)limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm256_blendv_ps((__m256)no, (__m256)yes, below);
-}
-SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
-{
-    __m128 half = _mm_add_ps(_mm256_castps256_ps128((__m256)a), _mm256_extractf128_ps((__m256)a, 1));
-    return (double)((half[0] + half[2]) + (half[1] + half[3]));
 }
 
 #else
@@ -78,20 +57,12 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
     return (sph2d__lanes){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1], a[2] > b[2] ? a[2] : b[2],
                           a[3] > b[3] ? a[3] : b[3]};
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_first(sph2d__lanes a, double left)
-{
-    return (sph2d__lanes){0 < left ? a[0] : 0, 1 < left ? a[1] : 0, 2 < left ? a[2] : 0, 3 < left ? a[3] : 0};
-}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     sph2d__lanes out;
     for (int l = 0; l < SPH2D__LANES; ++l)
         out[l] = a[l] < (float)limit ? yes[l] : no[l];
     return out;
-}
-SPH2D__INLINE double sph2d__lanes_total(sph2d__lanes a)
-{
-    return (double)((a[0] + a[2]) + (a[1] + a[3]));
 }
 #endif
 

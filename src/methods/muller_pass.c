@@ -2,127 +2,141 @@
 /** @file muller_pass.c
  *  The pair loops of method `muller`. Compiled once for each instruction set, named by SPH2D__ISA. */
 #include "kernels/muller.h"
+#include "methods/group.h"
 #include "methods/muller.h"
-#include "methods/traverse.h"
 
-/** Poly6 shapes of a block; `mass` NULL counts each particle once. */
-SPH2D__INLINE sph2d__lanes density_block(double support2, double xi, double yi, const double *x, const double *y,
-                                         const double *mass, double left)
+/** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
+SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
 {
-    sph2d__lanes dx = xi - sph2d__lanes_load(x), dy = yi - sph2d__lanes_load(y);
+    sph2d__lanes dx = at_x - x, dy = at_y - y;
     sph2d__lanes d = sph2d__lanes_max(support2 - (dx * dx + dy * dy), (sph2d__lanes){0});
-    sph2d__lanes shape = sph2d__lanes_first(d * d * d, left);
-    return mass ? shape * sph2d__lanes_load(mass) : shape;
+    return d * d * d;
+}
+
+/** Their sum around a group of particles `of`; `mass` NULL counts each candidate once. */
+SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, const sph2d__group *g,
+                                       const sph2d__ranges *ranges, const sph2d__store *from, const double *mass)
+{
+    sph2d__lanes sum = {0};
+    for (int r = 0; r < ranges->count; ++r) {
+        sph2d__lanes x = sph2d__group_lanes(of->x + g->first, ranges->x[r]);
+        sph2d__lanes y = sph2d__group_lanes(of->y + g->first, ranges->y[r]);
+        for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j) {
+            sph2d__lanes shape = shape_of(support2, x, y, from->x[j], from->y[j]);
+            sum += mass ? shape * mass[j] : shape;
+        }
+    }
+    return sum;
 }
 
 static void density(sph2d__system *s, size_t first, size_t last)
 {
-    const sph2d__store *walls = &s->walls;
     sph2d__store *fluid = &s->fluid;
     double support2 = s->support * s->support;
     double poly6 = sph2d__poly6_constant(s->support);
     double own = poly6 * s->calibration * s->mass;
-    bool walls_press = s->walls_press;
-    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-    for (size_t i = first; i < last; ++i) {
-        double xi = fluid->x[i], yi = fluid->y[i];
-        sph2d__lanes sum = {0};
-        sph2d__cursor_move(&cursor, &s->fluid_cells, xi, yi);
-        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-            sum += density_block(support2, xi + cursor.ranges.x[r], yi + cursor.ranges.y[r], fluid->x + j, fluid->y + j,
-                                 NULL, left);
-        double rho = own * sph2d__lanes_total(sum);
-        if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, xi, yi)) {
-            sph2d__lanes wall_sum = {0};
-            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
-                wall_sum += density_block(support2, xi + wall_cursor.ranges.x[r], yi + wall_cursor.ranges.y[r],
-                                          walls->x + j, walls->y + j, s->walls.mass + j, left);
-            rho += poly6 * sph2d__lanes_total(wall_sum);
-        }
-        fluid->density[i] = rho;
+    const sph2d__grouping by = sph2d__grouping_of(fluid, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        sph2d__lanes rho = own * density_sum(support2, fluid, &g, &ranges, fluid, NULL);
+        if (sph2d__group_near(&by, &g, &ranges))
+            rho += poly6 * density_sum(support2, fluid, &g, &ranges, &s->walls, s->walls.mass);
+        for (int l = 0; l < g.count; ++l)
+            fluid->density[g.first + (size_t)l] = rho[l];
     }
 }
 
 static void wall_density(sph2d__system *s, size_t first, size_t last)
 {
-    const sph2d__store *fluid = &s->fluid;
     sph2d__store *walls = &s->walls;
     double support2 = s->support * s->support;
     double own = sph2d__poly6_constant(s->support) * s->calibration * s->mass;
-    sph2d__cursor cursor = SPH2D__CURSOR_START;
-    for (size_t b = first; b < last; ++b) {
-        double xb = walls->x[b], yb = walls->y[b];
+    const sph2d__grouping by = sph2d__grouping_of(walls, &s->wall_cells, &s->fluid_cells);
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        sph2d__ranges ranges;
         sph2d__lanes sum = {0};
-        if (s->walls.mass[b] > 0 && sph2d__cursor_move(&cursor, &s->fluid_cells, xb, yb))
-            SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-                sum += density_block(support2, xb + cursor.ranges.x[r], yb + cursor.ranges.y[r], fluid->x + j,
-                                     fluid->y + j, NULL, left);
-        walls->density[b] = s->rest_density + own * sph2d__lanes_total(sum);
+        if (sph2d__group_near(&by, &g, &ranges))
+            sum = density_sum(support2, walls, &g, &ranges, &s->fluid, NULL);
+        for (int l = 0; l < g.count; ++l) {
+            size_t b = g.first + (size_t)l;
+            walls->density[b] = s->rest_density + (walls->mass[b] > 0 ? own * sum[l] : 0);
+        }
     }
 }
 
-/** Sums of the force on one particle, without their constants. */
+/** Sums of the forces on a group, without their constants. */
 typedef struct force_sums {
     sph2d__lanes press_x, press_y, drag_x, drag_y;
 } force_sums;
 
-/** One particle that feels the block. */
+/** The particles of a group that feel a candidate. */
 typedef struct receiver {
-    double x, y, vx, vy, pressure;
+    sph2d__lanes x, y, vx, vy, pressure;
 } receiver;
 
-/** `range` is the place of the block among the receiver's ranges. */
 SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, const receiver *i,
-                             const sph2d__ranges *ranges, int range, const sph2d__store *from, size_t j, double left)
+                             const sph2d__store *from, size_t j)
 {
-    sph2d__lanes dx = i->x + ranges->x[range] - sph2d__lanes_load(from->x + j);
-    sph2d__lanes dy = i->y + ranges->y[range] - sph2d__lanes_load(from->y + j);
+    sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
     /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
-    sph2d__lanes tiny = (sph2d__lanes){0} + 1e-24 * support * support;
+    sph2d__lanes tiny = sph2d__lanes_all(1e-24 * support * support);
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
-    sph2d__lanes w = sph2d__lanes_first(sph2d__lanes_max(support - r, (sph2d__lanes){0}), left);
-    sph2d__lanes wv = w * sph2d__lanes_load(from->volume + j);
-    sph2d__lanes press = wv * w * (i->pressure + sph2d__lanes_load(from->pressure + j)) / r;
+    sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
+    sph2d__lanes wv = w * from->volume[j];
+    sph2d__lanes press = wv * w * (i->pressure + from->pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
     if (viscous) {
-        sums->drag_x += wv * (sph2d__lanes_load(from->vx + j) - i->vx);
-        sums->drag_y += wv * (sph2d__lanes_load(from->vy + j) - i->vy);
+        sums->drag_x += wv * (from->vx[j] - i->vx);
+        sums->drag_y += wv * (from->vy[j] - i->vy);
     }
 }
 
-/** Adds the acceleration times density that the sums stand for. */
-SPH2D__INLINE void add_sums(double *fx, double *fy, const force_sums *sums, double press, double drag)
+/** Adds the forces of the particles in `ranges` on a group. */
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, const sph2d__group *g,
+                                    const sph2d__ranges *ranges, const sph2d__store *from)
 {
-    *fx += press * sph2d__lanes_total(sums->press_x) + drag * sph2d__lanes_total(sums->drag_x);
-    *fy += press * sph2d__lanes_total(sums->press_y) + drag * sph2d__lanes_total(sums->drag_y);
+    const sph2d__store *fluid = &s->fluid;
+    force_sums sums = {{0}, {0}, {0}, {0}};
+    receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
+                   .vy = sph2d__lanes_load(fluid->vy + g->first),
+                   .pressure = sph2d__lanes_load(fluid->pressure + g->first)};
+    for (int r = 0; r < ranges->count; ++r) {
+        me.x = sph2d__group_lanes(fluid->x + g->first, ranges->x[r]);
+        me.y = sph2d__group_lanes(fluid->y + g->first, ranges->y[r]);
+        for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j)
+            add_force(&sums, s->support, viscous, &me, from, j);
+    }
+    return sums;
 }
 
 SPH2D__INLINE void force_with(sph2d__system *s, bool viscous, size_t first, size_t last)
 {
-    sph2d__store *fluid = &s->fluid;
-    double press = sph2d__spiky_constant(s->support) / 2;
-    double laplacian = sph2d__viscosity_constant(s->support);
-    bool walls_press = s->walls_press;
-    sph2d__cursor cursor = SPH2D__CURSOR_START, wall_cursor = SPH2D__CURSOR_START;
-    for (size_t i = first; i < last; ++i) {
-        receiver me = {fluid->x[i], fluid->y[i], fluid->vx[i], fluid->vy[i], fluid->pressure[i]};
-        double fx = 0, fy = 0;
-        force_sums sums = {{0}, {0}, {0}, {0}};
-        sph2d__cursor_move(&cursor, &s->fluid_cells, me.x, me.y);
-        SPH2D__FOR_BLOCKS (&cursor.ranges, r, j, left)
-            add_force(&sums, s->support, viscous, &me, &cursor.ranges, r, fluid, j, left);
-        add_sums(&fx, &fy, &sums, press, s->viscosity * laplacian);
-        if (walls_press && sph2d__cursor_move(&wall_cursor, &s->wall_cells, me.x, me.y)) {
-            force_sums wall_sums = {{0}, {0}, {0}, {0}};
-            SPH2D__FOR_BLOCKS (&wall_cursor.ranges, r, j, left)
-                add_force(&wall_sums, s->support, true, &me, &wall_cursor.ranges, r, &s->walls, j, left);
-            add_sums(&fx, &fy, &wall_sums, press, s->wall_viscosity * laplacian);
+    sph2d__store *f = &s->fluid;
+    const double press = sph2d__spiky_constant(s->support) / 2, laplacian = sph2d__viscosity_constant(s->support);
+    const double drag = s->viscosity * laplacian, wall_drag = s->wall_viscosity * laplacian;
+    const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    SPH2D__FOR_GROUPS(&by, g, first, last)
+    {
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        force_sums sums = sum_forces(s, viscous, &g, &ranges, f);
+        sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
+        if (sph2d__group_near(&by, &g, &ranges)) {
+            sums = sum_forces(s, true, &g, &ranges, &s->walls);
+            fx += press * sums.press_x + wall_drag * sums.drag_x;
+            fy += press * sums.press_y + wall_drag * sums.drag_y;
         }
-        double ax = fx / fluid->density[i], ay = fy / fluid->density[i];
-        sph2d__body_add(&s->body, me.x, me.y, me.vx, me.vy, &ax, &ay);
-        fluid->ax[i] = ax;
-        fluid->ay[i] = ay;
+        for (int l = 0; l < g.count; ++l) {
+            size_t i = g.first + (size_t)l;
+            double ax = fx[l] / f->density[i], ay = fy[l] / f->density[i];
+            sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+            f->ax[i] = ax;
+            f->ay[i] = ay;
+        }
     }
 }
 

@@ -35,11 +35,7 @@ SPH2D__INLINE bool sph2d__cursor_move(sph2d__cursor *cursor, const sph2d__cells 
     cursor->cell = cell;
     if (cell == UINT32_MAX)
         return false;
-#ifdef SPH2D__MIXED
-    sph2d__cells_tiled_ranges(cells, cell, &cursor->ranges);
-#else
     sph2d__cells_ranges(cells, cell, &cursor->ranges);
-#endif
     return true;
 }
 

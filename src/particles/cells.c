@@ -317,21 +317,9 @@ void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool 
                 add_row(to, cells, row, columns[a], rows[b].offset, cut);
 }
 
-/** The patch of one cell. */
-static sph2d__patch patch_of(const sph2d__cells *cells, uint32_t cell)
-{
-    uint32_t row = cell / cells->nx, column = cell - row * cells->nx;
-    return (sph2d__patch){column, column, row, row};
-}
-
 void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
-    sph2d__patch patch = patch_of(cells, cell);
+    uint32_t row = cell / cells->nx, column = cell - row * cells->nx;
+    sph2d__patch patch = {column, column, row, row};
     sph2d__cells_around(cells, &patch, false, to);
-}
-
-void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
-{
-    sph2d__patch patch = patch_of(cells, cell);
-    sph2d__cells_around(cells, &patch, true, to);
 }

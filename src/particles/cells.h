@@ -99,32 +99,6 @@ static inline double sph2d__tile_y(const sph2d__cells *cells, uint32_t row)
     return cells->origin_y + (double)row * cells->height;
 }
 
-/** The tiled ranges where they reach over the end of a tile, or a direction is periodic. */
-void sph2d__cells_cut_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
-
-/** The same ranges, each in one tile; the ways are such that the asking particle comes to be relative to its corner. */
-static inline void sph2d__cells_tiled_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
-{
-    uint32_t row = cell / cells->nx, column = cell - row * cells->nx, reach = cells->columns;
-    bool periodic = cells->period.length_x > 0 || cells->period.length_y > 0;
-    if (periodic || (column - reach) / SPH2D__TILE != (column + reach) / SPH2D__TILE) {
-        sph2d__cells_cut_ranges(cells, cell, to);
-        return;
-    }
-    const uint32_t *start = cells->start + cell - reach;
-    double x = -sph2d__tile_x(cells, column);
-    int count = 0;
-    for (uint32_t k = row - 1; k <= row + 1; ++k) {
-        const uint32_t *first = start + (size_t)k * cells->nx - (size_t)row * cells->nx;
-        to->begin[count] = first[0];
-        to->end[count] = first[2 * reach + 1];
-        to->x[count] = x;
-        to->y[count] = -sph2d__tile_y(cells, k);
-        count += first[0] < first[2 * reach + 1];
-    }
-    to->count = count;
-}
-
 /** Some cells side by side: columns `left` to `right`, rows `bottom` to `top`, both included. */
 typedef struct sph2d__patch {
     uint32_t left, right, bottom, top;
