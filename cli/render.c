@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.c
  *  `sph2d render SNAPSHOT... -o DIR`: draws snapshots as a sequence of PNG files. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "command.h"
 #include "exit.h"
 #include "folder.h"
@@ -49,15 +52,30 @@ static int usage_fault(const cli_options *options)
     return CLI_EXIT_USAGE;
 }
 
-/* What lasts from one snapshot to the next. */
+/* What all workers share; only one of them uses it at a time. */
 typedef struct sequence {
     const cli_options *options;
     cli_folder folder;
-    cli_painter *painter;
-    double time;   /* of the snapshot before [s] */
-    bool disorder; /* it was told that times go back */
-    sph2d_report report;
+    cli_progress progress;
+    size_t next, drawn; /* the snapshot to read next; frames that are done */
+    double time;        /* of the snapshot before [s] */
+    bool disorder;      /* it was told that times go back */
+    int code;           /* of the first failure, after which no more is read */
 } sequence;
+
+/* Who draws: each has a painter, made for the first picture and again when one has another size or style. */
+typedef struct worker {
+    sequence *sequence;
+    cli_painter *painter;
+    sph2d_report report;
+} worker;
+
+/* A frame to draw. */
+typedef struct frame {
+    size_t index;
+    sph2d_snapshot *snapshot;
+    char *path; /* NULL before the folder is there */
+} frame;
 
 /* A shell's order of files is that of time, but for a checkpoint, whose name comes before the snapshots'. */
 static void tell_disorder(sequence *s, double time, size_t index)
@@ -70,53 +88,125 @@ static void tell_disorder(sequence *s, double time, size_t index)
     s->time = time;
 }
 
-static int told(sequence *s, sph2d_status status)
+/* Tells what went wrong, unless something did before. */
+static void fail(worker *w, sph2d_status status)
 {
-    message_report(status, &s->report, NULL);
-    return exit_of_status(status);
-}
-
-/* The painter is made for the first picture, and again when one has another size or style. */
-static int make_painter(sequence *s, const cli_look *look)
-{
-    if (s->painter != NULL && painter_fits(s->painter, look))
-        return CLI_EXIT_SUCCESS;
-    painter_destroy(s->painter);
-    return told(s, painter_create(look, s->options, &s->painter, &s->report));
-}
-
-static int draw(sequence *s, const sph2d_snapshot *snapshot, size_t index)
-{
-    cli_look look = wanted_look(snapshot, s->options);
-    int code = make_painter(s, &look);
-    /* The folder is not touched before it is known that something can be drawn. */
-    if (code == CLI_EXIT_SUCCESS && index == 0)
-        code = folder_open_new(&s->folder, s->options->output, s->options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
-    if (code != CLI_EXIT_SUCCESS)
-        return code;
-    const char *path = folder_file(&s->folder, "frame_%06zu.png", index);
-    particle_source source = {.snapshot = snapshot};
-    sph2d_status status = path == NULL ? SPH2D_NOMEM : painter_paint(s->painter, &source, &look, path, &s->report);
-    return told(s, status);
-}
-
-static int draw_all(sequence *s)
-{
-    const cli_options *options = s->options;
-    int code = folder_refuse(options->output, options->force);
-    cli_progress progress = progress_begin(options, 0, (double)options->operand_count);
-    for (size_t i = 0; i < options->operand_count && code == CLI_EXIT_SUCCESS; ++i) {
-        sph2d_snapshot *snapshot = NULL;
-        code = told(s, sph2d_snapshot_read(options->operands[i], &snapshot, &s->report));
-        if (code != CLI_EXIT_SUCCESS)
-            break;
-        tell_disorder(s, sph2d_snapshot_get_info(snapshot).time, i);
-        code = draw(s, snapshot, i);
-        sph2d_snapshot_destroy(snapshot);
-        progress_update(&progress, (double)(i + 1), "frame %zu of %zu", i + 1, options->operand_count);
+    if (w->sequence->code == CLI_EXIT_SUCCESS) {
+        message_report(status, &w->report, NULL);
+        w->sequence->code = exit_of_status(status);
     }
-    progress_end(&progress);
-    return code;
+}
+
+/* Reads the next snapshot; false when there is none, or something failed. */
+static bool read_next(worker *w, frame *out)
+{
+    sequence *s = w->sequence;
+    *out = (frame){.index = s->next};
+    if (s->code != CLI_EXIT_SUCCESS || s->next == s->options->operand_count)
+        return false;
+    ++s->next;
+    sph2d_status status = sph2d_snapshot_read(s->options->operands[out->index], &out->snapshot, &w->report);
+    if (status == SPH2D_OK)
+        tell_disorder(s, sph2d_snapshot_get_info(out->snapshot).time, out->index);
+    else
+        fail(w, status);
+    return status == SPH2D_OK;
+}
+
+/* Names its file; false without memory. */
+static bool name_frame(worker *w, frame *f)
+{
+    const char *path = folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
+    f->path = path != NULL ? strdup(path) : NULL;
+    if (f->path == NULL)
+        fail(w, SPH2D_NOMEM);
+    return f->path != NULL;
+}
+
+static void end_frame(frame *f)
+{
+    sph2d_snapshot_destroy(f->snapshot);
+    free(f->path);
+}
+
+static sph2d_status make_painter(worker *w, const cli_look *look)
+{
+    if (w->painter != NULL && painter_fits(w->painter, look))
+        return SPH2D_OK;
+    painter_destroy(w->painter);
+    return painter_create(look, w->sequence->options, &w->painter, &w->report);
+}
+
+static sph2d_status draw(worker *w, const frame *f)
+{
+    cli_look look = wanted_look(f->snapshot, w->sequence->options);
+    particle_source source = {.snapshot = f->snapshot};
+    sph2d_status status = make_painter(w, &look);
+    return status == SPH2D_OK ? painter_paint(w->painter, &source, &look, f->path, &w->report) : status;
+}
+
+static void count_frame(worker *w, sph2d_status status)
+{
+    sequence *s = w->sequence;
+    if (status != SPH2D_OK) {
+        fail(w, status);
+        return;
+    }
+    ++s->drawn;
+    progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->options->operand_count);
+}
+
+/* The first frame, before the others: the folder is not touched before it is known that something can be drawn. */
+static void draw_first(worker *w)
+{
+    sequence *s = w->sequence;
+    const cli_options *options = s->options;
+    frame f;
+    if (read_next(w, &f)) {
+        cli_look look = wanted_look(f.snapshot, options);
+        sph2d_status status = make_painter(w, &look);
+        if (status == SPH2D_OK)
+            s->code = folder_open_new(&s->folder, options->output, options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
+        if (s->code == CLI_EXIT_SUCCESS && (status != SPH2D_OK || name_frame(w, &f)))
+            count_frame(w, status == SPH2D_OK ? draw(w, &f) : status);
+    }
+    end_frame(&f);
+}
+
+/* Draws frame after frame until there are no more. */
+static void draw_rest(worker *w)
+{
+    for (;;) {
+        frame f;
+        bool more;
+#pragma omp critical(sequence)
+        more = read_next(w, &f) && name_frame(w, &f);
+        if (!more) {
+            end_frame(&f);
+            return;
+        }
+        sph2d_status status = draw(w, &f);
+#pragma omp critical(sequence)
+        count_frame(w, status);
+        end_frame(&f);
+    }
+}
+
+/* Frames are drawn side by side, each by one thread: pictures of this size do not keep several busy. */
+static void draw_all(sequence *s, int workers)
+{
+    worker first = {.sequence = s};
+    draw_first(&first);
+#pragma omp parallel num_threads(workers) if (workers > 1)
+    {
+        worker other = {.sequence = s};
+        bool mine = false; /* the first painter is used again */
+#pragma omp single nowait
+        mine = true;
+        worker *w = mine ? &first : &other;
+        draw_rest(w);
+        painter_destroy(w->painter);
+    }
 }
 
 int command_render(const cli_options *options)
@@ -124,13 +214,16 @@ int command_render(const cli_options *options)
     int code = usage_fault(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
-    threads_choose(options);
     sequence s = {.options = options, .folder = FOLDER_CLOSED};
-    code = draw_all(&s);
-    if (code == CLI_EXIT_SUCCESS)
-        message_note("%zu frame%s in '%s'", options->operand_count, options->operand_count == 1 ? "" : "s",
-                     options->output);
-    painter_destroy(s.painter);
+    s.code = folder_refuse(options->output, options->force);
+    if (s.code != CLI_EXIT_SUCCESS)
+        return s.code;
+    int workers = threads_for_frames(options, options->operand_count - 1);
+    s.progress = progress_begin(options, 0, (double)options->operand_count);
+    draw_all(&s, workers);
+    progress_end(&s.progress);
+    if (s.code == CLI_EXIT_SUCCESS)
+        message_note("%zu frame%s in '%s'", s.drawn, s.drawn == 1 ? "" : "s", options->output);
     folder_close(&s.folder);
-    return code;
+    return s.code;
 }

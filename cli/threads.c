@@ -65,6 +65,17 @@ thread_choice threads_choose(const cli_options *options)
     return choice;
 }
 
+int threads_for_frames(const cli_options *options, size_t frames)
+{
+    int count = choose(options).count;
+    count = frames < (size_t)count ? (int)frames : count;
+    if (count > 1)
+        setenv("LP_NUM_THREADS", "0", 0); /* Mesa draws in the thread that asks */
+    else
+        threads_choose(options);
+    return count > 1 ? count : 1;
+}
+
 char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice)
 {
     snprintf(out, TEXT_SIZE, "%d thread%s (%s)", count, count == 1 ? "" : "s", choice->source);

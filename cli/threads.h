@@ -17,6 +17,9 @@ typedef struct thread_choice {
  * the environment does (LP_NUM_THREADS). */
 thread_choice threads_choose(const cli_options *options);
 
+/** How many threads draw so many more frames side by side; tells the software renderer to draw each in its own. */
+int threads_for_frames(const cli_options *options, size_t frames);
+
 /** "2 threads (--threads)", for the number that is in use. Returns `out`. */
 char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice);
 
