@@ -10,6 +10,7 @@
 #include "json.h"
 #include "message.h"
 #include "painter.h"
+#include "pilot.h"
 #include "text.h"
 #include "threads.h"
 
@@ -21,7 +22,9 @@ typedef struct checked {
     sph2d_sim *sim;
     sph2d_plan plan;
     thread_choice threads;
-    double step_seconds; /* measured, a step */
+    double step_seconds, step_cpu; /* measured, a step */
+    double steps;                  /* expected of the run */
+    double seconds, cpu;           /* likewise [s] */
     uint64_t steps_measured;
     sph2d_report report;
 } checked;
@@ -37,16 +40,33 @@ static int told(checked *c, sph2d_status status)
 static int measure(checked *c)
 {
     const double longest = 0.3;
-    double begun = 0;
     sph2d_status status = sph2d_sim_step(c->sim, &c->report);
-    for (begun = clock_wall(); status == SPH2D_OK && c->steps_measured < 50; ++c->steps_measured) {
+    const double begun = clock_wall(), cpu = clock_cpu();
+    for (; status == SPH2D_OK && c->steps_measured < 50; ++c->steps_measured) {
         if (c->steps_measured > 0 && clock_wall() - begun >= longest)
             break;
         status = sph2d_sim_step(c->sim, &c->report);
     }
-    if (c->steps_measured > 0)
+    if (c->steps_measured > 0) {
         c->step_seconds = (clock_wall() - begun) / (double)c->steps_measured;
+        c->step_cpu = (clock_cpu() - cpu) / (double)c->steps_measured;
+    }
     return told(c, status);
+}
+
+/* Below so many particles a step's time says nothing of what more of them will take. */
+static const double FEW = 200;
+
+/* What the run will take: the first steps' time, as often as a pilot run says. */
+static void predict(checked *c)
+{
+    const double particles = (double)c->plan.fluid_particles;
+    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps * c->step_cpu, particles);
+    c->steps = c->plan.steps * pilot.steps;
+    c->cpu = c->steps * pilot.particles * pilot.cost * c->step_cpu;
+    if (particles < FEW && pilot.cpu_of_particle > 0)
+        c->cpu = c->steps * pilot.mean * pilot.cpu_of_particle;
+    c->seconds = c->step_cpu > 0 ? c->cpu * c->step_seconds / c->step_cpu : c->cpu;
 }
 
 static int draw_preview(checked *c)
@@ -106,7 +126,7 @@ static double expected_compression(const sph2d_plan *plan)
 static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
-    char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], in_use[TEXT_SIZE];
+    char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], cpu[TEXT_SIZE], in_use[TEXT_SIZE];
     text_row("scene", "%s: no faults", c->scene->name);
     print_terms(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
@@ -119,16 +139,14 @@ static void print_table(const checked *c)
     text_row("compression", "%.3g %% under its own head; %.3g %% for a moment in a full impact",
              100 * expected_compression(plan), 100 * plan->impact_compression);
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
-    text_row("steps", "about %.6g, to t = %g s", plan->steps, c->scene->run.until);
+    text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
     text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
     text_row("snapshots", "%.0f, %s without compression", plan->snapshots, text_bytes(disk, plan->disk));
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
              (unsigned)c->scene->run.frames.size[1]);
     if (c->steps_measured > 0)
-        text_row("time", "%s %s without outputs, by %u steps with %s",
-                 c->scene->source_count > 0 ? "at least" : "about",
-                 text_seconds(duration, plan->steps * c->step_seconds), (unsigned)c->steps_measured,
-                 threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
+        text_row("time", "about %s, %s of processors, without outputs; with %s", text_seconds(duration, c->seconds),
+                 text_seconds(cpu, c->cpu), threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
 static void print_object(const checked *c)
@@ -147,13 +165,14 @@ static void print_object(const checked *c)
     json_number(&line, "impact_compression", plan->impact_compression);
     json_number(&line, "time_step", plan->time_step);
     json_text(&line, "time_step_limit", plan->time_step_limit);
-    json_number(&line, "steps", plan->steps);
+    json_number(&line, "steps", c->steps);
     json_number(&line, "until", c->scene->run.until);
     json_number(&line, "memory_bytes", plan->memory);
     json_number(&line, "snapshots", plan->snapshots);
     json_number(&line, "frames", plan->frames);
     json_number(&line, "disk_bytes", plan->disk);
-    json_number(&line, "seconds", c->steps_measured > 0 ? plan->steps * c->step_seconds : NAN);
+    json_number(&line, "seconds", c->steps_measured > 0 ? c->seconds : NAN);
+    json_number(&line, "cpu_seconds", c->steps_measured > 0 ? c->cpu : NAN);
     json_count(&line, "threads", (uint64_t)sph2d_sim_threads(c->sim));
     json_end(&line);
 }
@@ -194,6 +213,8 @@ int command_check(const cli_options *options)
         code = draw_preview(&c);
     if (code == CLI_EXIT_SUCCESS)
         code = measure(&c);
+    if (code == CLI_EXIT_SUCCESS)
+        predict(&c);
     if (code == CLI_EXIT_SUCCESS && options->json)
         print_object(&c);
     else if (code == CLI_EXIT_SUCCESS && !options->quiet)

@@ -12,7 +12,7 @@ done
 prints 'sources: 1, drains: 1, obstacles: 1, interactions: 1, probes: 3'
 expect 0 "$SPH2D" check "$TINY" --json && lines 1
 for key in scene particles wall_particles support_radius sound_speed sound_speed_formula compression \
-    impact_compression time_step time_step_limit steps memory_bytes snapshots frames disk_bytes seconds; do
+    impact_compression time_step time_step_limit steps memory_bytes snapshots frames disk_bytes seconds cpu_seconds; do
     prints "\"$key\": "
 done
 if command -v python3 >/dev/null; then
