@@ -144,7 +144,7 @@ TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
 BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh examples/*.sh))
+SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -310,6 +310,13 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
 	$(hush)$(BUILD)/tests/bench $(BENCH)
 
+bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes in a step, by callgrind; SCENES='lean wcsph'
+	$(hush)tests/bench/instructions.sh $(BUILD)/tests/bench $(SCENES)
+
+test-terms: $(BUILD)/tests/bench ## that terms which a scene does not name cost it nothing (valgrind; builds twice)
+	$(hush)$(MAKE) BUILD=$(BUILD)/bare CPPFLAGS='$(CPPFLAGS) -DSPH2D__BARE' $(BUILD)/bare/tests/bench
+	$(hush)tests/bench/terms.sh $(BUILD)/tests/bench $(BUILD)/bare/tests/bench
+
 # ---- what an error costs ---------------------------------------------------------------------------------------------
 REPORT := tests/report/report.sh $(BUILD)/sph2d
 report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/report/index.html (25 minutes)
@@ -427,6 +434,7 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-full bench report report-full report-readme \
+.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
+    bench-instructions report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

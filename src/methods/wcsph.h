@@ -55,6 +55,9 @@ typedef enum sph2d__layout {
 /** What the options of a scene ask for. */
 static inline sph2d__layout sph2d__wcsph_layout(const sph2d_method_options *m)
 {
+#ifdef SPH2D__BARE /* a build without the others, to count what they cost a scene that does not name them */
+    return SPH2D__LAYOUT_BARE;
+#endif
     if (m->shifting > 0)
         return SPH2D__LAYOUT_CROWDED;
     if (m->tensile_control == SPH2D_SWITCH_ON)

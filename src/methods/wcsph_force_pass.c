@@ -215,7 +215,11 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
     f->ay[i] = ay;
 }
 
-/** Adds the boundary particles near a group. */
+/** Adds the boundary particles near a group. There is one for every kernel, in which the other terms are asked for: few
+ *  particles are near walls, and copies take long to compile. */
+typedef void wall_adder(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
+                        terms with, const numbers *n, const receiver *me, const sph2d__packed *walls);
+
 SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
                              terms with, const numbers *n, const receiver *me, const sph2d__packed *walls)
 {
@@ -231,7 +235,7 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
     }
 }
 
-SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms with)
+SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
 {
     sph2d__store *f = &s->fluid;
     const numbers n = numbers_of(s);
@@ -254,8 +258,9 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
             }
         }
         const force_sums beside = sums; /* the sums themselves can then stay in registers */
-        add_walls(s, &by, &g, &sums, with, &n, &me, &walls);
-        const force_sums all = sums;
+        force_sums all = sums;
+        if (by.other)
+            walls_of(s, &by, &g, &all, with, &n, &me, &walls);
         SPH2D__FOR_LANES (g, l)
             finish(s, g.first + (size_t)l, &all, &beside, l, with, &n);
     }
@@ -264,43 +269,55 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
 /** The copy of the loops that has the scene's terms and no others. */
-SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t last, terms with)
+SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
 {
     const numbers n = numbers_of(s);
+#ifdef SPH2D__BARE
+    with.morris = false;
+#else
     with.morris = n.morris > 0;
+#endif
     with.monaghan = n.monaghan > 0;
     if (with.morris && with.monaghan)
-        force_with(s, first, last, (terms){with.kernel, with.layout, true, true});
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, true}, walls_of);
     else if (with.morris)
-        force_with(s, first, last, (terms){with.kernel, with.layout, true, false});
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, false}, walls_of);
     else if (with.monaghan)
-        force_with(s, first, last, (terms){with.kernel, with.layout, false, true});
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, true}, walls_of);
     else
-        force_with(s, first, last, (terms){with.kernel, with.layout, false, false});
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, false}, walls_of);
 }
 
-SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel,
+                                   wall_adder *walls_of)
 {
     switch (sph2d__wcsph_layout(&s->method)) {
     case SPH2D__LAYOUT_BARE:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_BARE});
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_BARE}, walls_of);
         break;
     case SPH2D__LAYOUT_SLOPED:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_SLOPED});
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_SLOPED}, walls_of);
         break;
     case SPH2D__LAYOUT_FULL:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_FULL});
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_FULL}, walls_of);
         break;
     case SPH2D__LAYOUT_CROWDED:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_CROWDED});
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_CROWDED}, walls_of);
         break;
     }
 }
 
-#define FOR_KERNEL(name, kernel)                                                                                       \
+#define FOR_KERNEL(name, kernel_)                                                                                      \
+    static __attribute__((noinline)) void walls_##name(                                                                \
+        const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums, terms with,        \
+        const numbers *n, const receiver *me, const sph2d__packed *walls)                                              \
+    {                                                                                                                  \
+        with.kernel = kernel_;                                                                                         \
+        add_walls(s, by, g, sums, with, n, me, walls);                                                                 \
+    }                                                                                                                  \
     static void force_##name(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        force_by_layout(s, first, last, kernel);                                                                       \
+        force_by_layout(s, first, last, kernel_, walls_##name);                                                        \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
