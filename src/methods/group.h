@@ -111,11 +111,13 @@ static inline void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__p
     int count = 0;
     for (uint32_t row = p->bottom - 1; row <= p->top + 1; ++row) {
         const uint32_t *start = cells->start + (size_t)row * cells->nx;
+        if (start[first] == start[last + 1])
+            continue;
         to->begin[count] = start[first];
         to->end[count] = start[last + 1];
         to->x[count] = tiled ? -sph2d__tile_x(cells, first) : 0;
         to->y[count] = tiled ? -sph2d__tile_y(cells, row) : 0;
-        count += start[first] < start[last + 1];
+        ++count;
     }
     to->count = count;
 }

@@ -36,8 +36,7 @@ static void density(sph2d__system *s, size_t first, size_t last)
     double poly6 = sph2d__poly6_constant(s->support);
     double own = poly6 * s->calibration * s->mass;
     const sph2d__grouping by = sph2d__grouping_of(fluid, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         sph2d__lanes rho = own * density_sum(support2, fluid, &g, &ranges, fluid, NULL);
@@ -54,8 +53,7 @@ static void wall_density(sph2d__system *s, size_t first, size_t last)
     double support2 = s->support * s->support;
     double own = sph2d__poly6_constant(s->support) * s->calibration * s->mass;
     const sph2d__grouping by = sph2d__grouping_of(walls, &s->wall_cells, &s->fluid_cells);
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__lanes sum = {0};
         if (sph2d__group_near(&by, &g, &ranges))
@@ -119,8 +117,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, bool viscous, size_t first, size
     const double press = sph2d__spiky_constant(s->support) / 2, laplacian = sph2d__viscosity_constant(s->support);
     const double drag = s->viscosity * laplacian, wall_drag = s->wall_viscosity * laplacian;
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         force_sums sums = sum_forces(s, viscous, &g, &ranges, f);

@@ -233,7 +233,8 @@ static void fill_matrix(const fit_sums *sums, sph2d__lanes matrix[MATRIX])
  * `end` - 1. */
 static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MATRIX], int first, int end, fit *out)
 {
-    sph2d__lanes l[5][5], inverse[5], weakest = sph2d__lanes_all(1); /* above the diagonal of l: L D, transposed */
+    sph2d__lanes l[5][5], inverse[5] = {{0}},
+                          weakest = sph2d__lanes_all(1); /* above the diagonal of l: L D, transposed */
     for (int a = 0; a < 5; ++a)
         for (int b = 0; b <= a; ++b) {
             sph2d__lanes whole = matrix[a * (a + 1) / 2 + b], rest = whole;
@@ -418,8 +419,7 @@ static void rates(sph2d__system *s, size_t first, size_t last)
                    s->viscosity / s->rest_density};
     const sph2d__grouping by = sph2d__grouping_of(&s->fluid, &s->fluid_cells, NULL);
     sph2d__cursor walls = SPH2D__CURSOR_START;
-    SPH2D__FOR_GROUPS(&by, g, first, last)
-    {
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__group_box(&s->fluid, &g);
         rates_of_group(s, &g, &walls, &k);
     }

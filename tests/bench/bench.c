@@ -21,8 +21,9 @@ typedef struct wishes {
 
 static const char usage[] = "Usage: bench [OPTION...]\n"
                             "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
-                            "  -s, --scenes NAME,...   which scenes; default all: plain, plain-mixed, wcsph,\n"
-                            "                          wcsph-mixed, muller, pcisph, constraint, fitted\n"
+                            "  -s, --scenes NAME,...   which scenes; default all: plain, plain-mixed, lean,\n"
+                            "                          lean-mixed, wcsph, wcsph-mixed, muller, pcisph,\n"
+                            "                          constraint, fitted\n"
                             "  -p, --particles N,...   about so many particles; default 16000\n"
                             "  -j, --threads N,...     default 1\n"
                             "      --isa NAME,...      auto, baseline, avx2, avx512; default auto\n"
