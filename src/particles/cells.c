@@ -91,29 +91,17 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
 /* Threads that sort: each counts cells of its own. */
 enum { SORTERS = 4 };
 
-static bool reserve_cells(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
+/** Room for something of each cell; it grows by half at least. */
+static bool reserve(uint32_t **array, size_t *capacity, size_t needed, sph2d__memory *memory)
 {
-    size_t was = cells->cell_capacity;
+    size_t was = *capacity;
     if (needed <= was)
         return true;
     size_t now = needed > was + was / 2 ? needed : was + was / 2;
-    const sph2d__growth arrays[] = {{&cells->start, sizeof(uint32_t)}};
-    if (!sph2d__grow_all(memory, arrays, 1, was, now))
+    const sph2d__growth growth = {array, sizeof **array};
+    if (!sph2d__grow_all(memory, &growth, 1, was, now))
         return false;
-    cells->cell_capacity = now;
-    return true;
-}
-
-static bool reserve_places(sph2d__cells *cells, size_t needed, sph2d__memory *memory)
-{
-    size_t was = cells->place_capacity;
-    if (needed <= was)
-        return true;
-    size_t now = needed > was + was / 2 ? needed : was + was / 2;
-    const sph2d__growth arrays[] = {{&cells->places, sizeof(uint32_t)}};
-    if (!sph2d__grow_all(memory, arrays, 1, was, now))
-        return false;
-    cells->place_capacity = now;
+    *capacity = now;
     return true;
 }
 
@@ -222,7 +210,8 @@ bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support
     lay_grid(cells, b, support, count);
     size_t cell_count = (size_t)cells->nx * cells->ny;
     int sorters = threads < SORTERS ? threads : SORTERS;
-    if (!reserve_cells(cells, cell_count + 1, memory) || !reserve_places(cells, cell_count * (size_t)sorters, memory) ||
+    if (!reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) ||
+        !reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters, memory) ||
         !reserve_particles(cells, store->capacity, memory))
         return false;
     sort_particles(cells, store, cell_count, sorters);
