@@ -133,7 +133,7 @@ SOMAJOR := 0
 CORE_SRC := $(sort $(foreach d,base kernels scene particles flows physics methods sim,$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter src/methods/%_pass.c,$(CORE_SRC))
 # Those that are compiled for floats, too.
-MIXED_SRC := $(foreach k,force rate wall,src/methods/wcsph_$(k)_pass.c)
+MIXED_SRC := $(foreach k,fitted force rate wall,src/methods/wcsph_$(k)_pass.c)
 IO_SRC := $(sort $(wildcard src/files/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))

@@ -281,7 +281,7 @@ static const struct feature {
     {"walls", ALL, set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
     {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_cubic},
-    {"method.precision", WCSPH, set_mixed},
+    {"method.precision", WCSPH | FITTED, set_mixed},
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
     {"method.artificial_viscosity", WCSPH, set_alpha},

@@ -173,22 +173,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const ui
 {
     return sph2d__lanes_gather(from, index);
 }
-/** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
-SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
-{
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        *to = first + (uint32_t)l;
-        to += which >> l & 1;
-    }
-}
-/** Writes the lanes whose bits are set one behind the other; up to a whole block is written. */
-SPH2D__INLINE void sph2d__lanes_pack(double *to, sph2d__lanes a, unsigned which)
-{
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        *to = a[l];
-        to += which >> l & 1;
-    }
-}
 #endif
 
 /** Two floats in the place of each double that is kept: one gather fetches both. */
@@ -223,6 +207,25 @@ static inline double sph2d__twin_value(double kept)
 }
 
 #endif /* SPH2D__MIXED */
+
+#ifndef __AVX512F__
+/** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
+SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
+{
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        *to = first + (uint32_t)l;
+        to += which >> l & 1;
+    }
+}
+/** Writes the lanes whose bits are set one behind the other; up to a whole block is written. */
+SPH2D__INLINE void sph2d__lanes_pack(sph2d__real *to, sph2d__lanes a, unsigned which)
+{
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        *to = a[l];
+        to += which >> l & 1;
+    }
+}
+#endif
 
 /** The same in all lanes. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_all(double a)

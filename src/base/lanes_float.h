@@ -24,6 +24,20 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
     __mmask16 below = _mm512_cmp_ps_mask((__m512)a, _mm512_set1_ps((float)limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm512_mask_mov_ps((__m512)no, below, (__m512)yes);
 }
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return _mm512_cmp_ps_mask((__m512)a, _mm512_set1_ps((float)limit), _CMP_LT_OQ);
+}
+SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
+{
+    const __m512i count = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    __m512i index = _mm512_add_epi32(_mm512_set1_epi32((int)first), count);
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32((__mmask16)which, index));
+}
+SPH2D__INLINE void sph2d__lanes_pack(float *to, sph2d__lanes a, unsigned which)
+{
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps((__mmask16)which, (__m512)a));
+}
 
 #elif defined(__AVX__)
 #include <immintrin.h>
@@ -42,6 +56,10 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
 {
     __m256 below = _mm256_cmp_ps((__m256)a, _mm256_set1_ps((float)limit), _CMP_LT_OQ);
     return (sph2d__lanes)_mm256_blendv_ps((__m256)no, (__m256)yes, below);
+}
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, _mm256_set1_ps((float)limit), _CMP_LT_OQ));
 }
 
 #else
@@ -63,6 +81,13 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2
     for (int l = 0; l < SPH2D__LANES; ++l)
         out[l] = a[l] < (float)limit ? yes[l] : no[l];
     return out;
+}
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    unsigned which = 0;
+    for (int l = 0; l < SPH2D__LANES; ++l)
+        which |= (unsigned)(a[l] < (float)limit) << l;
+    return which;
 }
 #endif
 

@@ -27,22 +27,14 @@ static void pack_places(const sph2d__store *t, const sph2d__cells *cells, size_t
     }
 }
 
-static void pack_state(const sph2d__store *t, double rest_density, const double *vx, const double *vy,
-                       const double *last_array, size_t first, size_t last)
-{
-    pack(sph2d__floats(t, t->packed_velocity, 0), vx, 0, first, last);
-    pack(sph2d__floats(t, t->packed_velocity, 1), vy, 0, first, last);
-    pack(sph2d__floats(t, t->packed_state, 0), t->density, rest_density, first, last);
-    pack(sph2d__floats(t, t->packed_state, 1), t->pressure, 0, first, last);
-    pack(sph2d__floats(t, t->packed_rest, 0), t->volume, 0, first, last);
-    pack(sph2d__floats(t, t->packed_rest, 1), last_array, 0, first, last);
-}
-
 static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     pack_places(f, &s->fluid_cells, first, last);
-    pack_state(f, s->rest_density, f->vx, f->vy, f->fullness ? f->fullness : f->excess, first, last);
+    pack(sph2d__floats(f, f->packed_velocity, 0), f->vx, 0, first, last);
+    pack(sph2d__floats(f, f->packed_velocity, 1), f->vy, 0, first, last);
+    pack(sph2d__floats(f, f->packed_density, 0), f->density, s->rest_density, first, last);
+    pack(sph2d__floats(f, f->packed_density, 1), f->fullness, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
 }
@@ -51,7 +43,11 @@ static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *w = &s->walls;
     pack_places(w, &s->wall_cells, first, last);
-    pack_state(w, s->rest_density, w->image_vx, w->image_vy, w->mass, first, last);
+    pack(sph2d__floats(w, w->packed_velocity, 0), w->image_vx, 0, first, last);
+    pack(sph2d__floats(w, w->packed_velocity, 1), w->image_vy, 0, first, last);
+    pack(sph2d__packed_volume(w), w->volume, 0, first, last);
+    pack(sph2d__packed_pressure(w), w->pressure, 0, first, last);
+    pack(sph2d__floats(w, w->packed_density, 1), w->mass, 0, first, last);
 }
 
 void sph2d__pack_fluid(sph2d__system *s)

@@ -11,6 +11,10 @@
 #include "base/lanes.h"
 #include "methods/system.h"
 
+/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, where
+ * Fourtakas' diffusion needs it for the rate of density, the excess; densities, where a term reads them, beside the
+ * fullness of liquid or the mass of walls; slopes. */
+
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess;
@@ -24,6 +28,20 @@ static inline float *sph2d__floats(const sph2d__store *store, double *array, int
     return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
 }
 
+/** Those of the fluid that are set straight away, without a copy in doubles; NULL in double precision. */
+static inline float *sph2d__packed_volume(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 0);
+}
+static inline float *sph2d__packed_pressure(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 1);
+}
+static inline float *sph2d__packed_excess(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 1);
+}
+
 #ifdef SPH2D__MIXED
 SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
 {
@@ -32,14 +50,14 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .y = sph2d__floats(t, t->packed_place, 1),
                            .vx = sph2d__floats(t, t->packed_velocity, 0),
                            .vy = sph2d__floats(t, t->packed_velocity, 1),
-                           .density = sph2d__floats(t, t->packed_state, 0),
-                           .pressure = sph2d__floats(t, t->packed_state, 1),
+                           .volume = sph2d__packed_volume(t),
+                           .pressure = sph2d__packed_pressure(t),
+                           .excess = sph2d__packed_excess(t),
+                           .density = sph2d__floats(t, t->packed_density, 0),
+                           .fullness = sph2d__floats(t, t->packed_density, 1),
+                           .mass = sph2d__floats(t, t->packed_density, 1),
                            .slope_x = sph2d__floats(t, t->packed_slope, 0),
                            .slope_y = sph2d__floats(t, t->packed_slope, 1),
-                           .volume = sph2d__floats(t, t->packed_rest, 0),
-                           .fullness = sph2d__floats(t, t->packed_rest, 1),
-                           .excess = sph2d__floats(t, t->packed_rest, 1), /* fullness is not known then */
-                           .mass = sph2d__floats(t, t->packed_rest, 1),   /* of walls, which are not full of anything */
                            .from = s->rest_density};
 }
 #else

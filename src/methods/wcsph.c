@@ -55,6 +55,12 @@ static double limiting_viscosity(const sph2d__system *s)
     return MONAGHAN * artificial + (s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN ? MONAGHAN : 1) * liquid;
 }
 
+/** Whether density diffuses by what exceeds that of a liquid at rest. */
+static bool diffuses_excess(const sph2d_method_options *m)
+{
+    return m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
+}
+
 /** Work of gravity and the central force from (x, y) to the domain's corner, over rho0/c0^2 the density of a liquid at
  * rest there [m^2/s^2]. None in periodic directions. */
 static double work_from(const sph2d__system *s, double x, double y)
@@ -66,32 +72,60 @@ static double work_from(const sph2d__system *s, double x, double y)
     return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry);
 }
 
-/** Volumes of particles, and what of their densities diffuses. */
+/** Volumes of particles, in the precision in which pair loops read them. */
 static void set_some_volumes(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    double c2 = s->sound_speed * s->sound_speed;
-    for (size_t i = first; i < last; ++i)
-        f->volume[i] = s->mass / f->density[i];
-    if (f->has & SPH2D__BIT(excess))
+    float *floats = sph2d__packed_volume(f);
+    if (floats)
         for (size_t i = first; i < last; ++i)
-            f->excess[i] = f->density[i] - s->rest_density * (1 + work_from(s, f->x[i], f->y[i]) / c2);
+            floats[i] = (float)(s->mass / f->density[i]);
+    else
+        for (size_t i = first; i < last; ++i)
+            f->volume[i] = s->mass / f->density[i];
 }
 
-/** Volumes and pressures of particles. */
+/** What of a density diffuses in Fourtakas' form. */
+static double excess_of(const sph2d__system *s, size_t i)
+{
+    const sph2d__store *f = &s->fluid;
+    double c2 = s->sound_speed * s->sound_speed;
+    return f->density[i] - s->rest_density * (1 + work_from(s, f->x[i], f->y[i]) / c2);
+}
+
+/** What the rate of density needs of particles. */
+static void set_some_excesses(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    float *floats = sph2d__packed_excess(f);
+    set_some_volumes(s, first, last);
+    if (!diffuses_excess(&s->method))
+        return;
+    if (floats)
+        for (size_t i = first; i < last; ++i)
+            floats[i] = (float)excess_of(s, i);
+    else
+        for (size_t i = first; i < last; ++i)
+            f->excess[i] = excess_of(s, i);
+}
+
+/** What the force needs. */
 static void set_some_pressures(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
-        f->volume[i] = s->mass / f->density[i];
+    float *floats = sph2d__packed_pressure(f);
+    set_some_volumes(s, first, last);
+    for (size_t i = first; i < last; ++i)
         f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
-    }
+    if (floats)
+        for (size_t i = first; i < last; ++i)
+            floats[i] = (float)f->pressure[i];
 }
 
 static void density_rate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
-    sph2d__over_particles(s, s->fluid.count, set_some_volumes);
+    sph2d__over_particles(s, s->fluid.count, set_some_excesses);
     sph2d__pack_fluid(s);
     if (s->walls_press) {
         RUN(image, s, &s->walls);
@@ -129,9 +163,10 @@ static sph2d__set unused(const sph2d_method_options *m)
     sph2d__layout layout = sph2d__wcsph_layout(m);
     sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
     sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface), crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y);
-    bool diffuses = m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
+    bool floats = m->precision == SPH2D_PRECISION_MIXED;
     return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
-           (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (diffuses ? 0 : excess);
+           (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
+           (floats ? SPH2D__BIT(volume) : 0);
 }
 
 const sph2d__method sph2d__wcsph = {

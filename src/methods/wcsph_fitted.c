@@ -5,23 +5,23 @@
 
 #include <math.h>
 
+#include "methods/packed.h"
 #include "methods/state_equation.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). */
 static const double VISCOUS = 0.016;
 static const double FORCE = 0.25;
 
-static const sph2d__fitted_passes *passes(sph2d_isa isa)
+static const sph2d__fitted_passes *passes(const sph2d__system *s)
 {
+    bool mixed = s->method.precision == SPH2D_PRECISION_MIXED;
 #ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__fitted_passes_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__fitted_passes_avx2;
-#else
-    (void)isa;
+    if (s->isa == SPH2D_ISA_AVX512)
+        return mixed ? &sph2d__fitted_passes_avx512_mixed : &sph2d__fitted_passes_avx512;
+    if (s->isa == SPH2D_ISA_AVX2)
+        return mixed ? &sph2d__fitted_passes_avx2_mixed : &sph2d__fitted_passes_avx2;
 #endif
-    return &sph2d__fitted_passes_baseline;
+    return mixed ? &sph2d__fitted_passes_baseline_mixed : &sph2d__fitted_passes_baseline;
 }
 
 /** On f = r^4 the fit finds c (x^2 + y^2), whose Laplacian 4c is all error at the centre, and leaves the residual R:
@@ -53,7 +53,8 @@ static void prepare(sph2d__system *s)
 static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, passes(s->isa)->rates);
+    sph2d__pack_fluid(s);
+    sph2d__over_particles(s, s->fluid.count, passes(s)->rates);
     sph2d__state_equation_apply(s, &s->fluid);
     sph2d__profile_enter(&s->profile, before);
     return true;

@@ -32,16 +32,16 @@
 
 extern const sph2d__method sph2d__wcsph_fitted;
 
-/** The pair loops, compiled once for each instruction set. */
+/** The pair loops, compiled once for each instruction set and precision. */
 typedef struct sph2d__fitted_passes {
     /** Acceleration, density_rate and shift velocity of the fluid. */
     sph2d__span_work *rates;
 } sph2d__fitted_passes;
 
-extern const sph2d__fitted_passes sph2d__fitted_passes_baseline;
+extern const sph2d__fitted_passes sph2d__fitted_passes_baseline, sph2d__fitted_passes_baseline_mixed;
 #ifdef SPH2D__ISA_X86
-extern const sph2d__fitted_passes sph2d__fitted_passes_avx2;
-extern const sph2d__fitted_passes sph2d__fitted_passes_avx512;
+extern const sph2d__fitted_passes sph2d__fitted_passes_avx2, sph2d__fitted_passes_avx2_mixed;
+extern const sph2d__fitted_passes sph2d__fitted_passes_avx512, sph2d__fitted_passes_avx512_mixed;
 #endif
 
 /** gamma for a square lattice of spacing 1 and the support radius `ratio`. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph_fitted_pass.c
- *  The pair loop of method `wcsph` with fitted operators. Compiled once for each instruction set, named by SPH2D__ISA.
+ *  The pair loop of method `wcsph` with fitted operators. Compiled once for each instruction set and precision, named
+ * by SPH2D__ISA.
  *
  *  A fit costs so much more than a distance that candidates are first listed: those that are not near the box around
  *  a group, a quarter of them, are left out. Normal equations are solved for all particles of a group at once. */
@@ -9,6 +10,7 @@
 #include "base/pi.h"
 #include "kernels/kernel.h"
 #include "methods/group.h"
+#include "methods/packed.h"
 #include "methods/state_equation.h"
 #include "methods/traverse.h"
 #include "methods/wcsph_fitted.h"
@@ -44,10 +46,11 @@ typedef struct fit_sums {
 
 /** Constants of a pass. */
 typedef struct constants {
-    double inverse_support; /**< 1/H [1/m] */
-    double crowd;           /**< 140/pi (dx/H)^2 */
-    double near;            /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
-    double viscosity;       /**< kinematic [m^2/s] */
+    sph2d__packed liquid;
+    sph2d__real inverse_support; /**< 1/H [1/m] */
+    sph2d__real near;            /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
+    double crowd;                /**< 140/pi (dx/H)^2 */
+    double viscosity;            /**< kinematic [m^2/s] */
 } constants;
 
 /* ---- neighbours -------------------------------------------------------------------------------------------------- */
@@ -59,22 +62,24 @@ enum { LISTED = 128 };
 typedef struct list {
     size_t count;
     uint32_t index[LISTED];
-    double x[LISTED + 1], y[LISTED + 1]; /**< from the group's first particle, in units of H */
+    sph2d__real x[LISTED + 1], y[LISTED + 1]; /**< from the group's first particle, in units of H */
 } list;
 
 /** The particles of a group, and the box around them: places in the same units. */
 typedef struct receiver {
     sph2d__lanes x, y, vx, vy, density;
-    double from_x, from_y;               /**< the first particle [m] */
-    double low_x, low_y, high_x, high_y; /**< the box */
+    double from_x, from_y;                    /**< the first particle [m] */
+    sph2d__real low_x, low_y, high_x, high_y; /**< the box */
 } receiver;
 
 /** Lists those of the particles from j on, in range r, that are near the box. */
-SPH2D__INLINE void list_block(list *to, const sph2d__store *f, const receiver *me, const sph2d__ranges *ranges, int r,
-                              size_t j, const constants *k)
+SPH2D__INLINE void list_block(list *to, const receiver *me, const sph2d__ranges *ranges, int r, size_t j,
+                              const constants *k)
 {
-    sph2d__lanes x = (sph2d__lanes_load(f->x + j) - (ranges->x[r] + me->from_x)) * k->inverse_support;
-    sph2d__lanes y = (sph2d__lanes_load(f->y + j) - (ranges->y[r] + me->from_y)) * k->inverse_support;
+    const sph2d__real from_x = (sph2d__real)(ranges->x[r] + me->from_x);
+    const sph2d__real from_y = (sph2d__real)(ranges->y[r] + me->from_y);
+    sph2d__lanes x = (sph2d__lanes_load(k->liquid.x + j) - from_x) * k->inverse_support;
+    sph2d__lanes y = (sph2d__lanes_load(k->liquid.y + j) - from_y) * k->inverse_support;
     sph2d__lanes dx = sph2d__above_zero(sph2d__lanes_max(me->low_x - x, x - me->high_x));
     sph2d__lanes dy = sph2d__above_zero(sph2d__lanes_max(me->low_y - y, y - me->high_y));
     unsigned near = sph2d__lanes_which(dx * dx + dy * dy, 1);
@@ -139,8 +144,9 @@ SPH2D__INLINE void add_moments(fit_sums *to, sph2d__lanes x, sph2d__lanes y, sph
 
 /** Adds the listed candidates to the sums: of the fields in one loop, all others in a second, as all at once need more
  * registers than there are. The next candidate's root is under way while one is summed: that spares 8 % of the time. */
-static void sum_listed(fit_sums *to, list *from, const sph2d__store *f, const receiver *me, const constants *k)
+static void sum_listed(fit_sums *to, list *from, const receiver *me, const constants *k)
 {
+    const sph2d__packed *f = &k->liquid;
     sph2d__lanes kept[LISTED];
     fit_sums sums = *to;
     from->x[from->count] = from->y[from->count] = 0;
@@ -166,18 +172,19 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
 {
     const sph2d__store *f = &s->fluid;
     const size_t i = g->first;
-    const double x0 = f->x[i], y0 = f->y[i], unit = k->inverse_support;
-    const receiver me = {.x = (sph2d__lanes_load(f->x + i) - x0) * unit,
-                         .y = (sph2d__lanes_load(f->y + i) - y0) * unit,
-                         .vx = sph2d__lanes_load(f->vx + i),
-                         .vy = sph2d__lanes_load(f->vy + i),
-                         .density = sph2d__lanes_load(f->density + i),
+    const double x0 = f->x[i], y0 = f->y[i];
+    const sph2d__real unit = k->inverse_support;
+    const receiver me = {.x = sph2d__group_lanes(f->x + i, -x0) * unit,
+                         .y = sph2d__group_lanes(f->y + i, -y0) * unit,
+                         .vx = sph2d__lanes_load(k->liquid.vx + i),
+                         .vy = sph2d__lanes_load(k->liquid.vy + i),
+                         .density = sph2d__lanes_load(k->liquid.density + i),
                          .from_x = x0,
                          .from_y = y0,
-                         .low_x = (g->low_x - x0) * unit,
-                         .low_y = (g->low_y - y0) * unit,
-                         .high_x = (g->high_x - x0) * unit,
-                         .high_y = (g->high_y - y0) * unit};
+                         .low_x = (sph2d__real)(g->low_x - x0) * unit,
+                         .low_y = (sph2d__real)(g->low_y - y0) * unit,
+                         .high_x = (sph2d__real)(g->high_x - x0) * unit,
+                         .high_y = (sph2d__real)(g->high_y - y0) * unit};
     sph2d__ranges ranges;
     list found;
     found.count = 0;
@@ -186,11 +193,11 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
     sph2d__patch_ranges(&s->fluid_cells, &g->patch, &ranges);
     for (int r = 0; r < ranges.count; ++r)
         for (size_t j = ranges.begin[r]; j < ranges.end[r]; j += SPH2D__LANES) {
-            list_block(&found, f, &me, &ranges, r, j, k);
+            list_block(&found, &me, &ranges, r, j, k);
             if (found.count > LISTED - SPH2D__LANES)
-                sum_listed(to, &found, f, &me, k);
+                sum_listed(to, &found, &me, k);
         }
-    sum_listed(to, &found, f, &me, k);
+    sum_listed(to, &found, &me, k);
 }
 
 /* ---- fits -------------------------------------------------------------------------------------------------------- */
@@ -208,14 +215,19 @@ static void fit_linear(const fit_sums *sums, int lane, int first, int end, fit *
     bool sound = det > 1e-6 * (a + c) * (a + c);
     for (int v = first; v < end; ++v) {
         double bx = sums->of[FIELDS + v * FIELD_SUMS + 1][lane], by = sums->of[FIELDS + v * FIELD_SUMS + 2][lane];
-        out->x[v][lane] = sound ? (c * bx - b * by) / det : 0;
-        out->y[v][lane] = sound ? (a * by - b * bx) / det : 0;
+        out->x[v][lane] = sound ? (sph2d__real)((c * bx - b * by) / det) : 0;
+        out->y[v][lane] = sound ? (sph2d__real)((a * by - b * bx) / det) : 0;
         out->laplacian[v][lane] = out->residual[v][lane] = 0;
     }
 }
 
-/* A pivot below this part of its diagonal says that the neighbours do not carry the fit. */
-static const double SINGULAR = 1e-7;
+/* A pivot below this part of its diagonal says that the neighbours do not carry the fit; in floats it may be rounding.
+ * And what divisors are never below. */
+#ifdef SPH2D__MIXED
+static const float SINGULAR = 1e-5F, TINY = 1e-30F;
+#else
+static const double SINGULAR = 1e-7, TINY = 1e-300;
+#endif
 
 /** The matrix A of the normal equations, its lower triangle row by row. */
 enum { MATRIX = 15 };
@@ -241,15 +253,15 @@ static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MAT
             for (int n = 0; n < b; ++n)
                 rest -= l[n][a] * l[b][n];
             if (a == b) {
-                sph2d__lanes pivot = sph2d__lanes_max(rest, whole * SINGULAR + 1e-300);
-                weakest = sph2d__lanes_below(pivot - rest, 1e-300, weakest, (sph2d__lanes){0});
+                sph2d__lanes pivot = sph2d__lanes_max(rest, whole * SINGULAR + TINY);
+                weakest = sph2d__lanes_below(pivot - rest, TINY, weakest, (sph2d__lanes){0});
                 inverse[a] = 1 / pivot;
             } else {
                 l[b][a] = rest;
                 l[a][b] = rest * inverse[b];
             }
         }
-    sph2d__lanes scale = 4 / sph2d__lanes_max(sums->of[M20] + sums->of[M02], sph2d__lanes_all(1e-300));
+    sph2d__lanes scale = 4 / sph2d__lanes_max(sums->of[M20] + sums->of[M02], sph2d__lanes_all(TINY));
     for (int v = first; v < end; ++v) {
         const sph2d__lanes *b = sums->of + FIELDS + v * FIELD_SUMS;
         sph2d__lanes c[5], residual = b[0];
@@ -278,8 +290,9 @@ static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MAT
 static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums, const fit *fits, const constants *k)
 {
     sph2d__store *f = &s->fluid;
-    double h1 = k->inverse_support, h2 = h1 * h1, most = 0.5 * s->speed;
-    double diffusion = s->method.density_diffusion / 2 * s->support * s->sound_speed * h2;
+    const sph2d__real h1 = k->inverse_support, h2 = h1 * h1, most = (sph2d__real)(0.5 * s->speed);
+    const sph2d__real diffusion = (sph2d__real)(s->method.density_diffusion / 2 * s->support * s->sound_speed * h2);
+    const sph2d__real gain = (sph2d__real)s->residual_gain;
     sph2d__lanes dx[3], dy[3], shift = sph2d__lanes_all(-s->shift_gain * s->speed * k->crowd);
     for (int v = 0; v < 3; ++v) {
         dx[v] = fits->x[v] * h1;
@@ -287,12 +300,12 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
     }
     sph2d__lanes wx = shift * sums->of[CROWD_X], wy = shift * sums->of[CROWD_Y];
     sph2d__lanes w = sph2d__lanes_sqrt(wx * wx + wy * wy),
-                 less = most / sph2d__lanes_max(w, sph2d__lanes_all(most + 1e-300));
+                 less = most / sph2d__lanes_max(w, sph2d__lanes_all(most + TINY));
     wx *= less;
     wy *= less;
-    sph2d__lanes rho = sph2d__lanes_load(f->density + g->first), nu = sph2d__lanes_all(k->viscosity * h2);
-    sph2d__lanes ax = nu * (fits->laplacian[0] + s->residual_gain * fits->residual[0]) + wx * dx[0] + wy * dy[0];
-    sph2d__lanes ay = nu * (fits->laplacian[1] + s->residual_gain * fits->residual[1]) + wx * dx[1] + wy * dy[1];
+    sph2d__lanes rho = sph2d__group_lanes(f->density + g->first, 0), nu = sph2d__lanes_all(k->viscosity * h2);
+    sph2d__lanes ax = nu * (fits->laplacian[0] + gain * fits->residual[0]) + wx * dx[0] + wy * dy[0];
+    sph2d__lanes ay = nu * (fits->laplacian[1] + gain * fits->residual[1]) + wx * dx[1] + wy * dy[1];
     sph2d__lanes rate = -rho * (dx[0] + dy[1]) + wx * dx[2] + wy * dy[2] + diffusion * fits->residual[2];
     for (int lane = 0; lane < g->count; ++lane) {
         size_t i = g->first + (size_t)lane;
@@ -327,10 +340,10 @@ static void add_surface(fit_sums *sums, int lane, double x, double y, const doub
         x,         y,         x * x,         x * y,         y * y,         x * x * x,     x * x * y,
         x * y * y, y * y * y, x * x * x * x, x * x * x * y, x * x * y * y, x * y * y * y, y * y * y * y};
     for (int n = 0; n < 14; ++n)
-        sums->of[M10 + n][lane] += w * moments[n];
+        sums->of[M10 + n][lane] += (sph2d__real)(w * moments[n]);
     for (int v = 0; v < 2; ++v)
         for (int n = 0; n < FIELD_SUMS; ++n)
-            sums->of[FIELDS + v * FIELD_SUMS + n][lane] += w * basis[n] * known[v];
+            sums->of[FIELDS + v * FIELD_SUMS + n][lane] += (sph2d__real)(w * basis[n] * known[v]);
 }
 
 /** Adds what a wall knows of the slope of density to the equations of a lane: along its normal the pressure balances
@@ -345,8 +358,8 @@ static void add_slope(fit_sums *sums, sph2d__lanes matrix[MATRIX], int lane, dou
     double basis[5] = {nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
     for (int a = 0, n = 0; a < 5; ++a) {
         for (int b = 0; b <= a; ++b, ++n) /* n++ below would count twice: a bug of GCC 12 */
-            matrix[n][lane] += w * basis[a] * basis[b];
-        sums->of[FIELDS + 2 * FIELD_SUMS + 1 + a][lane] += w * basis[a] * known;
+            matrix[n][lane] += (sph2d__real)(w * basis[a] * basis[b]);
+        sums->of[FIELDS + 2 * FIELD_SUMS + 1 + a][lane] += (sph2d__real)(w * basis[a] * known);
     }
 }
 
@@ -363,8 +376,8 @@ static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_
         if (q < 1) {
             double near = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) * k->near, t = 1 - q;
             double crowd = t * t * t * (1 + near * near * near * near) * k->inverse_support;
-            sums->of[CROWD_X][lane] += crowd * x;
-            sums->of[CROWD_Y][lane] += crowd * y;
+            sums->of[CROWD_X][lane] += (sph2d__real)(crowd * x);
+            sums->of[CROWD_Y][lane] += (sph2d__real)(crowd * y);
         }
         if (w->depth[b] > FIRST_LAYER * s->spacing)
             continue;
@@ -414,9 +427,12 @@ static void rates_of_group(sph2d__system *s, const sph2d__group *g, sph2d__curso
 static void rates(sph2d__system *s, size_t first, size_t last)
 {
     double ratio = s->support / s->spacing;
-    constants k = {1 / s->support, 140 / (SPH2D__PI * ratio * ratio),
-                   pow(0.2, 0.25) / sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio),
-                   s->viscosity / s->rest_density};
+    const double beside = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio);
+    const constants k = {.liquid = sph2d__packed_of(s, &s->fluid, false),
+                         .inverse_support = (sph2d__real)(1 / s->support),
+                         .near = (sph2d__real)(pow(0.2, 0.25) / beside),
+                         .crowd = 140 / (SPH2D__PI * ratio * ratio),
+                         .viscosity = s->viscosity / s->rest_density};
     const sph2d__grouping by = sph2d__grouping_of(&s->fluid, &s->fluid_cells, NULL);
     sph2d__cursor walls = SPH2D__CURSOR_START;
     SPH2D__FOR_GROUPS (&by, g, first, last) {

@@ -197,7 +197,8 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
                           terms with, const numbers *n)
 {
     sph2d__store *f = &s->fluid;
-    double own = f->pressure[i] * f->volume[i] * f->volume[i], ax = 0, ay = 0;
+    const double volume = s->mass / f->density[i];
+    double own = f->pressure[i] * volume * volume, ax = 0, ay = 0;
     if (with.layout >= SPH2D__LAYOUT_SLOPED)
         finish_slope(f, i, liquid, l);
     if (with.layout >= SPH2D__LAYOUT_FULL) {
@@ -243,10 +244,12 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
-        receiver me = {sph2d__lanes_load(liquid.vx + g.first), sph2d__lanes_load(liquid.vy + g.first),
-                       sph2d__lanes_load(liquid.density + g.first),
-                       sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
-                       -8 * (sph2d__real)n.monaghan * volume};
+        receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first),
+                       .vy = sph2d__lanes_load(liquid.vy + g.first),
+                       .own = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
+                       .damping = -8 * (sph2d__real)n.monaghan * volume};
+        if (with.layout >= SPH2D__LAYOUT_SLOPED)
+            me.density = sph2d__lanes_load(liquid.density + g.first);
         force_sums sums = {0};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);

@@ -59,7 +59,7 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
 {
     const sph2d__packed f = sph2d__packed_of(s, &s->fluid, false);
     const sph2d__grouping by = sph2d__grouping_of(&s->walls, &s->wall_cells, &s->fluid_cells);
-    const sph2d__real inverse_support = (sph2d__real)(1 / s->support), from = (sph2d__real)f.from;
+    const sph2d__real inverse_support = (sph2d__real)(1 / s->support), mass = (sph2d__real)s->mass;
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         wall_sums sums = {0};
         sph2d__ranges ranges = {0};
@@ -72,7 +72,7 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
                 sph2d__lanes weight = sph2d__kernel_value(kernel, q);
                 sums.weight += weight;
                 if (pressed) {
-                    sph2d__lanes heavy = weight * (from + f.density[j]);
+                    sph2d__lanes heavy = weight * (mass / f.volume[j]);
                     sums.pressure += weight * f.pressure[j];
                     sums.weight_x += heavy * dx;
                     sums.weight_y += heavy * dy;

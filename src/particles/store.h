@@ -56,7 +56,7 @@ enum { SPH2D__PADDING = 16 };
     X(packed_velocity)                                                                                                 \
     X(packed_state)                                                                                                    \
     X(packed_slope)                                                                                                    \
-    X(packed_rest)                                                                                                     \
+    X(packed_density)                                                                                                  \
     X(start_x) /* position, velocity and density when the step began */                                                \
     X(start_y)                                                                                                         \
     X(start_vx)                                                                                                        \
@@ -79,10 +79,9 @@ _Static_assert(SPH2D__STORE_COUNT <= 64, "a set of arrays has 64 bits");
 /** What every store has. */
 #define SPH2D__STORE_BASIC (SPH2D__BIT(x) | SPH2D__BIT(y) | SPH2D__BIT(vx) | SPH2D__BIT(vy))
 
-/** The arrays of floats. */
-#define SPH2D__PACKED_WALLS                                                                                            \
-    (SPH2D__BIT(packed_place) | SPH2D__BIT(packed_velocity) | SPH2D__BIT(packed_state) | SPH2D__BIT(packed_rest))
-#define SPH2D__PACKED_FLUID (SPH2D__PACKED_WALLS | SPH2D__BIT(packed_slope))
+/** The arrays of floats but for slopes. */
+#define SPH2D__PACKED                                                                                                  \
+    (SPH2D__BIT(packed_place) | SPH2D__BIT(packed_velocity) | SPH2D__BIT(packed_state) | SPH2D__BIT(packed_density))
 
 /** A store; start it with its two sets of arrays and zeros. */
 typedef struct sph2d__store {

@@ -57,7 +57,7 @@ static void check_options(sph2d__checker *c)
     bool other = m->name != SPH2D_METHOD_WCSPH;
     const char *hint = other ? wcsph : symmetric;
     refuse(c, "method.operators", other && m->operators != standard.operators, 0, wcsph);
-    refuse(c, "method.precision", m->precision != standard.precision, SYMMETRIC, hint);
+    refuse(c, "method.precision", m->precision != standard.precision, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC | PROJECTED, hint);
     refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);

@@ -304,7 +304,7 @@ static const sph2d_key method_items[] = {
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "
              "its room"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
-     .standard = "double", .text = "wcsph with symmetric operators: mixed takes floats for what is summed over pairs"},
+     .standard = "double", .text = "wcsph: mixed takes floats for what is summed over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
      .standard = "wendland_c2", .text = "wcsph with symmetric operators, pcisph, constraint: the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,

@@ -54,6 +54,16 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
 enum { COLUMNS = 4 };
 static const double WIDE = 2.8;
 
+/** The arrays of floats that pair loops read of the liquid (methods/packed.h). Fitted operators know no volumes, and
+ * read walls one by one. */
+static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
+{
+    const sph2d__set sloped = SPH2D__PACKED | SPH2D__BIT(packed_slope), density = SPH2D__BIT(packed_density);
+    if (fitted)
+        return SPH2D__PACKED & ~SPH2D__BIT(packed_state);
+    return unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED & ~density : sloped;
+}
+
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -83,11 +93,10 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->surface_tension = scene->fluid.surface_tension;
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
-    sph2d__set packed = unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED_WALLS : SPH2D__PACKED_FLUID;
-    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed : 0);
     s->fluid.carried = sim->method->carried & ~unused;
     s->walls.carried = sim->method->walls;
-    s->walls.has = sim->method->walls | (mixed ? SPH2D__PACKED_WALLS : 0);
+    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
+    s->walls.has = sim->method->walls | (mixed && !fitted ? SPH2D__PACKED : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool search = sim->method->integrator == SPH2D__PROJECTED && s->reach < WIDE * s->spacing;

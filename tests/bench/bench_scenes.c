@@ -94,5 +94,6 @@ const bench_scene bench_scenes[] = {
     {"pcisph", "dam break, pcisph, 1 %", 40, 6, SPH2D_PRECISION_DOUBLE, dam_pcisph},
     {"constraint", "dam break, constraint, 1 %", 40, 6, SPH2D_PRECISION_DOUBLE, dam_constraint},
     {"fitted", "Taylor-Green, wcsph with fitted operators, H/dx 2.5", 324, 15, SPH2D_PRECISION_DOUBLE, vortices},
+    {"fitted-mixed", "the same in floats", 324, 15, SPH2D_PRECISION_MIXED, vortices},
 };
 const size_t bench_scene_count = sizeof bench_scenes / sizeof *bench_scenes;
