@@ -2,6 +2,7 @@
 // The field of one metaball, r^4 - r^2 + 1/4 with r in units of R. It falls to zero at r^2 = 1/2 and would rise again
 // beyond; blending sums it up over the particles.
 in vec2 place;
+flat in float share;
 
 layout(location = 0) out float field;
 
@@ -9,5 +10,5 @@ void main()
 {
     float s = dot(place, place);
     float fall = min(s - 0.5, 0.0);
-    field = fall * fall;
+    field = share * fall * fall;
 }

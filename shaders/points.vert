@@ -1,5 +1,5 @@
 #version 330 core
-// A square around a dot, a pixel wider for its soft edge.
+// A triangle around a dot, a pixel wider for its soft edge.
 layout(location = 0) in vec2 center; // [px], from the top left
 layout(location = 1) in vec4 color;
 
@@ -9,10 +9,11 @@ uniform float radius;    // [px]
 out vec2 place; // [px]
 flat out vec4 tint;
 
+const vec2 CORNERS[3] = vec2[](vec2(-1.7320509, -1.0), vec2(1.7320509, -1.0), vec2(0.0, 2.0));
+
 void main()
 {
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
-    place = corner * (radius + 1.0);
+    place = CORNERS[gl_VertexID % 3] * (radius + 1.0);
     tint = color;
     gl_Position = vec4((center + place) / image_size * 2.0 - 1.0, 0.0, 1.0);
 }

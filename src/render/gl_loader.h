@@ -36,9 +36,10 @@
     X(DeleteTextures, PFNGLDELETETEXTURESPROC)                                                                         \
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                                                                 \
     X(Disable, PFNGLDISABLEPROC)                                                                                       \
-    X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)                                                               \
+    X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
+    X(Finish, PFNGLFINISHPROC)                                                                                         \
     X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
     X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                                                             \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \
@@ -66,7 +67,6 @@
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
-    X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)                                                               \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
     X(Viewport, PFNGLVIEWPORTPROC)
 

@@ -2,10 +2,10 @@
 /** @file metaballs.c
  *  Drawing metaballs. What water looks like is in the shaders; what counts as water is here.
  *
- *  The first pass draws every particle as a square with its field r^4 - r^2 + 1/4 (r in units of R) and adds them
- *  up in a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field
- *  alone knows water only from its very rim, so the first pass is drawn once more with much wider balls on a coarse
- *  grid, the "depth": it rises slowly from the surface inwards, and light and colour follow it. */
+ *  The first pass draws every particle as a disc with its field r^4 - r^2 + 1/4 (r in units of R) and adds them up in
+ *  a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field alone
+ *  knows water only from its very rim, so the first pass is drawn once more on a coarse grid, the "depth", with much
+ *  wider balls, of several particles each: it rises slowly from the surface inwards, and light and colour follow it. */
 #include "render/metaballs.h"
 
 #include <math.h>
@@ -54,17 +54,19 @@ sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *ball
         status =
             sph2d__target_create_float(gl, &balls->depth, GL_LINEAR, depth_texels(width), depth_texels(height), report);
     if (status == SPH2D_OK)
+        status = sph2d__lumps_create(&balls->lumps, depth_texels(width), depth_texels(height), report);
+    if (status == SPH2D_OK)
         status = sph2d__tiles_create(&balls->tiles, width, height, report);
     if (status != SPH2D_OK)
         sph2d__metaballs_destroy(gl, balls);
     return status;
 }
 
-/* First pass: the fields of all balls of a radius [px], added up on a grid of squares of `texel` pixels. */
-static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
-                   const sph2d__view *view, const sph2d__dot_list *list, double radius, double texel)
+/* First pass: what is drawn now are fields of balls of a radius [px], to be added up on a grid of squares of `texel`
+ * pixels. */
+static void begin_adding(const sph2d__gl *gl, GLuint program, const sph2d__target *target, GLsizei columns,
+                         GLsizei rows, double radius, double texel)
 {
-    const GLsizei columns = texels(view->width, texel), rows = texels(view->height, texel);
     sph2d__target_bind(gl, target);
     gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl->Clear(GL_COLOR_BUFFER_BIT);
@@ -75,7 +77,17 @@ static void add_up(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const
     gl->UseProgram(program);
     sph2d__program_set_vec2(gl, program, "image_size", columns * texel, rows * texel);
     sph2d__program_set_float(gl, program, "radius", radius);
-    sph2d__dots_draw(gl, dots, view, list);
+}
+
+/* The depth, of balls of a radius [px], on a grid of squares of `texel` pixels. */
+static void add_depth(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__view *view,
+                      const sph2d__dot_list *list, double radius, double texel)
+{
+    const sph2d__view wide = sph2d__view_widen(view, MARGIN * texel);
+    const GLsizei columns = texels(wide.width, texel), rows = texels(wide.height, texel);
+    begin_adding(gl, balls->ball_program, &balls->depth, columns, rows, radius, texel);
+    sph2d__lumps_reset(&balls->lumps, columns, rows, texel);
+    sph2d__lumps_draw(gl, &balls->lumps, dots, &wide, list);
 }
 
 /* Second pass: the field as water over the background, in the tiles found. */
@@ -110,16 +122,16 @@ void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__
                            const sph2d__view *view, sph2d__dot_list list, double radius)
 {
     const double pixels = fmax(radius * view->scale, smallest_radius);
-    list.half_side = pixels * sqrt(0.5);
+    list.reach = pixels * sqrt(0.5);
     sph2d__tiles_find(&balls->tiles, view, &list);
-    add_up(gl, balls->ball_program, dots, &balls->field, view, &list, pixels, 1);
+    begin_adding(gl, balls->ball_program, &balls->field, target->width, target->height, pixels, 1);
+    sph2d__dots_draw(gl, dots, view, &list);
 
     const double wide = pixels * depth_ratio;
     /* Balls larger than the image have a depth without a shape in it: the grid need not grow with them for ever. */
     const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
-    const sph2d__view wide_view = sph2d__view_widen(view, MARGIN * texel);
-    list.half_side = wide * sqrt(0.5);
-    add_up(gl, balls->ball_program, dots, &balls->depth, &wide_view, &list, wide, texel);
+    list.reach = wide * sqrt(0.5);
+    add_depth(gl, balls, dots, view, &list, wide, texel);
     draw_surface(gl, balls, dots, target, pixels, texel);
 }
 
@@ -129,6 +141,7 @@ void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls)
     gl->DeleteProgram(balls->surface_program);
     sph2d__target_destroy(gl, &balls->field);
     sph2d__target_destroy(gl, &balls->depth);
+    sph2d__lumps_destroy(&balls->lumps);
     sph2d__tiles_destroy(&balls->tiles);
     *balls = (sph2d__metaballs){0};
 }

@@ -14,7 +14,7 @@ void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, 
                         const sph2d__view *view, sph2d__dot_list list, double radius)
 {
     const double pixels = fmax(radius * view->scale, smallest_radius);
-    list.half_side = pixels + 1.0; /* the soft edge */
+    list.reach = pixels + 1.0; /* the soft edge */
     sph2d__target_bind(gl, target);
     gl->Enable(GL_BLEND);
     gl->BlendEquation(GL_FUNC_ADD);

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const unsigned char no_color[4] = {0};
-
 sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report)
 {
     *tiles = (sph2d__tiles){.columns = (width + SPH2D__TILE - 1) / SPH2D__TILE,
@@ -33,12 +31,12 @@ void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d
     memset(tiles->touched, 0, (size_t)tiles->columns * (size_t)tiles->rows);
     for (size_t i = 0; i < list->count; ++i) {
         float pixel[2];
-        if (!sph2d__view_place(view, list->x[i], list->y[i], list->half_side, pixel))
+        if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, pixel))
             continue;
-        const int left = tile_of(pixel[0] - list->half_side, tiles->columns);
-        const int right = tile_of(pixel[0] + list->half_side, tiles->columns);
-        const int top = tile_of(pixel[1] - list->half_side, tiles->rows);
-        const int bottom = tile_of(pixel[1] + list->half_side, tiles->rows);
+        const int left = tile_of(pixel[0] - list->reach, tiles->columns);
+        const int right = tile_of(pixel[0] + list->reach, tiles->columns);
+        const int top = tile_of(pixel[1] - list->reach, tiles->rows);
+        const int bottom = tile_of(pixel[1] + list->reach, tiles->rows);
         for (int row = top; row <= bottom; ++row)
             memset(tiles->touched + (size_t)row * (size_t)tiles->columns + left, 1, (size_t)right - (size_t)left + 1);
     }
@@ -46,13 +44,14 @@ void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d
 
 void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots)
 {
-    sph2d__dots_begin(gl, dots);
+    sph2d__dots_begin(gl, dots, SPH2D__SQUARE);
     for (int row = 0; row < tiles->rows; ++row)
         for (int column = 0; column < tiles->columns; ++column) {
             if (!tiles->touched[(size_t)row * (size_t)tiles->columns + (size_t)column])
                 continue;
-            const float pixel[2] = {((float)column + 0.5F) * SPH2D__TILE, ((float)row + 0.5F) * SPH2D__TILE};
-            sph2d__dots_add(gl, dots, pixel, no_color);
+            const sph2d__dot tile = {
+                .pixel = {((float)column + 0.5F) * SPH2D__TILE, ((float)row + 0.5F) * SPH2D__TILE}};
+            sph2d__dots_add(gl, dots, &tile);
         }
     sph2d__dots_end(gl, dots);
 }

@@ -17,7 +17,7 @@ typedef struct sph2d__tiles {
 /** Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report);
 
-/** Finds the tiles that the squares of a list touch. */
+/** Finds the tiles that squares as far as a list's reach touch. */
 void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list);
 
 /** Draws the tiles found, as squares, with the program, target and blending in use. */
