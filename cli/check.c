@@ -76,7 +76,7 @@ static int draw_preview(checked *c)
     sph2d_status status = painter_create(&look, c->options, &painter, &c->report);
     particle_source source = {.sim = c->sim};
     if (status == SPH2D_OK)
-        status = painter_paint(painter, &source, &look, c->options->preview, &c->report);
+        status = painter_paint(painter, &source, &look, c->options->preview, NULL, &c->report);
     painter_destroy(painter);
     if (status == SPH2D_OK)
         message_note("the first frame is in '%s'", c->options->preview);

@@ -84,6 +84,7 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
             fail(&result, status);
     }
     result.output_wall += clock_wall() - begun;
+    result.frames = o->frames;
     sph2d_summary after = sph2d_sim_summary(sim);
     result.steps = after.steps - before.steps;
     result.particle_steps = after.particle_steps - before.particle_steps;

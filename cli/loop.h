@@ -19,11 +19,12 @@ typedef enum loop_end {
 /** What a session did, and what it cost. */
 typedef struct loop_result {
     loop_end end;
-    int signal;          /**< which one, for LOOP_SIGNAL */
-    sph2d_status status; /**< SPH2D_OK unless LOOP_GUARD or LOOP_FAILED */
-    double step_wall;    /**< stepping alone [s] */
-    double step_cpu;     /**< of all threads, stepping alone [s] */
-    double output_wall;  /**< writing and drawing [s] */
+    int signal;           /**< which one, for LOOP_SIGNAL */
+    sph2d_status status;  /**< SPH2D_OK unless LOOP_GUARD or LOOP_FAILED */
+    double step_wall;     /**< stepping alone [s] */
+    double step_cpu;      /**< of all threads, stepping alone [s] */
+    double output_wall;   /**< writing and drawing [s] */
+    painter_times frames; /**< the part of that which frames took */
     uint64_t steps, particle_steps;
     double simulated; /**< [s] */
 } loop_result;

@@ -69,7 +69,7 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
     if (path == NULL)
         return SPH2D_NOMEM;
     particle_source source = {.sim = o->sim};
-    return painter_paint(o->painter, &source, &o->look, path, report);
+    return painter_paint(o->painter, &source, &o->look, path, &o->frames, report);
 }
 
 static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report)

@@ -19,6 +19,7 @@ typedef struct cli_outputs {
     const sph2d_scene_file *file;
     cli_painter *painter; /**< NULL: frames count as taken, but none is drawn */
     cli_look look;
+    painter_times frames;  /**< what drawing took */
     sph2d_series **series; /**< one a probe */
     size_t series_count;
     uint64_t saved_step; /**< the last step that was saved ... */

@@ -32,12 +32,13 @@ bool painter_fits(const cli_painter *p, const cli_look *look)
 }
 
 sph2d_status painter_paint(cli_painter *p, const particle_source *source, const cli_look *look, const char *path,
-                           sph2d_report *report)
+                           painter_times *spent, sph2d_report *report)
 {
     (void)p;
     (void)source;
     (void)look;
     (void)path;
+    (void)spent;
     (void)report;
     return SPH2D_RENDER;
 }
@@ -100,7 +101,7 @@ bool painter_fits(const cli_painter *p, const cli_look *look)
 }
 
 sph2d_status painter_paint(cli_painter *p, const particle_source *source, const cli_look *look, const char *path,
-                           sph2d_report *report)
+                           painter_times *spent, sph2d_report *report)
 {
     sph2d_picture picture;
     sph2d_status status = picture_make(source, look, &p->buffers, &picture, report);
@@ -108,6 +109,10 @@ sph2d_status painter_paint(cli_painter *p, const particle_source *source, const 
         status = sph2d_renderer_draw(p->renderer, &picture, report);
     if (status == SPH2D_OK)
         status = sph2d_renderer_write_png(p->renderer, path, report);
+    if (status == SPH2D_OK && spent != NULL) {
+        const painter_times one = {1, sph2d_renderer_times(p->renderer)};
+        painter_times_add(spent, &one);
+    }
     return status;
 }
 
@@ -123,3 +128,24 @@ const char *painter_backends(void)
 }
 
 #endif
+
+void painter_times_add(painter_times *sum, const painter_times *more)
+{
+    sum->frames += more->frames;
+    sum->sum.draw += more->sum.draw;
+    sum->sum.read += more->sum.read;
+    sum->sum.encode += more->sum.encode;
+}
+
+char *painter_times_describe(char out[TEXT_SIZE], const painter_times *times)
+{
+    out[0] = '\0';
+    if (times->frames == 0)
+        return out;
+    const double per_frame = 1e3 / (double)times->frames;
+    char draw[TEXT_SIZE], read[TEXT_SIZE], encode[TEXT_SIZE];
+    snprintf(out, TEXT_SIZE, "%s ms each to draw, %s to read back, %s to encode",
+             text_short(draw, times->sum.draw * per_frame), text_short(read, times->sum.read * per_frame),
+             text_short(encode, times->sum.encode * per_frame));
+    return out;
+}

@@ -58,15 +58,17 @@ typedef struct sequence {
     cli_folder folder;
     cli_progress progress;
     size_t next, drawn; /* the snapshot to read next; frames that are done */
-    double time;        /* of the snapshot before [s] */
-    bool disorder;      /* it was told that times go back */
-    int code;           /* of the first failure, after which no more is read */
+    painter_times spent;
+    double time;   /* of the snapshot before [s] */
+    bool disorder; /* it was told that times go back */
+    int code;      /* of the first failure, after which no more is read */
 } sequence;
 
 /* Who draws: each has a painter, made for the first picture and again when one has another size or style. */
 typedef struct worker {
     sequence *sequence;
     cli_painter *painter;
+    painter_times spent;
     sph2d_report report;
 } worker;
 
@@ -142,7 +144,7 @@ static sph2d_status draw(worker *w, const frame *f)
     cli_look look = wanted_look(f->snapshot, w->sequence->options);
     particle_source source = {.snapshot = f->snapshot};
     sph2d_status status = make_painter(w, &look);
-    return status == SPH2D_OK ? painter_paint(w->painter, &source, &look, f->path, &w->report) : status;
+    return status == SPH2D_OK ? painter_paint(w->painter, &source, &look, f->path, &w->spent, &w->report) : status;
 }
 
 static void count_frame(worker *w, sph2d_status status)
@@ -206,6 +208,8 @@ static void draw_all(sequence *s, int workers)
         worker *w = mine ? &first : &other;
         draw_rest(w);
         painter_destroy(w->painter);
+#pragma omp critical(sequence)
+        painter_times_add(&s->spent, &w->spent);
     }
 }
 
@@ -222,8 +226,10 @@ int command_render(const cli_options *options)
     s.progress = progress_begin(options, 0, (double)options->operand_count);
     draw_all(&s, workers);
     progress_end(&s.progress);
+    char spent[TEXT_SIZE];
     if (s.code == CLI_EXIT_SUCCESS)
-        message_note("%zu frame%s in '%s'", s.drawn, s.drawn == 1 ? "" : "s", options->output);
+        message_note("%zu frame%s in '%s': %s", s.drawn, s.drawn == 1 ? "" : "s", options->output,
+                     painter_times_describe(spent, &s.spent));
     folder_close(&s.folder);
     return s.code;
 }

@@ -35,7 +35,10 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
     }
     text_row("", "stepping %s, CPU %s; output %s", text_seconds(wall, result->step_wall),
              text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall));
-    char in_use[TEXT_SIZE];
+    char frames[TEXT_SIZE], in_use[TEXT_SIZE];
+    if (result->frames.frames > 0)
+        text_row("", "%zu frame%s, %s", result->frames.frames, result->frames.frames == 1 ? "" : "s",
+                 painter_times_describe(frames, &result->frames));
     text_row("", "%s, %s", threads_describe(in_use, sph2d_sim_threads(sim), threads),
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
@@ -121,6 +124,16 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
+static void add_frames(cli_json *line, const painter_times *frames)
+{
+    json_open_object(line, "frames");
+    json_count(line, "count", frames->frames);
+    json_number(line, "draw_seconds", frames->sum.draw);
+    json_number(line, "read_seconds", frames->sum.read);
+    json_number(line, "encode_seconds", frames->sum.encode);
+    json_close_object(line);
+}
+
 static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
 {
     double done = (double)result->particle_steps;
@@ -136,6 +149,7 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_count(line, "threads", (uint64_t)sph2d_sim_threads(sim));
     json_text(line, "threads_from", threads->source);
     json_text(line, "isa", sph2d_isa_name(sph2d_sim_isa(sim)));
+    add_frames(line, &result->frames);
     json_close_object(line);
 }
 

@@ -121,6 +121,12 @@ char *text_seconds(char out[TEXT_SIZE], double seconds)
     return out;
 }
 
+char *text_short(char out[TEXT_SIZE], double number)
+{
+    snprintf(out, TEXT_SIZE, fabs(number) < 9.95 ? "%.2g" : "%.0f", number);
+    return out;
+}
+
 char *text_count(char out[TEXT_SIZE], double count)
 {
     static const char *const units[] = {"", " k", " M", " G", " T"};

@@ -22,6 +22,8 @@ char *text_whole(char *text);
 char *text_bytes(char out[TEXT_SIZE], double bytes);
 /** "4.2 s", "3 min 12 s", "2 h 05 min". Returns `out`. */
 char *text_seconds(char out[TEXT_SIZE], double seconds);
+/** "0.34", "2.4", "24", "240": a number of at least two digits. Returns `out`. */
+char *text_short(char out[TEXT_SIZE], double number);
 /** "6.91 M": a count of things, in three digits. Returns `out`. */
 char *text_count(char out[TEXT_SIZE], double count);
 /** A unit from its exponents of metre, kilogram and second: "kg/m^3", "Pa", "" for none. Returns `out`. */

@@ -9,7 +9,7 @@
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
-#define RENDER_SUITES(X) X(render) X(lumps)
+#define RENDER_SUITES(X) X(render) X(lumps) X(frame_times)
 #endif
 
 #define SUITES(X)                                                                                                      \

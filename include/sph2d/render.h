@@ -46,6 +46,13 @@ typedef struct sph2d_picture {
     double wall_radius;            /**< of a boundary particle's dot [m] */
 } sph2d_picture;
 
+/** Where the time of a frame went, on the wall clock. */
+typedef struct sph2d_frame_times {
+    double draw;   /**< until OpenGL has drawn it [s] */
+    double read;   /**< bringing the pixels into memory [s] */
+    double encode; /**< making a PNG of them and writing it, the wait for the disk included [s]; 0: not written */
+} sph2d_frame_times;
+
 /** Makes a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a sentence that names the missing library or the
  *  shader's line), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL
  *  after a failure). */
@@ -66,6 +73,9 @@ SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *rende
 /** Writes the last picture as an RGB PNG, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
  *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
+
+/** Where the time of the last picture went, and of the last time that it was written. All 0 before the first draw. */
+SPH2D_API sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer);
 
 /** The context in use, "osmesa" or "egl", and what OpenGL says of itself; valid as long as the renderer. */
 SPH2D_API const char *sph2d_renderer_gl(const sph2d_renderer *renderer);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "render/colorbar.h"
 #include "render/metaballs.h"
@@ -26,6 +27,7 @@ struct sph2d_renderer {
     sph2d__target target;
     unsigned char *pixels;
     bool drawn;
+    sph2d_frame_times times;
     char gl_version[192];
 };
 
@@ -33,6 +35,12 @@ sph2d_render_options sph2d_render_options_default(void)
 {
     return (sph2d_render_options){
         .struct_size = sizeof(sph2d_render_options), .width = 1280, .height = 720, .style = SPH2D_STYLE_METABALLS};
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    return clock_gettime(CLOCK_MONOTONIC, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0.0;
 }
 
 static sph2d_status invalid(sph2d_report *report, const char *what)
@@ -215,8 +223,11 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
     draw_background(gl, &self->target, &at->view, picture->view);
     draw_particles(self, picture, at);
     sph2d__target_bind(gl, &self->target);
+    gl->Finish(); /* or reading would draw what was put off */
+    const double begun = seconds();
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl->ReadPixels(0, 0, self->target.width, self->target.height, GL_RGBA, GL_UNSIGNED_BYTE, self->pixels);
+    self->times.read = seconds() - begun;
     return sph2d__gl_check(gl, "drawing a picture", report);
 }
 
@@ -230,7 +241,9 @@ sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *
         status = arrange(renderer, picture, &at, report);
     if (status != SPH2D_OK)
         return status;
+    const double begun = seconds();
     renderer->drawn = false;
+    renderer->times = (sph2d_frame_times){0};
     if (!renderer->context.make_current(renderer->context.impl)) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
                          "the OpenGL context from %s cannot be used in this thread", renderer->context.name);
@@ -245,6 +258,7 @@ sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *
         const sph2d__canvas canvas = {renderer->pixels, (int)renderer->width, (int)renderer->height};
         sph2d__colorbar_draw(&canvas, at.min, at.max, picture->value_label);
     }
+    renderer->times.draw = seconds() - begun - renderer->times.read;
     return SPH2D_OK;
 }
 
@@ -259,7 +273,15 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
         return invalid(report, "no path for the picture was given");
     if (sph2d_renderer_pixels(renderer) == NULL)
         return invalid(report, "there is no picture to write: draw one first");
-    return sph2d__png_write(path, renderer->pixels, renderer->width, renderer->height, report);
+    const double begun = seconds();
+    const sph2d_status status = sph2d__png_write(path, renderer->pixels, renderer->width, renderer->height, report);
+    renderer->times.encode = seconds() - begun;
+    return status;
+}
+
+sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer)
+{
+    return renderer != NULL ? renderer->times : (sph2d_frame_times){0};
 }
 
 const char *sph2d_renderer_gl(const sph2d_renderer *renderer)

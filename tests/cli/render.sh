@@ -9,7 +9,8 @@ fi
 
 for style in metaballs points; do
     expect 0 "$SPH2D" run "$TINY" -o $style -q -s run.frames.style=$style -s run.frames.color=speed
-    expect 0 "$SPH2D" render $style/snapshot_*.h5 -o again_$style && says '11 frames in'
+    expect 0 "$SPH2D" render $style/snapshot_*.h5 -o again_$style &&
+        says "11 frames in 'again_$style': [0-9.]* ms each to draw, [0-9.]* to read back, [0-9.]* to encode\$"
     same $style/frames again_$style
 done
 cmp -s metaballs/frames/frame_000005.png points/frames/frame_000005.png && fail 'styles look the same'

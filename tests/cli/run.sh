@@ -8,7 +8,9 @@ expect 0 "$SPH2D" run "$TINY" -o folder "$DRAW" --progress never
 [ "$(find folder -name 'snapshot_0000??.h5' | wc -l)" = 11 ] || fail 'not 11 snapshots'
 present folder/snapshot_000000.h5 && present folder/snapshot_000010.h5
 absent folder/checkpoint.h5
-if can_draw; then [ "$(find folder/frames -name 'frame_0000??.png' | wc -l)" = 11 ] || fail 'not 11 frames'; fi
+if can_draw; then
+    [ "$(find folder/frames -name 'frame_0000??.png' | wc -l)" = 11 ] || fail 'not 11 frames'
+fi
 [ "$(wc -l <folder/energy.csv)" = 42 ] || fail 'energy.csv does not have 41 rows and a header'
 [ "$(wc -l <folder/corner.csv)" = 22 ] || fail 'corner.csv does not have 21 rows and a header'
 head -n 1 folder/energy.csv | grep -q '^time \[s\],kinetic \[J/m\],' || fail 'no header with units'
@@ -34,6 +36,16 @@ grep -v '^{"severity": "note", .*}$' err && fail 'messages are not JSON'
 if command -v python3 >/dev/null; then
     python3 -c 'import json; json.load(open("out")); [json.loads(line) for line in open("err")]' || fail 'not JSON'
 fi
+
+# What frames took; nothing where there are none.
+if can_draw; then
+    expect 0 "$SPH2D" run "$TINY" -o drawn --progress never
+    prints '^  *11 frames, [0-9.]* ms each to draw, [0-9.]* to read back, [0-9.]* to encode$'
+    expect 0 "$SPH2D" run "$TINY" -o drawn -f --json --progress never
+    prints '"frames": {"count": 11, "draw_seconds": [0-9.e-]*, "read_seconds": [0-9.e-]*, "encode_seconds": [0-9.e-]*}'
+    grep -q '_seconds": 0[,}]' out && fail 'a frame that took no time'
+fi
+expect 0 "$SPH2D" run "$TINY" -o bare --no-frames --json --progress never && prints '"frames": {"count": 0, '
 
 # Where the time went, for who asks.
 expect 0 "$SPH2D" run "$TINY" -o profile --no-frames --progress never --profile
