@@ -278,6 +278,32 @@ START_TEST(nothing_gets_into_or_out_of_a_star)
 }
 END_TEST
 
+START_TEST(what_is_far_together_is_far_alone)
+{
+    uint64_t random = 29;
+    int far = 0;
+    add(0.2, 0.3, 0.7, 0.35);
+    add(0.5, -0.4, 0.5, 0.1);
+    build(0.05);
+    for (int round = 0; round < 20000; ++round) {
+        sph2d_vec2 a = random_point(&random, -1, 1), size = random_point(&random, 0, 0.2);
+        sph2d_vec2 low = {a.x, a.y}, high = {a.x + size.x, a.y + size.y};
+        double way = test_random(&random, 0, 0.06);
+        bool together = sph2d__barrier_far_from(&barrier, low, high, way);
+        far += together;
+        for (int k = 0; k < 20 && together; ++k) {
+            sph2d_vec2 to = {test_random(&random, low.x, high.x), test_random(&random, low.y, high.y)};
+            double x = test_random(&random, -way, way), y = test_random(&random, -1, 1) * (way - fabs(x));
+            ck_assert(sph2d__barrier_far(&barrier, (sph2d_vec2){to.x + x, to.y + y}, to));
+        }
+    }
+    ck_assert_int_gt(far, 2000);
+    ck_assert_int_lt(far, 18000);
+    ck_assert(sph2d__barrier_far_from(&barrier, (sph2d_vec2){-0.9, 0}, (sph2d_vec2){-0.8, 0}, 0.04));
+    ck_assert(!sph2d__barrier_far_from(&barrier, (sph2d_vec2){-0.9, 0}, (sph2d_vec2){-0.8, 0}, 0.06));
+}
+END_TEST
+
 START_TEST(walls_hold_against_what_comes_from_far_away)
 {
     /* The buckets cover the walls only; motions start and end far outside them. */
@@ -346,6 +372,7 @@ Suite *suite_barrier(void)
     tcase_add_loop_test(tests, no_motion_leaves_its_cell_of_crossing_lines, 0, 12);
     tcase_add_loop_test(tests, a_narrow_corner_holds_from_within_the_clearance, 0, 4);
     tcase_add_loop_test(tests, nothing_gets_into_or_out_of_a_star, 0, 4);
+    tcase_add_test(tests, what_is_far_together_is_far_alone);
     tcase_add_test(tests, walls_hold_against_what_comes_from_far_away);
     tcase_add_test(tests, sliding_is_free_over_joints);
     tcase_add_test(tests, a_corner_takes_the_whole_motion);

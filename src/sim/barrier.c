@@ -125,6 +125,23 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
     return true;
 }
 
+bool sph2d__barrier_far_from(const sph2d__barrier *b, sph2d_vec2 low, sph2d_vec2 high, double way)
+{
+    if (b->count == 0)
+        return true;
+    if (!((way + b->clearance) * b->inverse_size < 1))
+        return false;
+    int x0 = sph2d__bucket_of(low.x - way, b->origin_x, b->inverse_size, b->nx);
+    int x1 = sph2d__bucket_of(high.x + way, b->origin_x, b->inverse_size, b->nx);
+    int y0 = sph2d__bucket_of(low.y - way, b->origin_y, b->inverse_size, b->ny);
+    int y1 = sph2d__bucket_of(high.y + way, b->origin_y, b->inverse_size, b->ny);
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x)
+            if (b->near[(size_t)y * (size_t)b->nx + (size_t)x])
+                return false;
+    return true;
+}
+
 /** Smaller and larger of two numbers: fmin and fmax do more, slower. */
 static inline double lesser(double a, double b)
 {

@@ -56,6 +56,9 @@ static inline bool sph2d__barrier_far(const sph2d__barrier *b, sph2d_vec2 from, 
     return !b->near[(size_t)iy * (size_t)b->nx + (size_t)ix] && (way + b->clearance) * b->inverse_size < 1;
 }
 
+/** The same of all motions that end between `low` and `high` and go no farther than `way` [m]. */
+bool sph2d__barrier_far_from(const sph2d__barrier *barrier, sph2d_vec2 low, sph2d_vec2 high, double way);
+
 /** What sph2d__barrier_sweep does with a motion that is not far from every wall. */
 int sph2d__barrier_hold(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
 

@@ -2,6 +2,7 @@
 /** @file carry.c
  *  What every scheme does with a particle on its way: walls, periodic sides, sorting, the second kick. */
 #include <math.h>
+#include <string.h>
 
 #include "base/threads.h"
 #include "sim/integrators.h"
@@ -57,7 +58,13 @@ static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *
     return hits;
 }
 
-void sph2d__carry_held(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
+/** What happened to particles on their ways. */
+typedef struct events {
+    uint64_t hits, reflections, bad;
+} events;
+
+/** Moves one particle, which a wall or a side might stop. */
+static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
 {
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
@@ -65,34 +72,98 @@ void sph2d__carry_held(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     if (sim->system.walls_reflect) {
         sph2d_vec2 before = *v;
         if (reflect(&sim->system, from, v)) {
-            ++events->reflections;
+            ++met->reflections;
             double dt = sim->system.step;
             dx += dt * (v->x - before.x);
             dy += dt * (v->y - before.y);
         }
     }
     sph2d_vec2 to = {from.x + dx, from.y + dy};
-    events->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
+    met->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
     if (sim->moving_count > 0)
-        events->hits += sweep_moving(sim, from, &to, v);
+        met->hits += sweep_moving(sim, from, &to, v);
     sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
                      sph2d__period_wrap(to.y, period->low_y, period->length_y)};
     if (in.x != to.x || in.y != to.y) { /* the last part of the way lies at the other side */
         from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
-        events->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
+        met->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
     }
-    events->bad += !isfinite(in.x + in.y + v->x + v->y);
+    met->bad += !isfinite(in.x + in.y + v->x + v->y);
     f->x[i] = in.x;
     f->y[i] = in.y;
     f->vx[i] = v->x;
     f->vy[i] = v->y;
 }
 
-sph2d_status sph2d__count_events(sph2d_sim *sim, const sph2d__events *events)
+/** Whether no particle of a flock can meet a wall or a side on its way, and all is finite: the usual case, and the only
+ * cheap one. */
+static bool goes_free(const sph2d_sim *sim, const sph2d__flock *flock)
 {
-    sim->record.backstop_hits += events->hits;
-    sim->record.reflections += events->reflections;
-    return events->bad == 0 ? SPH2D_OK : SPH2D_GUARD;
+    if (sim->system.walls_reflect || sim->moving_count > 0)
+        return false;
+    const double *x = sim->system.fluid.x + flock->first, *y = sim->system.fluid.y + flock->first;
+    sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    double way = 0, sum = 0;
+    for (size_t k = 0; k < flock->count; ++k) {
+        double to_x = x[k] + flock->dx[k], to_y = y[k] + flock->dy[k], far = fabs(flock->dx[k]) + fabs(flock->dy[k]);
+        low.x = to_x < low.x ? to_x : low.x;
+        low.y = to_y < low.y ? to_y : low.y;
+        high.x = to_x > high.x ? to_x : high.x;
+        high.y = to_y > high.y ? to_y : high.y;
+        way = far > way ? far : way;
+        sum += to_x + to_y + (flock->vx[k] + flock->vy[k]);
+    }
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    return isfinite(sum) && sph2d__period_holds(period, low.x, low.y) && sph2d__period_holds(period, high.x, high.y) &&
+           sph2d__barrier_far_from(&sim->barrier, low, high, way);
+}
+
+/** Moves a flock that goes free. */
+static void carry_free(sph2d__store *f, const sph2d__flock *flock)
+{
+    double *restrict x = f->x + flock->first, *restrict y = f->y + flock->first;
+    for (size_t k = 0; k < flock->count; ++k) {
+        x[k] += flock->dx[k];
+        y[k] += flock->dy[k];
+    }
+    memcpy(f->vx + flock->first, flock->vx, flock->count * sizeof(double));
+    memcpy(f->vy + flock->first, flock->vy, flock->count * sizeof(double));
+}
+
+static void carry_flock(sph2d_sim *sim, const sph2d__flock *flock, events *met)
+{
+    if (goes_free(sim, flock)) {
+        carry_free(&sim->system.fluid, flock);
+        return;
+    }
+    for (size_t k = 0; k < flock->count; ++k) {
+        sph2d_vec2 v = {flock->vx[k], flock->vy[k]};
+        carry_one(sim, flock->first + k, flock->dx[k], flock->dy[k], &v, met);
+    }
+}
+
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, double old, sph2d__flock_work *set, sph2d__flock_work *after)
+{
+    const size_t count = sim->system.fluid.count, flocks = (count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
+    uint64_t hits = 0, reflections = 0, bad = 0;
+    int threads = sph2d__threads_for(sim->system.threads, count);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
+    for (size_t n = 0; n < flocks; ++n) {
+        sph2d__flock flock;
+        events met = {0};
+        flock.first = n * SPH2D__FLOCK;
+        flock.count = count - flock.first < SPH2D__FLOCK ? count - flock.first : SPH2D__FLOCK;
+        set(sim, dt, old, &flock);
+        carry_flock(sim, &flock, &met);
+        if (after)
+            after(sim, dt, old, &flock);
+        hits += met.hits;
+        reflections += met.reflections;
+        bad += met.bad;
+    }
+    sim->record.backstop_hits += hits;
+    sim->record.reflections += reflections;
+    return bad == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
@@ -111,6 +182,16 @@ void sph2d__limit_shift(sph2d__system *s, double gain, double dt)
 {
     double most = s->speed > 0 ? SHIFT_LIMIT * s->support / (s->speed * dt) : INFINITY;
     s->shift_gain = fmin(s->method.shifting * gain, most);
+}
+
+void sph2d__predict(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+{
+    (void)old;
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = w->first; i < w->first + w->count; ++i) {
+        f->vx[i] += dt / 2 * f->ax[i];
+        f->vy[i] += dt / 2 * f->ay[i];
+    }
 }
 
 void sph2d__keep_accelerations(sph2d__store *f)

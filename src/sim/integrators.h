@@ -4,8 +4,6 @@
 #ifndef SPH2D_SIM_INTEGRATORS_H
 #define SPH2D_SIM_INTEGRATORS_H
 
-#include <math.h>
-
 #include "sim/simulation.h"
 
 /** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all: SPH2D_GUARD when a place is not finite,
@@ -20,35 +18,22 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
 /** Three stages of third order (runge_kutta.c). */
 sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt);
 
-/** What happened to particles on their ways. */
-typedef struct sph2d__events {
-    uint64_t hits, reflections, bad;
-} sph2d__events;
+/** Particles that are moved together: so many that the look for walls around all of them costs little. */
+enum { SPH2D__FLOCK = 32 };
 
-/** What sph2d__carry does with a particle that a wall or a side might stop (carry.c). */
-void sph2d__carry_held(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events);
+/** Some particles on their way. */
+typedef struct sph2d__flock {
+    size_t first, count;
+    double dx[SPH2D__FLOCK], dy[SPH2D__FLOCK]; /**< their ways [m] */
+    double vx[SPH2D__FLOCK], vy[SPH2D__FLOCK]; /**< velocities on them, which walls may turn [m/s] */
+} sph2d__flock;
 
-/** Moves particle i to its place plus (dx, dy), held by walls and brought round periodic sides, and sets its velocity
- * to *v, turned where a wall held it. */
-static inline void sph2d__carry(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, sph2d__events *events)
-{
-    sph2d__store *f = &sim->system.fluid;
-    sph2d_vec2 from = {f->x[i], f->y[i]}, to = {from.x + dx, from.y + dy};
-    bool free = !sim->system.walls_reflect && sim->moving_count == 0 && sph2d__barrier_far(&sim->barrier, from, to) &&
-                sph2d__period_holds(&sim->system.fluid_cells.period, to.x, to.y);
-    if (!free) {
-        sph2d__carry_held(sim, i, dx, dy, v, events);
-        return;
-    }
-    events->bad += !isfinite(to.x + to.y + v->x + v->y);
-    f->x[i] = to.x;
-    f->y[i] = to.y;
-    f->vx[i] = v->x;
-    f->vy[i] = v->y;
-}
+/** Sets ways and velocities of a flock for a step of `dt`; or what comes after its way. `old` is of the stage. */
+typedef void sph2d__flock_work(sph2d_sim *sim, double dt, double old, sph2d__flock *flock);
 
-/** Adds the events to the run's counters. SPH2D_GUARD when a place is not finite. */
-sph2d_status sph2d__count_events(sph2d_sim *sim, const sph2d__events *events);
+/** Moves all particles by their ways, held by walls and brought round periodic sides, and sets their velocities
+ * (carry.c). `after` may be NULL. SPH2D_GUARD when a place is not finite. */
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, double old, sph2d__flock_work *set, sph2d__flock_work *after);
 
 /** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
@@ -58,6 +43,9 @@ void sph2d__limit_shift(sph2d__system *s, double gain, double dt);
 
 /** Keeps a(n) beside in old_ax and old_ay, so that the second kick can take the prediction back. */
 void sph2d__keep_accelerations(sph2d__store *fluid);
+
+/** Kicks a flock by dt/2 a, what a(n+1) is found with: v(n+1/2) + dt/2 a(n). */
+sph2d__flock_work sph2d__predict;
 
 /** From the predicted v(n+1/2) + dt/2 a(n) to v(n+1/2) + dt/2 a(n+1). */
 void sph2d__second_kick(sph2d__system *s, double dt);

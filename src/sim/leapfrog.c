@@ -10,34 +10,24 @@
  *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces of position
  *  alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with u(-dt/2) =
  *  u(0) - dt/2 a(0). */
-#include "base/threads.h"
 #include "sim/integrators.h"
 
-/** Kick and drift. Afterwards the velocity is the predicted one. */
-static sph2d_status kick_drift(sph2d_sim *sim, double dt)
+static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 {
-    sph2d__store *f = &sim->system.fluid;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t i = 0; i < f->count; ++i) {
-        double kick_x = dt / 2 * f->ax[i], kick_y = dt / 2 * f->ay[i];
-        sph2d_vec2 v = {f->vx[i] + kick_x, f->vy[i] + kick_y};
-        sph2d__events events = {0};
-        sph2d__carry(sim, i, dt * v.x, dt * v.y, &v, &events);
-        f->vx[i] += kick_x;
-        f->vy[i] += kick_y;
-        hits += events.hits;
-        reflections += events.reflections;
-        bad += events.bad;
+    (void)old;
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+        w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
+        w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
+        w->dx[k] = dt * w->vx[k];
+        w->dy[k] = dt * w->vy[k];
     }
-    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
 }
 
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
 {
     sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
-    sph2d_status status = kick_drift(sim, dt);
+    sph2d_status status = sph2d__carry(sim, dt, 0, kick, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

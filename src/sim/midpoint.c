@@ -13,7 +13,6 @@
  *  with the shift velocity w of the step (methods/shift.h), which the rate of density knows too. Without dissipation
  * and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
  * that energy neither grows nor falls in the long run. */
-#include "base/threads.h"
 #include "methods/shift.h"
 #include "sim/integrators.h"
 
@@ -21,57 +20,47 @@
  * eq. 7: dr = -CFL Ma (2h)^2 grad C with CFL Ma = dt U/h). */
 static const double SHIFT_GAIN = 2;
 
-/** Half a drift of particle i with velocity v and its shift. */
-static inline void drift_one(sph2d_sim *sim, size_t i, double dt, sph2d_vec2 v, bool shifted, sph2d__events *events)
+/** Half a drift with the velocities that are set, and the shift. */
+static void set_ways(const sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    sph2d_vec2 w = shifted ? sph2d__shift_velocity(&sim->system, i) : (sph2d_vec2){0, 0};
-    sph2d__carry(sim, i, dt / 2 * (v.x + w.x), dt / 2 * (v.y + w.y), &v, events);
+    const bool shifted = sim->system.method.shifting > 0;
+    for (size_t k = 0; k < w->count; ++k) {
+        sph2d_vec2 shift = {0, 0};
+        if (shifted)
+            shift = sph2d__shift_velocity(&sim->system, w->first + k);
+        w->dx[k] = dt / 2 * (w->vx[k] + shift.x);
+        w->dy[k] = dt / 2 * (w->vy[k] + shift.y);
+    }
 }
 
 /** The first kick, then half the drift. */
-static sph2d_status kick_drift(sph2d_sim *sim, double dt)
+static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 {
-    sph2d__store *f = &sim->system.fluid;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    bool shifted = sim->system.method.shifting > 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t i = 0; i < f->count; ++i) {
-        sph2d__events events = {0};
-        sph2d_vec2 v = {f->vx[i] + dt / 2 * f->ax[i], f->vy[i] + dt / 2 * f->ay[i]};
-        drift_one(sim, i, dt, v, shifted, &events);
-        hits += events.hits;
-        reflections += events.reflections;
-        bad += events.bad;
+    (void)old;
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+        w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
+        w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
     }
-    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
+    set_ways(sim, dt, w);
 }
 
-/** Moves density by its rate and velocity by what a shift finds on its way; then the other half of the drift, after
- *  which the velocity is predicted. */
-static sph2d_status drift_predict(sph2d_sim *sim, double dt)
+/** Moves density by its rate and velocity by what a shift finds on its way; then the other half of the drift. */
+static void compress(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 {
-    sph2d__store *f = &sim->system.fluid;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    bool shifted = sim->system.method.shifting > 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t i = 0; i < f->count; ++i) {
-        sph2d__events events = {0};
-        sph2d_vec2 v = {f->vx[i], f->vy[i]};
+    (void)old;
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         f->density[i] += dt * f->density_rate[i];
-        if (shifted) {
-            v.x += dt * f->old_ax[i];
-            v.y += dt * f->old_ay[i];
-        }
-        drift_one(sim, i, dt, v, shifted, &events);
-        f->vx[i] += dt / 2 * f->ax[i];
-        f->vy[i] += dt / 2 * f->ay[i];
-        hits += events.hits;
-        reflections += events.reflections;
-        bad += events.bad;
+        w->vx[k] = f->vx[i];
+        w->vy[k] = f->vy[i];
     }
-    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
+    if (sim->system.method.shifting > 0)
+        for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+            w->vx[k] += dt * f->old_ax[i];
+            w->vy[k] += dt * f->old_ay[i];
+        }
+    set_ways(sim, dt, w);
 }
 
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
@@ -79,7 +68,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     sph2d__limit_shift(&sim->system, SHIFT_GAIN, dt);
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
     sph2d__sim_window(sim, start, middle);
-    sph2d_status status = kick_drift(sim, dt);
+    sph2d_status status = sph2d__carry(sim, dt, 0, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK && sim->moving_count > 0)
@@ -88,7 +77,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
         return status;
     sim->method->density_rate(&sim->system);
     sph2d__sim_window(sim, middle, end);
-    status = drift_predict(sim, dt);
+    status = sph2d__carry(sim, dt, 0, compress, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

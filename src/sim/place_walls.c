@@ -158,7 +158,7 @@ static bool finish_walls(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     const sph2d__period *period = &s->wall_cells.period;
-    double bucket = 2 * s->support, clearance = CLEARANCE * sim->scene.spacing;
+    double bucket = s->support, clearance = CLEARANCE * sim->scene.spacing;
     for (size_t i = 0; i < s->walls.count; ++i) {
         s->walls.start_x[i] = s->walls.x[i];
         s->walls.start_y[i] = s->walls.y[i];

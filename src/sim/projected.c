@@ -7,24 +7,18 @@
  *
  *  with first order in time, as of the papers: what the pressure keeps is a place, so that it acts over the whole step.
  *  The acceleration that particles have between steps is that without pressure. */
-#include "base/threads.h"
 #include "sim/integrators.h"
 
-static sph2d_status kick_drift(sph2d_sim *sim, double dt)
+static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 {
-    sph2d__store *f = &sim->system.fluid;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t i = 0; i < f->count; ++i) {
-        sph2d_vec2 v = {f->vx[i] + dt * f->ax[i], f->vy[i] + dt * f->ay[i]};
-        sph2d__events events = {0};
-        sph2d__carry(sim, i, dt * v.x, dt * v.y, &v, &events);
-        hits += events.hits;
-        reflections += events.reflections;
-        bad += events.bad;
+    (void)old;
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+        w->vx[k] = f->vx[i] + dt * f->ax[i];
+        w->vy[k] = f->vy[i] + dt * f->ay[i];
+        w->dx[k] = dt * w->vx[k];
+        w->dy[k] = dt * w->vy[k];
     }
-    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
 }
 
 sph2d_status sph2d__projected_renew(sph2d_sim *sim)
@@ -42,7 +36,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;
     sim->record.unconverged_row = sim->system.unconverged ? sim->record.unconverged_row + 1 : 0;
-    sph2d_status status = kick_drift(sim, dt);
+    sph2d_status status = sph2d__carry(sim, dt, 0, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)

@@ -10,7 +10,6 @@
  *  Each stage is an average of forward steps: what one forward step keeps bounded, the whole keeps bounded. */
 #include <string.h>
 
-#include "base/threads.h"
 #include "methods/state_equation.h"
 #include "sim/integrators.h"
 
@@ -27,29 +26,20 @@ static void keep_start(sph2d__store *f)
 }
 
 /** One forward step, averaged with the start by the weight `old`. */
-static sph2d_status stage(sph2d_sim *sim, double dt, double old)
+static void stage(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 {
-    sph2d__store *f = &sim->system.fluid;
+    const sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t i = 0; i < f->count; ++i) {
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         /* Of the way since the start, 1 - old is gone: what is left of it is the way from here. */
         double gone_x = sph2d__period_nearest(f->x[i] - f->start_x[i], period->length_x);
         double gone_y = sph2d__period_nearest(f->y[i] - f->start_y[i], period->length_y);
-        double dx = (1 - old) * dt * (f->vx[i] + f->shift_x[i]) - old * gone_x;
-        double dy = (1 - old) * dt * (f->vy[i] + f->shift_y[i]) - old * gone_y;
-        sph2d_vec2 v = {old * f->start_vx[i] + (1 - old) * (f->vx[i] + dt * f->ax[i]),
-                        old * f->start_vy[i] + (1 - old) * (f->vy[i] + dt * f->ay[i])};
+        w->dx[k] = (1 - old) * dt * (f->vx[i] + f->shift_x[i]) - old * gone_x;
+        w->dy[k] = (1 - old) * dt * (f->vy[i] + f->shift_y[i]) - old * gone_y;
+        w->vx[k] = old * f->start_vx[i] + (1 - old) * (f->vx[i] + dt * f->ax[i]);
+        w->vy[k] = old * f->start_vy[i] + (1 - old) * (f->vy[i] + dt * f->ay[i]);
         f->density[i] = old * f->start_density[i] + (1 - old) * (f->density[i] + dt * f->density_rate[i]);
-        sph2d__events events = {0};
-        sph2d__carry(sim, i, dx, dy, &v, &events);
-        hits += events.hits;
-        reflections += events.reflections;
-        bad += events.bad;
     }
-    return sph2d__count_events(sim, &(sph2d__events){hits, reflections, bad});
 }
 
 /** Mean density of the particles, summed in their order. */
@@ -87,7 +77,7 @@ sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt)
         if (!sim->method->evaluate(s))
             return SPH2D_NOMEM;
         sph2d__sim_window(sim, time + moment[k] * dt, time + moment[k + 1] * dt);
-        status = stage(sim, dt, old[k]);
+        status = sph2d__carry(sim, dt, old[k], stage, NULL);
         if (status == SPH2D_OK)
             status = sph2d__sort_fluid(sim);
         if (status != SPH2D_OK)
