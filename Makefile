@@ -142,6 +142,8 @@ CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
 buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
 BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
+# Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
+VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh examples/*.sh))
@@ -153,7 +155,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(SHADERS))
+    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) \
@@ -165,6 +167,8 @@ RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shade
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
+VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
+    $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
 TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,front.c order.c record.c \
     reduce.c reference.c refine.c settings.c))
@@ -192,6 +196,7 @@ $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
 $(BENCH_OBJ): PART = -Iinclude
+$(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
@@ -203,6 +208,8 @@ link = $(call say,LD,$@)mkdir -p $(@D) && \
 
 define isa_rule
 $(OBJ)/src/methods/%_pass.$(1).o: src/methods/%_pass.c
+	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
+$(OBJ)/tests/bench/variants/%_rows.$(1).o: tests/bench/variants/%_rows.c
 	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
 $(OBJ)/src/methods/%_pass.$(1)_mixed.o: src/methods/%_pass.c
 	$$(call compile,$$< ($(1), mixed),$(ISA_FLAGS_$(1)) -DSPH2D__MIXED -DSPH2D__ISA=$(1)_mixed)
@@ -235,6 +242,8 @@ $(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(CORE_LIBS))
+$(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
@@ -274,7 +283,8 @@ packages:
 	@printf '%s\n' 'sph2d: pkg-config does not find $(MISSING). "make demo" and "make test" install it; or run:' \
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
--include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(EXAMPLE_OBJ))
+-include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(VARIANTS_OBJ) \
+    $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -284,11 +294,12 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(EXAMPLE_BIN) ## the tests (installs missing packages)
+test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
+	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
 	$(hush)$(BUILD)/tests/check_all
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
@@ -312,6 +323,9 @@ bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BEN
 
 bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes in a step, by callgrind; SCENES='lean wcsph'
 	$(hush)tests/bench/instructions.sh $(BUILD)/tests/bench $(SCENES)
+
+bench-variants: $(BUILD)/tests/variants ## ways through the pairs beside the library's; VARIANTS='--particles 250000 --isa avx512'
+	$(hush)$(BUILD)/tests/variants $(VARIANTS)
 
 test-terms: $(BUILD)/tests/bench ## that terms which a scene does not name cost it nothing (valgrind; builds twice)
 	$(hush)$(MAKE) BUILD=$(BUILD)/bare CPPFLAGS='$(CPPFLAGS) -DSPH2D__BARE' $(BUILD)/bare/tests/bench
@@ -369,9 +383,10 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(IO_SRC) $(CLI_SRC) \
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(IO_SRC) $(CLI_SRC) \
     $(wildcard src/render/*.c tests/*.c examples/*.c))
-ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h))
+ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
+    tests/bench/variants/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -435,6 +450,6 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
-    bench-instructions report report-full report-readme \
+    bench-instructions bench-variants report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif
