@@ -212,10 +212,22 @@ static inline double sph2d__twin_value(double kept)
 /** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
 SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
 {
+#if SPH2D__LANES >= 4
+    typedef uint32_t four __attribute__((vector_size(16)));
+    static const four places[16] = {{0}, {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
+                                    {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
+    for (unsigned l = 0; l < SPH2D__LANES; l += 4) {
+        const unsigned some = which >> l & 15;
+        const four index = places[some] + (first + l);
+        memcpy(to, &index, sizeof index);
+        to += __builtin_popcount(some);
+    }
+#else
     for (int l = 0; l < SPH2D__LANES; ++l) {
         *to = first + (uint32_t)l;
         to += which >> l & 1;
     }
+#endif
 }
 /** Writes the lanes whose bits are set one behind the other; up to a whole block is written. */
 SPH2D__INLINE void sph2d__lanes_pack(sph2d__real *to, sph2d__lanes a, unsigned which)
@@ -230,7 +242,7 @@ SPH2D__INLINE void sph2d__lanes_pack(sph2d__real *to, sph2d__lanes a, unsigned w
 /** The same in all lanes. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_all(double a)
 {
-    return (sph2d__lanes){0} + (sph2d__real)a;
+    return (sph2d__real)a - (sph2d__lanes){0}; /* a + 0 would be an addition, as -0 + 0 is 0 */
 }
 
 /** The values at `from`, of any alignment. */

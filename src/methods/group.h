@@ -5,8 +5,8 @@
  *
  *  What is read of a candidate serves every lane, and no sum must be added up over lanes in the end; the price is that
  *  candidates of the group's other particles count as nothing for most lanes. On a lattice of H/dx = 2.6 a particle
- *  goes through 13 candidates at 4 lanes, 8 at 8 and 5.5 at 16, where 21 are neighbours; blocks of candidates for one
- *  particle took 1.4 times as long.
+ *  goes through 13 candidates at 4 lanes, 8 at 8 and 5.5 at 16, where 21 are neighbours. A quarter of them is not near
+ *  the box around the group: loops that do much with a pair sift them first (tests/bench/README.md has the times).
  *
  *  Each lane sums in the order of memory, so that doubles have the same bits whatever the number of lanes. Lanes behind
  *  the last particle hold whatever follows in memory (arrays are padded); what they sum up is not kept. */
@@ -149,6 +149,66 @@ SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double way)
     return sph2d__lanes_load(from) + way;
 #endif
 }
+
+/* Whether candidates are sifted: where two lanes are compared at a time it takes as long as it saves. */
+#ifdef __AVX__
+#define SPH2D__SIFTS 1
+#else
+#define SPH2D__SIFTS 0
+#endif
+
+/* Candidates that are sifted at a time. */
+enum { SPH2D__SIFTED = 256 };
+
+/** Those candidates of a range that are near a group. */
+typedef struct sph2d__sieve {
+    sph2d__real reach2;                             /**< more than the squared support radius, by more than rounding */
+    size_t next, count;                             /**< where to go on; candidates that are in it */
+    uint32_t index[SPH2D__SIFTED + SPH2D__PADDING]; /**< blocks are written whole */
+} sph2d__sieve;
+
+static inline void sph2d__sieve_start(sph2d__sieve *sieve, double support)
+{
+    sieve->reach2 = (sph2d__real)(support * support * 1.0001);
+}
+
+#if SPH2D__SIFTS
+/** Sifts the next part of range r: a group meets half again as many candidates as there are within the support radius
+ *  of its box. `x` and `y` are the candidates' places. False when there is no more. */
+SPH2D__INLINE bool sph2d__sift(sph2d__sieve *to, const sph2d__group *g, const sph2d__ranges *ranges, int r,
+                               const sph2d__real *x, const sph2d__real *y)
+{
+    const sph2d__real low_x = (sph2d__real)(g->low_x + ranges->x[r]), high_x = (sph2d__real)(g->high_x + ranges->x[r]);
+    const sph2d__real low_y = (sph2d__real)(g->low_y + ranges->y[r]), high_y = (sph2d__real)(g->high_y + ranges->y[r]);
+    const sph2d__lanes zero = {0};
+    size_t j = to->next, end = ranges->end[r], count = 0;
+    if (j >= end)
+        return false;
+    end = end - j < SPH2D__SIFTED ? end : j + SPH2D__SIFTED;
+    for (; j < end; j += SPH2D__LANES) {
+        sph2d__lanes at_x = sph2d__lanes_load(x + j), at_y = sph2d__lanes_load(y + j);
+        sph2d__lanes dx = sph2d__lanes_max(sph2d__lanes_max(low_x - at_x, at_x - high_x), zero);
+        sph2d__lanes dy = sph2d__lanes_max(sph2d__lanes_max(low_y - at_y, at_y - high_y), zero);
+        unsigned near = sph2d__lanes_which(dx * dx + dy * dy, (double)to->reach2);
+        if (end - j < SPH2D__LANES)
+            near &= (1u << (end - j)) - 1;
+        sph2d__lanes_pack_index(to->index + count, (uint32_t)j, near);
+        count += (size_t)__builtin_popcount(near);
+    }
+    to->next = end;
+    to->count = count;
+    return true;
+}
+
+/** Runs the statement behind it for each particle `j` of range r that is near a group whose box is laid; all places are
+ *  those of `from`. */
+#define SPH2D__FOR_NEAR(sieve, g, ranges, r, from, j)                                                                  \
+    for ((sieve).next = (ranges).begin[r]; sph2d__sift(&(sieve), &(g), &(ranges), r, (from).x, (from).y);)             \
+        for (size_t k_##j = 0, j; k_##j < (sieve).count && (j = (sieve).index[k_##j], true); ++k_##j)
+#else
+#define SPH2D__FOR_NEAR(sieve, g, ranges, r, from, j)                                                                  \
+    for (size_t j = ((void)(sieve).next, (ranges).begin[r]); j < (ranges).end[r]; ++j)
+#endif
 
 /** Runs the statement behind it for each lane that has a particle. */
 #define SPH2D__FOR_LANES(g, l) for (int l = 0; l < SPH2D__LANES && l < (g).count; ++l)
