@@ -150,64 +150,92 @@ SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double way)
 #endif
 }
 
-/* Whether candidates are sifted: where two lanes are compared at a time it takes as long as it saves. */
-#ifdef __AVX__
-#define SPH2D__SIFTS 1
-#else
-#define SPH2D__SIFTS 0
-#endif
-
 /* Candidates that are sifted at a time. */
 enum { SPH2D__SIFTED = 256 };
 
-/** Those candidates of a range that are near a group. */
+/** Hands out the candidates of a group that are near the box around it, which must have been laid: a group meets half
+ *  again as many as there are. Where vectors are of 16 bytes it hands out all, as sifting takes as long as it saves. */
 typedef struct sph2d__sieve {
-    sph2d__real reach2;                             /**< more than the squared support radius, by more than rounding */
-    size_t next, count;                             /**< where to go on; candidates that are in it */
+    sph2d__real reach2;  /**< more than the squared support radius, by more than rounding */
+    int range;           /**< where to go on, in this range */
+    size_t next, count;  /**< with this particle; candidates found */
+    double way_x, way_y; /**< the way that belongs to them [m] */
+#ifdef __AVX__
     uint32_t index[SPH2D__SIFTED + SPH2D__PADDING]; /**< blocks are written whole */
+#else
+    size_t first; /**< the first one found */
+#endif
 } sph2d__sieve;
 
-static inline void sph2d__sieve_start(sph2d__sieve *sieve, double support)
+/** Begins with the candidates in some ranges. */
+static inline void sph2d__sieve_start(sph2d__sieve *sieve, const sph2d__ranges *ranges, double support)
 {
     sieve->reach2 = (sph2d__real)(support * support * 1.0001);
+    sieve->range = 0;
+    sieve->next = ranges->count > 0 ? ranges->begin[0] : 0;
 }
 
-#if SPH2D__SIFTS
-/** Sifts the next part of range r: a group meets half again as many candidates as there are within the support radius
- *  of its box. `x` and `y` are the candidates' places. False when there is no more. */
-SPH2D__INLINE bool sph2d__sift(sph2d__sieve *to, const sph2d__group *g, const sph2d__ranges *ranges, int r,
+/** Finds more candidates, of those at `x` and `y`. False when there are none left. */
+#ifdef __AVX__
+SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const sph2d__ranges *ranges,
                                const sph2d__real *x, const sph2d__real *y)
 {
-    const sph2d__real low_x = (sph2d__real)(g->low_x + ranges->x[r]), high_x = (sph2d__real)(g->high_x + ranges->x[r]);
-    const sph2d__real low_y = (sph2d__real)(g->low_y + ranges->y[r]), high_y = (sph2d__real)(g->high_y + ranges->y[r]);
-    const sph2d__lanes zero = {0};
-    size_t j = to->next, end = ranges->end[r], count = 0;
-    if (j >= end)
+    int r = sieve->range;
+    if (r >= ranges->count)
         return false;
-    end = end - j < SPH2D__SIFTED ? end : j + SPH2D__SIFTED;
-    for (; j < end; j += SPH2D__LANES) {
-        sph2d__lanes at_x = sph2d__lanes_load(x + j), at_y = sph2d__lanes_load(y + j);
-        sph2d__lanes dx = sph2d__lanes_max(sph2d__lanes_max(low_x - at_x, at_x - high_x), zero);
-        sph2d__lanes dy = sph2d__lanes_max(sph2d__lanes_max(low_y - at_y, at_y - high_y), zero);
-        unsigned near = sph2d__lanes_which(dx * dx + dy * dy, (double)to->reach2);
-        if (end - j < SPH2D__LANES)
-            near &= (1u << (end - j)) - 1;
-        sph2d__lanes_pack_index(to->index + count, (uint32_t)j, near);
-        count += (size_t)__builtin_popcount(near);
-    }
-    to->next = end;
-    to->count = count;
+    const double way_x = ranges->x[r], way_y = ranges->y[r];
+    const sph2d__real low_x = (sph2d__real)(g->low_x + way_x), high_x = (sph2d__real)(g->high_x + way_x);
+    const sph2d__real low_y = (sph2d__real)(g->low_y + way_y), high_y = (sph2d__real)(g->high_y + way_y);
+    const sph2d__lanes zero = {0};
+    size_t j = sieve->next, count = 0;
+    do {
+        const size_t room = SPH2D__SIFTED - count, end = ranges->end[r], stop = end - j > room ? j + room : end;
+        for (; j < stop; j += SPH2D__LANES) {
+            sph2d__lanes at_x = sph2d__lanes_load(x + j), at_y = sph2d__lanes_load(y + j);
+            sph2d__lanes dx = sph2d__lanes_max(sph2d__lanes_max(low_x - at_x, at_x - high_x), zero);
+            sph2d__lanes dy = sph2d__lanes_max(sph2d__lanes_max(low_y - at_y, at_y - high_y), zero);
+            unsigned near = sph2d__lanes_which(dx * dx + dy * dy, (double)sieve->reach2);
+            if (stop - j < SPH2D__LANES)
+                near &= (1u << (stop - j)) - 1;
+            sph2d__lanes_pack_index(sieve->index + count, (uint32_t)j, near);
+            count += (size_t)__builtin_popcount(near);
+        }
+        j = stop;
+        if (j < end)
+            break;
+        if (++r < ranges->count)
+            j = ranges->begin[r];
+    } while (r < ranges->count && ranges->x[r] == way_x && ranges->y[r] == way_y && count < SPH2D__SIFTED);
+    sieve->range = r;
+    sieve->next = j;
+    sieve->count = count;
+    sieve->way_x = way_x;
+    sieve->way_y = way_y;
     return true;
 }
 
-/** Runs the statement behind it for each particle `j` of range r that is near a group whose box is laid; all places are
- *  those of `from`. */
-#define SPH2D__FOR_NEAR(sieve, g, ranges, r, from, j)                                                                  \
-    for ((sieve).next = (ranges).begin[r]; sph2d__sift(&(sieve), &(g), &(ranges), r, (from).x, (from).y);)             \
-        for (size_t k_##j = 0, j; k_##j < (sieve).count && (j = (sieve).index[k_##j], true); ++k_##j)
+/** Runs the statement behind it for each candidate `j` that was found. */
+#define SPH2D__FOR_FOUND(sieve, j)                                                                                     \
+    for (size_t k_##j = 0, j; k_##j < (sieve).count && (j = (sieve).index[k_##j], true); ++k_##j)
 #else
-#define SPH2D__FOR_NEAR(sieve, g, ranges, r, from, j)                                                                  \
-    for (size_t j = ((void)(sieve).next, (ranges).begin[r]); j < (ranges).end[r]; ++j)
+SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const sph2d__ranges *ranges,
+                               const sph2d__real *x, const sph2d__real *y)
+{
+    (void)g;
+    (void)x;
+    (void)y;
+    int r = sieve->range;
+    if (r >= ranges->count)
+        return false;
+    sieve->first = ranges->begin[r];
+    sieve->count = ranges->end[r] - ranges->begin[r];
+    sieve->way_x = ranges->x[r];
+    sieve->way_y = ranges->y[r];
+    sieve->range = r + 1;
+    return true;
+}
+
+#define SPH2D__FOR_FOUND(sieve, j) for (size_t j = (sieve).first; j < (sieve).first + (sieve).count; ++j)
 #endif
 
 /** Runs the statement behind it for each lane that has a particle. */

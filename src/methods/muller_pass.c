@@ -94,7 +94,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, con
 }
 
 /** Adds the forces of the particles in `ranges` on a group whose box is laid. */
-SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, sph2d__sieve *sieve, const sph2d__group *g,
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, const sph2d__group *g,
                                     const sph2d__ranges *ranges, const sph2d__store *from)
 {
     const sph2d__store *fluid = &s->fluid;
@@ -102,10 +102,12 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, sph2d_
     receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
                    .vy = sph2d__lanes_load(fluid->vy + g->first),
                    .pressure = sph2d__lanes_load(fluid->pressure + g->first)};
-    for (int r = 0; r < ranges->count; ++r) {
-        me.x = sph2d__group_lanes(fluid->x + g->first, ranges->x[r]);
-        me.y = sph2d__group_lanes(fluid->y + g->first, ranges->y[r]);
-        SPH2D__FOR_NEAR (*sieve, *g, *ranges, r, *from, j)
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, ranges, s->support);
+    while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {
+        me.x = sph2d__group_lanes(fluid->x + g->first, sieve.way_x);
+        me.y = sph2d__group_lanes(fluid->y + g->first, sieve.way_y);
+        SPH2D__FOR_FOUND (sieve, j)
             add_force(&sums, s->support, viscous, &me, from, j);
     }
     return sums;
@@ -117,16 +119,14 @@ SPH2D__INLINE void force_with(sph2d__system *s, bool viscous, size_t first, size
     const double press = sph2d__spiky_constant(s->support) / 2, laplacian = sph2d__viscosity_constant(s->support);
     const double drag = s->viscosity * laplacian, wall_drag = s->wall_viscosity * laplacian;
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
-    sph2d__sieve sieve;
-    sph2d__sieve_start(&sieve, s->support);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         sph2d__group_box(f, &g);
-        force_sums sums = sum_forces(s, viscous, &sieve, &g, &ranges, f);
+        force_sums sums = sum_forces(s, viscous, &g, &ranges, f);
         sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
         if (sph2d__group_near(&by, &g, &ranges)) {
-            sums = sum_forces(s, true, &sieve, &g, &ranges, &s->walls);
+            sums = sum_forces(s, true, &g, &ranges, &s->walls);
             fx += press * sums.press_x + wall_drag * sums.drag_x;
             fy += press * sums.press_y + wall_drag * sums.drag_y;
         }

@@ -227,9 +227,11 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
     sph2d__ranges ranges;
     if (!sph2d__group_near(by, g, &ranges))
         return;
-    for (int r = 0; r < ranges.count; ++r) {
-        place at = place_of(&s->fluid, g, &ranges, r);
-        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, &ranges, s->support);
+    while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
+        place at = place_of(&s->fluid, g, sieve.way_x, sieve.way_y);
+        SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(with.kernel, n->inverse_support, &at, walls, j);
             add_wall(sums, with, n, me, &p, walls, j);
         }
@@ -243,7 +245,6 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     sph2d__sieve sieve;
-    sph2d__sieve_start(&sieve, s->support);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
         receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first),
@@ -255,11 +256,11 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         force_sums sums = {0};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
-        if (SPH2D__SIFTS)
-            sph2d__group_box(f, &g);
-        for (int r = 0; r < ranges.count; ++r) {
-            place at = place_of(f, &g, &ranges, r);
-            SPH2D__FOR_NEAR (sieve, g, ranges, r, liquid, j) {
+        sph2d__group_box(f, &g);
+        sph2d__sieve_start(&sieve, &ranges, s->support);
+        while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
+            place at = place_of(f, &g, sieve.way_x, sieve.way_y);
+            SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(with.kernel, n.inverse_support, &at, &liquid, j);
                 add_liquid(&sums, with, &n, &me, &p, &liquid, j);
             }

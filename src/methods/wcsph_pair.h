@@ -13,15 +13,14 @@ typedef struct pair {
     sph2d__lanes dx, dy, r2, q, g;
 } pair;
 
-/** Where the particles of a group are, as candidates of one range see them. */
+/** Where the particles of a group are, as candidates see them to which they have the same way. */
 typedef struct place {
     sph2d__lanes x, y;
 } place;
 
-SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, const sph2d__ranges *ranges, int r)
+SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, double way_x, double way_y)
 {
-    return (place){sph2d__group_lanes(store->x + g->first, ranges->x[r]),
-                   sph2d__group_lanes(store->y + g->first, ranges->y[r])};
+    return (place){sph2d__group_lanes(store->x + g->first, way_x), sph2d__group_lanes(store->y + g->first, way_y)};
 }
 
 SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const place *at,

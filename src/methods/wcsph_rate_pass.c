@@ -109,9 +109,11 @@ SPH2D__INLINE sph2d__lanes wall_flux(const sph2d__system *s, sph2d_kernel kernel
     sph2d__ranges ranges;
     if (!sph2d__group_near(by, g, &ranges))
         return flux;
-    for (int r = 0; r < ranges.count; ++r) {
-        place at = place_of(&s->fluid, g, &ranges, r);
-        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, &ranges, s->support);
+    while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
+        place at = place_of(&s->fluid, g, sieve.way_x, sieve.way_y);
+        SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
             flux += approach_of(&p, me, walls, j) * p.g * walls->mass[j];
         }
@@ -151,17 +153,16 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
     const sph2d__real strength = (sph2d__real)(s->method.density_diffusion * s->support * s->sound_speed / s->mass);
     sph2d__sieve sieve;
-    sph2d__sieve_start(&sieve, s->support);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         const receiver me = receiver_of(&liquid, g.first, form);
         rate_sums sums = {.nearest2 = sph2d__lanes_all(s->support * s->support)};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
-        if (SPH2D__SIFTS)
-            sph2d__group_box(f, &g);
-        for (int r = 0; r < ranges.count; ++r) {
-            place at = place_of(f, &g, &ranges, r);
-            SPH2D__FOR_NEAR (sieve, g, ranges, r, liquid, j) {
+        sph2d__group_box(f, &g);
+        sph2d__sieve_start(&sieve, &ranges, s->support);
+        while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
+            place at = place_of(f, &g, sieve.way_x, sieve.way_y);
+            SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
                 sph2d__lanes approach = approach_of(&p, &me, &liquid, j);
                 if (form != NOTHING)

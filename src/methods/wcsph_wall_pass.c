@@ -62,11 +62,13 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support), mass = (sph2d__real)s->mass;
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         wall_sums sums = {0};
+        sph2d__sieve sieve;
         sph2d__ranges ranges = {0};
         sph2d__group_near(&by, &g, &ranges);
-        for (int r = 0; r < ranges.count; ++r) {
-            place at = place_of(&s->walls, &g, &ranges, r);
-            for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+        sph2d__sieve_start(&sieve, &ranges, s->support);
+        while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
+            place at = place_of(&s->walls, &g, sieve.way_x, sieve.way_y);
+            SPH2D__FOR_FOUND (sieve, j) {
                 sph2d__lanes dx = at.x - f.x[j], dy = at.y - f.y[j];
                 sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * inverse_support;
                 sph2d__lanes weight = sph2d__kernel_value(kernel, q);

@@ -1,10 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 /** @file groups_rows.c
- *  Some particles of a row at a time, one in each lane, and the candidates around all of them one by one: the library's
- *  way, with cells of several widths, sorted every few steps, sifted, and of packed blocks. */
+ *  Some particles of a row at a time, one in each lane, and the candidates around all of them one by one: sifted, as
+ *  the library does, and all of them, with cells of several widths, sorted every few steps, and of packed blocks. */
 #include "sift.h"
 
-/** The library's way. Cells that were made for a few steps are wider by what particles move meanwhile. */
+/** The library's way: candidates are sifted by their distance from the group's box before pairs are computed. */
+static void pass_library(field *f, const variant *v)
+{
+    (void)v;
+    const sph2d__store *s = &f->store;
+    const terms n = terms_of(f);
+    const sph2d__grouping by = sph2d__grouping_of(s, &f->cells, NULL);
+    sph2d__sieve sieve;
+    SPH2D__FOR_GROUPS (&by, g, 0, s->count) {
+        const receiver me = receivers_at(s, &n, g.first);
+        sums sum = {0};
+        sph2d__ranges near;
+        sph2d__patch_ranges(by.cells, &g.patch, &near);
+        sph2d__group_box(s, &g);
+        sph2d__sieve_start(&sieve, &near, f->scene.support);
+        while (sph2d__sift(&sieve, &g, &near, s->x, s->y)) {
+            SPH2D__FOR_FOUND (sieve, j) {
+                candidate you = candidate_at(s, j);
+                add_pair(&sum, &n, &me, &you);
+            }
+        }
+        const sums done = sum; /* the sums themselves can then stay in registers */
+        write_lanes(f, g.first, g.count, &done);
+    }
+}
+
+/** All candidates. Cells that were made for a few steps are wider by what particles move meanwhile. */
 static void pass_groups(field *f, const variant *v)
 {
     (void)v;
@@ -38,10 +64,10 @@ SPH2D__INLINE void add_kept(sums *sum, const sph2d__store *s, const terms *n, co
     }
 }
 
-/** Candidates are sifted before pairs are computed, by their distance from the group's box or from all its particles.
- *  Sums are the same to the bit. The library does so where a pair costs much more than here. */
-SPH2D__INLINE void pass_sifted(field *f, bool box)
+/** Candidates are sifted by their distances from all particles of the group. */
+static void pass_sifted(field *f, const variant *v)
 {
+    (void)v;
     const sph2d__store *s = &f->store;
     const terms n = terms_of(f);
     const double support2 = f->scene.support * f->scene.support;
@@ -52,8 +78,6 @@ SPH2D__INLINE void pass_sifted(field *f, bool box)
         sums sum = {0};
         sph2d__ranges near;
         uint32_t *to = kept;
-        if (box)
-            sph2d__group_box(s, &g);
         sph2d__patch_ranges(by.cells, &g.patch, &near);
         for (int r = 0; r < near.count; ++r)
             for (size_t j = near.begin[r], end; j < near.end[r]; j = end) {
@@ -62,24 +86,12 @@ SPH2D__INLINE void pass_sifted(field *f, bool box)
                     add_kept(&sum, s, &n, &me, kept, to);
                     to = kept;
                 }
-                to = box ? sift_by_box(s, &g, support2, j, end, to) : sift_by_all(s, &g, support2, j, end, to);
+                to = sift_by_all(s, &g, support2, j, end, to);
             }
         add_kept(&sum, s, &n, &me, kept, to);
         const sums done = sum;
         write_lanes(f, g.first, g.count, &done);
     }
-}
-
-static void pass_sifted_box(field *f, const variant *v)
-{
-    (void)v;
-    pass_sifted(f, true);
-}
-
-static void pass_sifted_all(field *f, const variant *v)
-{
-    (void)v;
-    pass_sifted(f, false);
 }
 
 /** The particles of a group, from packed blocks. */
@@ -128,15 +140,15 @@ static void pass_packed(field *f, const variant *v)
 }
 
 const variant VARIANTS_OF(groups)[] = {
-    {"groups, columns 1/4 H (the library)", prepare_cells, pass_groups, .columns = 4},
+    {"groups sifted by their box (the library)", prepare_cells, pass_library, .columns = 4},
+    {"groups sifted by their box, columns 1/8 H", prepare_cells, pass_library, .columns = 8},
+    {"groups sifted by their particles", prepare_cells, pass_sifted, .columns = 4},
+    {"groups, columns 1/4 H", prepare_cells, pass_groups, .columns = 4},
     {"groups, columns 1/8 H", prepare_cells, pass_groups, .columns = 8},
     {"groups, columns 1/2 H", prepare_cells, pass_groups, .columns = 2},
     {"groups, columns 1 H", prepare_cells, pass_groups, .columns = 1},
     {"groups, sorted every 2 steps", prepare_cells, pass_groups, .columns = 4, .steps = 2},
     {"groups, sorted every 4 steps", prepare_cells, pass_groups, .columns = 4, .steps = 4},
     {"groups, sorted every 8 steps", prepare_cells, pass_groups, .columns = 4, .steps = 8},
-    {"groups, candidates sifted by the group's box", prepare_cells, pass_sifted_box, .columns = 4},
-    {"groups, candidates sifted by its particles", prepare_cells, pass_sifted_all, .columns = 4},
-    {"groups, columns 1/8 H, sifted by its particles", prepare_cells, pass_sifted_all, .columns = 8},
     {"groups, packed blocks", prepare_packed, pass_packed, .columns = 4, .packed = true},
     {0}};

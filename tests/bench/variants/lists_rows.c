@@ -41,7 +41,7 @@ static void prepare_lists(field *f, const variant *v)
             for (size_t j = near.begin[r]; j < near.end[r]; j += SPH2D__LANES) {
                 sph2d__lanes dx = x - sph2d__lanes_load(s->x + j), dy = y - sph2d__lanes_load(s->y + j);
                 unsigned which = sph2d__lanes_which(dx * dx + dy * dy, reach * reach);
-                sift_pack(to, (uint32_t)j, which);
+                sph2d__lanes_pack_index(to, (uint32_t)j, which);
                 to += __builtin_popcount(which);
             }
         while ((size_t)(to - f->list.at - begin[i]) % SPH2D__LANES != 0)

@@ -5,24 +5,8 @@
 #ifndef SPH2D_TESTS_BENCH_SIFT_H
 #define SPH2D_TESTS_BENCH_SIFT_H
 
-#include <string.h>
-
 #include "methods/group.h"
 #include "pair.h"
-
-/** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
-SPH2D__INLINE void sift_pack(uint32_t *to, uint32_t first, unsigned which)
-{
-#if SPH2D__LANES == 4
-    typedef uint32_t four __attribute__((vector_size(16)));
-    static const four places[16] = {{0}, {0},    {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
-                                    {3}, {0, 3}, {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
-    four index = places[which] + first;
-    memcpy(to, &index, sizeof index);
-#else
-    sph2d__lanes_pack_index(to, first, which);
-#endif
-}
 
 /** Those within a distance of a group's box. Returns where the next one goes. */
 SPH2D__INLINE uint32_t *sift_by_box(const sph2d__store *s, const sph2d__group *g, double reach2, size_t first,
@@ -34,7 +18,7 @@ SPH2D__INLINE uint32_t *sift_by_box(const sph2d__store *s, const sph2d__group *g
         sph2d__lanes dx = sph2d__lanes_max(sph2d__lanes_max(g->low_x - x, x - g->high_x), zero);
         sph2d__lanes dy = sph2d__lanes_max(sph2d__lanes_max(g->low_y - y, y - g->high_y), zero);
         unsigned near = sph2d__lanes_which(dx * dx + dy * dy, reach2);
-        sift_pack(to, (uint32_t)j, near);
+        sph2d__lanes_pack_index(to, (uint32_t)j, near);
         to += __builtin_popcount(near);
     }
     return to;
@@ -53,7 +37,7 @@ SPH2D__INLINE uint32_t *sift_by_all(const sph2d__store *s, const sph2d__group *g
             nearest = sph2d__lanes_max(nearest, -(dx * dx) - dy * dy);
         }
         unsigned near = sph2d__lanes_which(-nearest, reach2);
-        sift_pack(to, (uint32_t)j, near);
+        sph2d__lanes_pack_index(to, (uint32_t)j, near);
         to += __builtin_popcount(near);
     }
     return to;
