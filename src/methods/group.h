@@ -80,8 +80,9 @@ static inline void sph2d__group_box(const sph2d__store *store, sph2d__group *g)
     g->high_y = high_y;
 }
 
-/** The group that begins with particle i, before particle `last`. */
-static inline sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, size_t last)
+/** The group that begins with particle i, before particle `last`. Called, as there is a copy of the loops for each set
+ * of terms: compilers would put it into some of them. */
+static __attribute__((noinline, unused)) sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, size_t last)
 {
     const sph2d__cells *c = by->cells;
     uint32_t cell = c->cell[c->order[i]], row = cell / c->nx, next = cell + by->columns + 1;
@@ -100,7 +101,8 @@ static inline sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, 
 }
 
 /** The particles of the cells of a patch and around it. */
-static inline void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__patch *p, sph2d__ranges *to)
+static __attribute__((noinline, unused)) void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__patch *p,
+                                                                  sph2d__ranges *to)
 {
 #ifdef SPH2D__MIXED
     const bool tiled = true;
