@@ -24,6 +24,7 @@ typedef struct loop_result {
     double step_wall;     /**< stepping alone [s] */
     double step_cpu;      /**< of all threads, stepping alone [s] */
     double output_wall;   /**< writing and drawing [s] */
+    double output_cpu;    /**< of all threads; the rest is waiting, mostly for the disk [s] */
     painter_times frames; /**< the part of that which frames took */
     uint64_t steps, particle_steps;
     double simulated; /**< [s] */

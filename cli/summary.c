@@ -26,15 +26,17 @@ double summary_energy_change(const sph2d_summary *s)
 
 static void print_speed(const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
 {
-    char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE], output[TEXT_SIZE];
+    char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE];
+    char output[TEXT_SIZE], output_cpu[TEXT_SIZE];
     if (result->steps > 0) {
         double done = (double)result->particle_steps;
         text_row("speed", "%s particle-steps/s; %s per CPU second", text_count(rate, ratio(done, result->step_wall)),
                  text_count(cpu_rate, ratio(done, result->step_cpu)));
         text_row("", "%.3g simulated seconds a second", ratio(result->simulated, result->step_wall));
     }
-    text_row("", "stepping %s, CPU %s; output %s", text_seconds(wall, result->step_wall),
-             text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall));
+    text_row("", "stepping %s, CPU %s; output %s, CPU %s", text_seconds(wall, result->step_wall),
+             text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall),
+             text_seconds(output_cpu, result->output_cpu));
     char frames[TEXT_SIZE], in_use[TEXT_SIZE];
     if (result->frames.frames > 0)
         text_row("", "%zu frame%s, %s", result->frames.frames, result->frames.frames == 1 ? "" : "s",
@@ -144,6 +146,7 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_number(line, "step_seconds", result->step_wall);
     json_number(line, "step_cpu_seconds", result->step_cpu);
     json_number(line, "output_seconds", result->output_wall);
+    json_number(line, "output_cpu_seconds", result->output_cpu);
     json_count(line, "steps", result->steps);
     json_count(line, "particle_steps", result->particle_steps);
     json_count(line, "threads", (uint64_t)sph2d_sim_threads(sim));

@@ -70,10 +70,8 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
 
 sph2d_status sph2d__h5_writer_close(sph2d__h5_writer *w)
 {
-    if (w->file >= 0) {
-        sph2d__h5_check(w, H5Fflush(w->file, H5F_SCOPE_GLOBAL) >= 0, "flushing it");
+    if (w->file >= 0)
         sph2d__h5_check(w, H5Fclose(w->file) >= 0, "closing it");
-    }
     if (w->group_properties >= 0)
         H5Pclose(w->group_properties);
     if (w->driver >= 0)

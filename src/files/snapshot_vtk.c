@@ -32,7 +32,8 @@ static void put_one(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type,
     sph2d__h5_close(dataset);
 }
 
-/** Cells of one point each. The reader insists on every kind of cell, so the others are there with none. */
+/** Cells of one point each. The reader insists on every kind of cell, so the others are there with none,
+ *  one group under three names. */
 static void put_cells(sph2d__h5_writer *w, const char *kind, size_t count)
 {
     char path[64];
@@ -77,6 +78,6 @@ void sph2d__snapshot_put_vtk(sph2d__h5_writer *w, const sph2d_sim *sim)
     link_fields(w);
     put_cells(w, "Vertices", count);
     put_cells(w, "Lines", 0);
-    put_cells(w, "Polygons", 0);
-    put_cells(w, "Strips", 0);
+    sph2d__h5_link(w, "/VTKHDF/Lines", "/VTKHDF/Polygons");
+    sph2d__h5_link(w, "/VTKHDF/Lines", "/VTKHDF/Strips");
 }
