@@ -224,9 +224,12 @@ START_TEST(rates_are_those_of_least_squares)
         for (int v = 0; v < 3; ++v)
             along[v] = (wx * fits[v].b[0] + wy * fits[v].b[1]) / h;
         double rate = -f->density[i] * (fits[0].b[0] + fits[1].b[1]) / h + delta * C0 / 2 * residual_of(&fits[2]) / h;
-        ck_assert_double_eq_tol(f->ax[i], push * fits[2].b[0] + NU * lap_x / (h * h) + along[0] + gx, 1e-7);
-        ck_assert_double_eq_tol(f->ay[i], push * fits[2].b[1] + NU * lap_y / (h * h) + along[1] + gy, 1e-7);
-        ck_assert_double_eq_tol(f->density_rate[i], rate + along[2], 1e-6);
+        ck_assert_double_eq_tol(f->ax[i], push * fits[2].b[0] + NU * lap_x / (h * h) + gx, 1e-7);
+        ck_assert_double_eq_tol(f->ay[i], push * fits[2].b[1] + NU * lap_y / (h * h) + gy, 1e-7);
+        ck_assert_double_eq_tol(f->density_rate[i], rate, 1e-6);
+        ck_assert_double_eq_tol(f->way_ax[i], along[0], 1e-7);
+        ck_assert_double_eq_tol(f->way_ay[i], along[1], 1e-7);
+        ck_assert_double_eq_tol(f->way_density_rate[i], along[2], 1e-6);
     }
     ck_assert_uint_lt(capped, f->count);
 }

@@ -227,7 +227,7 @@ typedef struct sph2d_method_options {
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators, pcisph and constraint 2.4 */
     double cfl; /**< step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9;
-                     default 0: the method's, muller 0.4, wcsph 0.3 with symmetric and 0.5 with fitted operators,
+                     default 0: the method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators,
                      pcisph and constraint 0.4 dx/H */
     double time_step; /**< fixed step [s]; default 0: adaptive */
     double damping;   /**< constraint: steps within which a compression fades, n of SPOOK, >= 0; below 2 a rigid liquid

@@ -18,8 +18,8 @@
  *  2017, eq. 7), and every equation is written along that way (Sun et al. 2019):
  *
  *      dx/dt   = v + w_s                       w_s = -s U S,  |w_s| <= U/2,  U the largest speed
- *      dv/dt   = -c^2 grad rho / rho + nu lap v + (w_s . grad) v + body force
- *      drho/dt = -rho div v + w_s . grad rho + delta h c0 R(rho)
+ *      dv/dt   = -c^2 grad rho / rho + nu lap v + body force + (w_s . grad) v
+ *      drho/dt = -rho div v + delta h c0 R(rho) + w_s . grad rho
  *      S       = 140/pi (dx/H)^2 sum w [1 + 0.2 (W(r)/W(dx))^4] (xi, eta),   W Wendland's C2
  *
  *  Momentum is not conserved to round-off: the error is that of the fit. Where neighbours are too few or on a line the
@@ -34,7 +34,8 @@ extern const sph2d__method sph2d__wcsph_fitted;
 
 /** The pair loops, compiled once for each instruction set and precision. */
 typedef struct sph2d__fitted_passes {
-    /** Acceleration, density_rate and shift velocity of the fluid. */
+    /** The fluid's acceleration and density_rate along the way of the liquid, its shift and what that adds to both
+     * (way). */
     sph2d__span_work *rates;
 } sph2d__fitted_passes;
 

@@ -304,9 +304,12 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
     wx *= less;
     wy *= less;
     sph2d__lanes rho = sph2d__group_lanes(f->density + g->first, 0), nu = sph2d__lanes_all(k->viscosity * h2);
-    sph2d__lanes ax = nu * (fits->laplacian[0] + gain * fits->residual[0]) + wx * dx[0] + wy * dy[0];
-    sph2d__lanes ay = nu * (fits->laplacian[1] + gain * fits->residual[1]) + wx * dx[1] + wy * dy[1];
-    sph2d__lanes rate = -rho * (dx[0] + dy[1]) + wx * dx[2] + wy * dy[2] + diffusion * fits->residual[2];
+    sph2d__lanes ax = nu * (fits->laplacian[0] + gain * fits->residual[0]);
+    sph2d__lanes ay = nu * (fits->laplacian[1] + gain * fits->residual[1]);
+    sph2d__lanes rate = diffusion * fits->residual[2] - rho * (dx[0] + dy[1]);
+    sph2d__lanes way[3];
+    for (int v = 0; v < 3; ++v)
+        way[v] = wx * dx[v] + wy * dy[v];
     for (int lane = 0; lane < g->count; ++lane) {
         size_t i = g->first + (size_t)lane;
         double push = -sph2d__sound_speed2_at(s, f->density[i]) / f->density[i];
@@ -314,9 +317,12 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
         sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &own_ax, &own_ay);
         f->ax[i] = own_ax;
         f->ay[i] = own_ay;
+        f->density_rate[i] = rate[lane];
         f->shift_x[i] = wx[lane];
         f->shift_y[i] = wy[lane];
-        f->density_rate[i] = rate[lane];
+        f->way_ax[i] = way[0][lane];
+        f->way_ay[i] = way[1][lane];
+        f->way_density_rate[i] = way[2][lane];
     }
 }
 

@@ -31,6 +31,9 @@ enum { SPH2D__PADDING = 16 };
     X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
     X(shift_x)      /* shift velocity of fitted operators [m/s] */                                                     \
     X(shift_y)                                                                                                         \
+    X(way_ax) /* rates of velocity and density by the shift along their slopes */                                      \
+    X(way_ay)                                                                                                          \
+    X(way_density_rate)                                                                                                \
     X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */         \
     X(image_vy)                                                                                                        \
     X(normal_x) /* from a boundary particle straight to the wall's surface */                                          \
@@ -57,11 +60,12 @@ enum { SPH2D__PADDING = 16 };
     X(packed_state)                                                                                                    \
     X(packed_slope)                                                                                                    \
     X(packed_density)                                                                                                  \
-    X(start_x) /* position, velocity and density when the step began */                                                \
+    X(start_x) /* position of a boundary particle at time 0 */                                                         \
     X(start_y)                                                                                                         \
-    X(start_vx)                                                                                                        \
-    X(start_vy)                                                                                                        \
-    X(start_density)
+    X(old_density_rate) /* one step before */                                                                          \
+    X(older_ax)         /* two steps before */                                                                         \
+    X(older_ay)                                                                                                        \
+    X(older_density_rate)
 
 /** The index of each array. */
 enum sph2d__store_real {

@@ -336,7 +336,7 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4",
      .text = "support radius over spacing, H/dx"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.5 (fitted), else 0.4 dx/H",
+     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max), without c0 for pcisph and constraint"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .standard = "adaptive", .text = "a fixed step"},

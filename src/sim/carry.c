@@ -142,7 +142,7 @@ static void carry_flock(sph2d_sim *sim, const sph2d__flock *flock, events *met)
     }
 }
 
-sph2d_status sph2d__carry(sph2d_sim *sim, double dt, double old, sph2d__flock_work *set, sph2d__flock_work *after)
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after)
 {
     const size_t count = sim->system.fluid.count, flocks = (count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
     uint64_t hits = 0, reflections = 0, bad = 0;
@@ -153,10 +153,10 @@ sph2d_status sph2d__carry(sph2d_sim *sim, double dt, double old, sph2d__flock_wo
         events met = {0};
         flock.first = n * SPH2D__FLOCK;
         flock.count = count - flock.first < SPH2D__FLOCK ? count - flock.first : SPH2D__FLOCK;
-        set(sim, dt, old, &flock);
+        set(sim, dt, &flock);
         carry_flock(sim, &flock, &met);
         if (after)
-            after(sim, dt, old, &flock);
+            after(sim, dt, &flock);
         hits += met.hits;
         reflections += met.reflections;
         bad += met.bad;
@@ -175,18 +175,14 @@ sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
     return sorted ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-/* Shifting is a diffusion of particles with D = gain U H: explicit steps stand D dt / H^2 of this. */
-static const double SHIFT_LIMIT = 0.1;
-
-void sph2d__limit_shift(sph2d__system *s, double gain, double dt)
+void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt)
 {
-    double most = s->speed > 0 ? SHIFT_LIMIT * s->support / (s->speed * dt) : INFINITY;
+    double most = s->speed > 0 ? limit * s->support / (s->speed * dt) : INFINITY;
     s->shift_gain = fmin(s->method.shifting * gain, most);
 }
 
-void sph2d__predict(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+void sph2d__predict(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    (void)old;
     const sph2d__store *f = &sim->system.fluid;
     for (size_t i = w->first; i < w->first + w->count; ++i) {
         f->vx[i] += dt / 2 * f->ax[i];

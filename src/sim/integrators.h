@@ -15,8 +15,8 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
 sph2d_status sph2d__projected_renew(sph2d_sim *sim);
 /** Pressure for the places that come next, kick, drift (projected.c). */
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
-/** Three stages of third order (runge_kutta.c). */
-sph2d_status sph2d__runge_kutta(sph2d_sim *sim, double dt);
+/** Third order from the rates of three steps (adams_bashforth.c). */
+sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
 
 /** Particles that are moved together: so many that the look for walls around all of them costs little. */
 enum { SPH2D__FLOCK = 32 };
@@ -28,18 +28,19 @@ typedef struct sph2d__flock {
     double vx[SPH2D__FLOCK], vy[SPH2D__FLOCK]; /**< velocities on them, which walls may turn [m/s] */
 } sph2d__flock;
 
-/** Sets ways and velocities of a flock for a step of `dt`; or what comes after its way. `old` is of the stage. */
-typedef void sph2d__flock_work(sph2d_sim *sim, double dt, double old, sph2d__flock *flock);
+/** Sets ways and velocities of a flock for a step of `dt`; or what comes after its way. */
+typedef void sph2d__flock_work(sph2d_sim *sim, double dt, sph2d__flock *flock);
 
 /** Moves all particles by their ways, held by walls and brought round periodic sides, and sets their velocities
  * (carry.c). `after` may be NULL. SPH2D_GUARD when a place is not finite. */
-sph2d_status sph2d__carry(sph2d_sim *sim, double dt, double old, sph2d__flock_work *set, sph2d__flock_work *after);
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after);
 
 /** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
 
-/** Sets the shift velocity's gain for a step: `gain` times the scene's, but no more than moves particles stably. */
-void sph2d__limit_shift(sph2d__system *s, double gain, double dt);
+/** Sets the shift velocity's gain for a step: `gain` times the scene's, but no more than moves particles stably.
+ * Shifting is a diffusion of particles with D = gain U H, and `limit` the largest D dt / H^2 that the scheme stands. */
+void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt);
 
 /** Keeps a(n) beside in old_ax and old_ay, so that the second kick can take the prediction back. */
 void sph2d__keep_accelerations(sph2d__store *fluid);

@@ -12,9 +12,8 @@
  *  u(0) - dt/2 a(0). */
 #include "sim/integrators.h"
 
-static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    (void)old;
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
@@ -27,7 +26,7 @@ static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
 {
     sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
-    sph2d_status status = sph2d__carry(sim, dt, 0, kick, sph2d__predict);
+    sph2d_status status = sph2d__carry(sim, dt, kick, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

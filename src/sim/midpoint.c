@@ -19,6 +19,8 @@
 /* Shift velocity over the largest speed, the support and the gradient of crowding, for shifting: 1 (Sun et al. 2017,
  * eq. 7: dr = -CFL Ma (2h)^2 grad C with CFL Ma = dt U/h). */
 static const double SHIFT_GAIN = 2;
+/* Shifting is a diffusion of particles with D = gain U H: D dt / H^2 that is stable. */
+static const double SHIFT_LIMIT = 0.1;
 
 /** Half a drift with the velocities that are set, and the shift. */
 static void set_ways(const sph2d_sim *sim, double dt, sph2d__flock *w)
@@ -34,9 +36,8 @@ static void set_ways(const sph2d_sim *sim, double dt, sph2d__flock *w)
 }
 
 /** The first kick, then half the drift. */
-static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    (void)old;
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
@@ -46,9 +47,8 @@ static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 }
 
 /** Moves density by its rate and velocity by what a shift finds on its way; then the other half of the drift. */
-static void compress(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    (void)old;
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         f->density[i] += dt * f->density_rate[i];
@@ -65,10 +65,10 @@ static void compress(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
 
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
 {
-    sph2d__limit_shift(&sim->system, SHIFT_GAIN, dt);
+    sph2d__limit_shift(&sim->system, SHIFT_GAIN, SHIFT_LIMIT, dt);
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
     sph2d__sim_window(sim, start, middle);
-    sph2d_status status = sph2d__carry(sim, dt, 0, kick, NULL);
+    sph2d_status status = sph2d__carry(sim, dt, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK && sim->moving_count > 0)
@@ -77,7 +77,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
         return status;
     sim->method->density_rate(&sim->system);
     sph2d__sim_window(sim, middle, end);
-    status = sph2d__carry(sim, dt, 0, compress, sph2d__predict);
+    status = sph2d__carry(sim, dt, compress, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

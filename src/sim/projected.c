@@ -9,9 +9,8 @@
  *  The acceleration that particles have between steps is that without pressure. */
 #include "sim/integrators.h"
 
-static void kick(sph2d_sim *sim, double dt, double old, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
-    (void)old;
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->vx[k] = f->vx[i] + dt * f->ax[i];
@@ -36,7 +35,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;
     sim->record.unconverged_row = sim->system.unconverged ? sim->record.unconverged_row + 1 : 0;
-    sph2d_status status = sph2d__carry(sim, dt, 0, kick, NULL);
+    sph2d_status status = sph2d__carry(sim, dt, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)

@@ -12,6 +12,7 @@
     X(time, "Time", 0, 0, 1, "simulated time")                                                                         \
     X(next_step, "NextTimeStep", 0, 0, 1, "length of the step that comes next")                                        \
     X(last_step, "LastTimeStep", 0, 0, 1, "length of the step before; 0 at the start")                                 \
+    X(older_step, "OlderTimeStep", 0, 0, 1, "length of the step before that; 0 where no scheme needs it")              \
     X(speed, "LargestSpeed", 1, 0, -1, "largest speed of a particle")                                                  \
     X(mean_density, "MeanDensity", -3, 1, 0,                                                                           \
       "mean density of the liquid that fills a closed room; 0 for other scenes")                                       \

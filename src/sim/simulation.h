@@ -35,6 +35,8 @@ struct sph2d_sim {
     unsigned char *doomed;      /**< flags of particles to remove */
     size_t doomed_capacity;
 
+    double weights[3]; /**< of the rates in the step that is being made: adams_bashforth.c */
+
     sph2d__record record;
     sph2d_status stopped; /**< why no step can follow: SPH2D_GUARD, SPH2D_NOMEM; SPH2D_OK otherwise */
     sph2d_array *state_arrays;

@@ -18,7 +18,8 @@ static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + 3
+    PAST_ARRAYS = 4, /* of the fluid, beyond its fields */
+    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 2
 };
 
 static sph2d_array find_field(const sph2d_sim *sim, sph2d_group group, const char *name)
@@ -43,6 +44,48 @@ static sph2d_array run_array(const char *name, const char *description, sph2d_ty
                          .data = {data, NULL}};
 }
 
+/** What schemes remember of the fluid beyond its fields. Returns the number of arrays. */
+static size_t list_past(const sph2d__store *f, sph2d_array out[PAST_ARRAYS])
+{
+    const struct {
+        sph2d__set bit;
+        const char *name, *description;
+        signed char unit[3];
+        const double *data[2];
+    } known[PAST_ARRAYS] = {
+        {SPH2D__BIT(surface),
+         "SurfaceDistances",
+         "distance to the free surface within the last step, up to H",
+         {1, 0, 0},
+         {f->surface, NULL}},
+        {SPH2D__BIT(density_rate),
+         "DensityRates",
+         "change of density in the last step",
+         {-3, 1, -1},
+         {f->density_rate, NULL}},
+        {SPH2D__BIT(old_ax), "OldAccelerations", "acceleration one step before", {1, 0, -2}, {f->old_ax, f->old_ay}},
+        {SPH2D__BIT(old_density_rate),
+         "OldDensityRates",
+         "change of density one step before",
+         {-3, 1, -1},
+         {f->old_density_rate, NULL}}};
+    size_t n = 0;
+    for (size_t i = 0; i < PAST_ARRAYS; ++i) {
+        if (!(f->carried & known[i].bit))
+            continue;
+        out[n] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
+                               .name = known[i].name,
+                               .description = known[i].description,
+                               .type = SPH2D_F64,
+                               .components = known[i].data[1] ? 2 : 1,
+                               .count = f->count,
+                               .stride = 1,
+                               .data = {known[i].data[0], known[i].data[1]}};
+        memcpy(out[n++].unit, known[i].unit, sizeof known[i].unit);
+    }
+    return n;
+}
+
 /** Writes all arrays of the state and returns their number. */
 static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
 {
@@ -52,16 +95,7 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
         out[n++] = find_field(sim, SPH2D_GROUP_FLUID, fluid_fields[i]);
     for (size_t i = 0; i < COUNT_OF(wall_fields); ++i)
         out[n++] = find_field(sim, SPH2D_GROUP_WALL, wall_fields[i]);
-    if (sim->system.fluid.carried & SPH2D__BIT(surface))
-        out[n++] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
-                                 .name = "SurfaceDistances",
-                                 .description = "distance to the free surface within the last step, up to H",
-                                 .unit = {1, 0, 0},
-                                 .type = SPH2D_F64,
-                                 .components = 1,
-                                 .count = sim->system.fluid.count,
-                                 .stride = 1,
-                                 .data = {sim->system.fluid.surface, NULL}};
+    n += list_past(&sim->system.fluid, out + n);
 #define REAL(member, label, m, kg, s, text)                                                                            \
     out[n] = run_array(label, text, SPH2D_F64, 1, &r->member);                                                         \
     memcpy(out[n++].unit, (signed char[3]){m, kg, s}, 3);
@@ -206,6 +240,8 @@ static void check_record(loader *l, const sph2d_sim *sim)
         refuse(l, "NextTimeStep", "is not above 0");
     if (!(r->last_step >= 0))
         refuse(l, "LastTimeStep", "is below 0");
+    if (!(r->older_step >= 0))
+        refuse(l, "OlderTimeStep", "is below 0");
     if (r->pointer_acceleration != 0 ? !(r->pointer_radius > 0) : !(r->pointer_radius >= 0))
         refuse(l, "PointerRadius", "is not above 0");
     if (r->next_limit >= SPH2D__LIMIT_COUNT)

@@ -35,8 +35,8 @@ static void advance_clock(sph2d_sim *sim, double dt)
 static sph2d_status move(sph2d_sim *sim, double dt)
 {
     switch (sim->method->integrator) {
-    case SPH2D__RUNGE_KUTTA:
-        return sph2d__runge_kutta(sim, dt);
+    case SPH2D__ADAMS_BASHFORTH:
+        return sph2d__adams_bashforth(sim, dt);
     case SPH2D__MIDPOINT:
         return sph2d__midpoint(sim, dt);
     case SPH2D__PROJECTED:
