@@ -12,6 +12,7 @@
 typedef struct sph2d__memory {
     sph2d_allocator allocator;
     size_t bytes; /**< allocated now */
+    int threads;  /**< that share the zeroing of large blocks; 0 or 1 for one */
 } sph2d__memory;
 
 /** The C library's allocator where `allocator` is {NULL, NULL}. */

@@ -76,6 +76,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 #else
     s->threads = default_threads();
 #endif
+    sim->memory.threads = s->threads;
     s->isa = sph2d__isa_choose(options->isa);
     s->spacing = scene->spacing;
     s->support = d.support_radius;
