@@ -197,7 +197,7 @@ START_TEST(steps_are_as_long_as_is_stable)
     scene.fluid.dynamic_viscosity = _i ? 400 : 0;
     make(SPH2D_ISA_AUTO);
     sph2d__system *s = &sim->system;
-    double h = s->support, acoustic = 0.25 * h / (C0 + 2), viscous = _i ? 0.005 * h * h / 0.4 : INFINITY;
+    double h = s->support, acoustic = 0.25 * h / (C0 + 2), viscous = _i ? 0.0075 * h * h / 0.4 : INFINITY;
     s->densest = RHO0;
     sph2d__limit limit;
     ck_assert_double_eq_tol(sph2d__wcsph_fitted.stable_step(s, 2, 0, &limit), fmin(acoustic, viscous), 1e-15);

@@ -250,6 +250,20 @@ START_TEST(a_wall_at_another_speed_drags)
 }
 END_TEST
 
+START_TEST(steps_are_shorter_where_liquid_sticks_to_walls)
+{
+    scene.fluid.dynamic_viscosity = 20 * NU * RHO0;
+    between_walls(1);
+    make(SPH2D_ISA_AUTO);
+    sph2d__system *s = &sim->system;
+    s->densest = RHO0;
+    sph2d__limit limit;
+    double step = sph2d__wcsph_fitted.stable_step(s, 0, 0, &limit);
+    ck_assert_double_eq_tol(step, 0.005 * s->support * s->support / (20 * NU), 1e-15);
+    ck_assert_int_eq(limit, SPH2D__LIMIT_VISCOUS);
+}
+END_TEST
+
 Suite *suite_fitted_walls(void)
 {
     Suite *suite = suite_create("fitted_walls");
@@ -258,6 +272,7 @@ Suite *suite_fitted_walls(void)
     tcase_add_loop_test(tests, flow_between_walls_is_exact, 0, 2);
     tcase_add_loop_test(tests, rates_are_those_of_least_squares, 0, 4);
     tcase_add_test(tests, a_wall_at_another_speed_drags);
+    tcase_add_test(tests, steps_are_shorter_where_liquid_sticks_to_walls);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -9,9 +9,10 @@
 #include "methods/state_equation.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a), and of H/(delta c0) for density diffusion. Adams and Bashforth's
- * scheme is stable on a lattice up to 0.0089 H^2/nu (H/dx 2 to 4; between walls 0.0065), 0.107 H/(delta c0), and, for
- * sound, 0.315 H/c0. */
-static const double VISCOUS = 0.005;
+ * scheme is stable on a lattice up to 0.0089 H^2/nu (H/dx 2 to 4; between walls that liquid sticks to 0.0065), 0.107
+ * H/(delta c0), and, for sound, 0.315 H/c0. */
+static const double VISCOUS = 0.0075;
+static const double VISCOUS_AT_WALLS = 0.005;
 static const double FORCE = 0.25;
 static const double DIFFUSIVE = 0.08;
 
@@ -66,7 +67,8 @@ static bool evaluate(sph2d__system *s)
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double sound = sqrt(sph2d__sound_speed2_at(s, s->densest)), nu = s->viscosity / s->rest_density;
-    double step = sph2d__shortest_step(s, sound, speed, acceleration, nu, VISCOUS, FORCE, limit);
+    double viscous = s->walls_press ? VISCOUS_AT_WALLS : VISCOUS;
+    double step = sph2d__shortest_step(s, sound, speed, acceleration, nu, viscous, FORCE, limit);
     double diffusive = DIFFUSIVE * s->support / (s->method.density_diffusion * s->sound_speed);
     if (step <= diffusive)
         return step;
