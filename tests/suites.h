@@ -9,18 +9,22 @@
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
-#define RENDER_SUITES(X) X(render) X(lumps) X(frame_times)
+#define RENDER_SUITES(X) X(render) X(drawing) X(lumps) X(frame_times)
 #endif
 
 #define SUITES(X)                                                                                                      \
     X(kernels)                                                                                                         \
     X(smoothing)                                                                                                       \
     X(flows)                                                                                                           \
+    X(flows_channels)                                                                                                  \
+    X(flows_free)                                                                                                      \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
     X(wcsph)                                                                                                           \
+    X(wcsph_walls)                                                                                                     \
+    X(wcsph_surface)                                                                                                   \
     X(mixed)                                                                                                           \
     X(terms)                                                                                                           \
     X(tension)                                                                                                         \

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/** @file all_pairs.c
+ *  The cloud and the sums of all_pairs.h. */
+#include "all_pairs.h"
+
+#include <math.h>
+
+static const double FINE = 1e-10;
+
+double weight(sph2d_kernel kernel, double support, double r)
+{
+    double q = r / support, t = fmax(1 - q, 0);
+    if (kernel == SPH2D_KERNEL_WENDLAND_C4)
+        return 9 / (TEST_PI * support * support) * pow(t, 6) * (1 + 6 * q + 35.0 / 3 * q * q);
+    return 7 / (TEST_PI * support * support) * pow(t, 4) * (1 + 4 * q);
+}
+
+/** grad W = slope r_ij. */
+static double slope(sph2d_kernel kernel, double support, double r)
+{
+    double q = r / support, t = fmax(1 - q, 0), h4 = pow(support, 4);
+    if (kernel == SPH2D_KERNEL_WENDLAND_C4)
+        return -9 / (TEST_PI * h4) * 56.0 / 3 * pow(t, 5) * (1 + 5 * q);
+    return -7 / (TEST_PI * h4) * 20 * pow(t, 3);
+}
+
+sph2d_scene scene;
+sph2d_block block;
+static sph2d_sim *sim;
+
+void start(void)
+{
+    scene = test_open_scene(DX, -1, -1, 1, 1);
+    block = test_block(0, 0, SIDE * DX, SIDE * DX);
+    block.perturb.amplitude = 0.3;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = C0;
+    scene.method.density_diffusion = 0;
+    scene.method.shifting = 0;
+    scene.method.tensile_control = SPH2D_SWITCH_OFF;
+}
+
+void finish(void)
+{
+    sph2d_sim_destroy(sim);
+    sim = NULL;
+}
+
+sph2d__system *make(sph2d_isa isa)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = 1;
+    options.isa = isa;
+    sim = test_create(&scene, &options);
+    sph2d__store *f = &sim->system.fluid;
+    uint64_t seed = 3;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] = test_random(&seed, -1, 1);
+        f->vy[i] = test_random(&seed, -1, 1);
+        f->density[i] = RHO0 * test_random(&seed, 0.97, 1.03);
+        f->volume[i] = sim->system.mass / f->density[i];
+    }
+    return &sim->system;
+}
+
+other other_of(const sph2d__system *s, size_t i, const sph2d__store *from, size_t j)
+{
+    const sph2d__store *f = &s->fluid;
+    bool liquid = from == f;
+    const sph2d__period *period = &s->fluid_cells.period;
+    other o = {.dx = sph2d__period_nearest(f->x[i] - from->x[j], period->length_x),
+               .dy = sph2d__period_nearest(f->y[i] - from->y[j], period->length_y)};
+    o.r = hypot(o.dx, o.dy);
+    o.vx = f->vx[i] - (liquid ? from->vx[j] : from->image_vx[j]);
+    o.vy = f->vy[i] - (liquid ? from->vy[j] : from->image_vy[j]);
+    o.mass = liquid ? s->mass : from->mass[j];
+    o.density = from->density[j];
+    o.pressure = from->pressure[j];
+    o.slope = slope(s->method.kernel, s->support, o.r);
+    o.weight = weight(s->method.kernel, s->support, o.r);
+    return o;
+}
+
+void close_to(double value, double expect, double size, const char *what, size_t i)
+{
+    ck_assert_msg(fabs(value - expect) <= FINE * size, "%s of particle %zu: %.15g, not %.15g", what, i, value, expect);
+}
+
+/** Pair by pair: pressure and the three viscosities. */
+static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from, double a[2], double *size)
+{
+    const sph2d__store *f = &s->fluid;
+    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
+    double h = s->support / 2, mu = s->viscosity, rho = f->density[i];
+    double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8;
+    for (size_t j = 0; j < from->count; ++j) {
+        other o = other_of(s, i, from, j);
+        if (o.r == 0 || o.slope == 0)
+            continue;
+        double push = -o.mass * (f->pressure[i] / (rho * rho) + o.pressure / (o.density * o.density)) * o.slope;
+        double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
+        double along = 8 * (artificial + (morris ? 0 : mu)) / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
+                       (o.r * o.r) * o.slope;
+        if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
+            drag = along = 0;
+        a[0] += push * o.dx + drag * o.vx + along * o.dx;
+        a[1] += push * o.dy + drag * o.vy + along * o.dy;
+        *size += fabs(push) * o.r + fabs(drag) * hypot(o.vx, o.vy) + fabs(along) * o.r;
+    }
+}
+
+void check_forces(sph2d__system *s)
+{
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        double a[2] = {s->body.gravity_x, s->body.gravity_y}, size = 0;
+        force_of(s, i, &s->fluid, a, &size);
+        force_of(s, i, &s->walls, a, &size);
+        close_to(s->fluid.ax[i], a[0], size, "ax", i);
+        close_to(s->fluid.ay[i], a[1], size, "ay", i);
+    }
+}

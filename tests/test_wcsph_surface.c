@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_wcsph_surface.c
+ *  Where method `wcsph` with symmetric operators sees a surface, and what it does there and inside, against sums over
+ *  all pairs: shifts, the fields that they meet on their way, and forces under tension. */
+#include <math.h>
+
+#include "all_pairs.h"
+#include "methods/shift.h"
+#include "methods/wcsph.h"
+
+enum { MOST = SIDE * SIDE };
+
+/** Sets the block at rest at a density, and evaluates until the distance to the surface is known. */
+static sph2d__system *at_rest(double density)
+{
+    scene.method.shifting = 1;
+    scene.method.tensile_control = SPH2D_SWITCH_ON;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        s->fluid.vx[i] = s->fluid.vy[i] = 0;
+        s->fluid.density[i] = density;
+    }
+    sph2d__wcsph.evaluate(s);
+    sph2d__wcsph.density_rate(s);
+    sph2d__wcsph.evaluate(s);
+    return s;
+}
+
+static double depth_of(const sph2d__store *f, size_t i)
+{
+    double x = fmin(f->x[i], SIDE * DX - f->x[i]), y = fmin(f->y[i], SIDE * DX - f->y[i]);
+    return fmin(x, y);
+}
+
+START_TEST(the_surface_is_known)
+{
+    block.perturb.amplitude = 0;
+    sph2d__system *s = at_rest(RHO0);
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        double depth = depth_of(f, i);
+        if (depth > s->support)
+            ck_assert_double_eq_tol(f->fullness[i], 1, 0.02);
+        if (depth < 0.6 * DX) {
+            ck_assert_double_lt(f->fullness[i], 0.6); /* a corner has a quarter, a side half and its own row's part */
+            ck_assert(f->surface[i] == 0);
+        } else {
+            double rows = fmin(depth - DX / 2, s->support);
+            ck_assert_double_eq_tol(f->surface[i], rows, 1e-12);
+        }
+    }
+}
+END_TEST
+
+START_TEST(fullness_is_the_smaller_eigenvalue)
+{
+    sph2d__system *s = at_rest(RHO0);
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        double xx = 0, xy = 0, yy = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            other o = other_of(s, i, f, j);
+            double v = o.mass / o.density * o.slope;
+            xx -= v * o.dx * o.dx;
+            xy -= v * o.dx * o.dy;
+            yy -= v * o.dy * o.dy;
+        }
+        /* (M - l)(x) = 0 for some x: the determinant vanishes, and the trace says which root it is */
+        double l = f->fullness[i];
+        ck_assert_double_eq_tol((xx - l) * (yy - l) - xy * xy, 0, 1e-10);
+        ck_assert_double_le(l, (xx + yy) / 2 + 1e-10);
+    }
+}
+END_TEST
+
+/* A film of one row: the slope of a field across it cannot be known, and is not guessed. */
+START_TEST(a_row_of_particles_has_no_slope)
+{
+    block = test_block(0, 0, SIDE * DX, DX);
+    scene.method.density_diffusion = 0.1;
+    scene.method.shifting = 1;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    s->speed = 1;
+    s->shift_gain = 2;
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        s->fluid.y[i] = 0.3;
+    sph2d__wcsph.evaluate(s);
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        ck_assert(s->fluid.slope_x[i] == 0 && s->fluid.slope_y[i] == 0);
+}
+END_TEST
+
+START_TEST(shifts_lead_away_from_the_crowd)
+{
+    sph2d__system *s = at_rest(RHO0);
+    const sph2d__store *f = &s->fluid;
+    double close = weight(s->method.kernel, s->support, DX);
+    s->shift_gain = 2;
+    s->speed = 3;
+    for (size_t i = 0; i < f->count; ++i) {
+        double gx = 0, gy = 0, nx = 0, ny = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            other o = other_of(s, i, f, j);
+            double volume = o.mass / o.density, crowd = volume * (1 + 0.2 * pow(o.weight / close, 4)) * o.slope;
+            gx += crowd * o.dx;
+            gy += crowd * o.dy;
+            nx += volume * o.slope * o.dx;
+            ny += volume * o.slope * o.dy;
+        }
+        if (f->fullness[i] < 0.75 || f->surface[i] < s->support) { /* along the surface alone */
+            double across = (gx * nx + gy * ny) / (nx * nx + ny * ny);
+            gx -= across * nx;
+            gy -= across * ny;
+        }
+        double wx = -2 * 3 * s->support * gx, wy = -2 * 3 * s->support * gy, w = hypot(wx, wy);
+        double less = f->fullness[i] < 0.4 ? 0 : w > 1.5 ? 1.5 / w : 1; /* none in spray, half the speed at most */
+        sph2d_vec2 shift = sph2d__shift_velocity(s, i);
+        close_to(shift.x, less * wx, 100, "shift x", i);
+        close_to(shift.y, less * wy, 100, "shift y", i);
+    }
+}
+END_TEST
+
+START_TEST(a_shift_meets_the_fields_on_its_way)
+{
+    block.perturb.amplitude = 0.2;
+    scene.method.density_diffusion = _i ? 0.1 : 0;
+    sph2d__system *s = at_rest(RHO0);
+    sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] = 2 * f->x[i] - 5 * f->y[i];
+        f->vy[i] = 3 * f->x[i] - 2 * f->y[i]; /* no divergence */
+        f->density[i] = RHO0 + 40 * f->x[i] + 10 * f->y[i];
+    }
+    s->speed = 1;
+    s->shift_gain = 2;
+    sph2d__wcsph.evaluate(s);
+    double before[MOST] = {0};
+    s->shift_gain = 0;
+    sph2d__wcsph.density_rate(s);
+    for (size_t i = 0; i < f->count; ++i)
+        before[i] = f->density_rate[i];
+    s->shift_gain = 2;
+    sph2d__wcsph.density_rate(s);
+    size_t moved = 0, kept = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        sph2d_vec2 w = sph2d__shift_velocity(s, i);
+        if (f->fullness[i] < 0.75) { /* the fields are not known there */
+            w = (sph2d_vec2){0, 0};
+            ++kept;
+        }
+        moved += hypot(w.x, w.y) > 0.01;
+        close_to(f->old_ax[i], 2 * w.x - 5 * w.y, 10, "way vx", i);
+        close_to(f->old_ay[i], 3 * w.x - 2 * w.y, 10, "way vy", i);
+        close_to(f->density_rate[i] - before[i], 40 * w.x + 10 * w.y, 1e5, "way rho", i);
+    }
+    ck_assert_uint_gt(moved, f->count / 2);
+    ck_assert_uint_gt(kept, SIDE);
+}
+END_TEST
+
+/* Liquid under even tension: plain forces vanish in the bulk of a lattice; controlled ones push every pair apart. */
+START_TEST(tension_pushes_apart_inside_and_pulls_at_the_surface)
+{
+    sph2d__system *s = at_rest(0.98 * RHO0);
+    const sph2d__store *f = &s->fluid;
+    double p = -0.02 * RHO0 * C0 * C0, rho = 0.98 * RHO0;
+    size_t inside = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support;
+        inside += deep;
+        double a[2] = {0, 0}, size = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            other o = other_of(s, i, f, j);
+            double push = -o.mass * ((deep ? -p : p) + p) / (rho * rho) * o.slope;
+            a[0] += push * o.dx;
+            a[1] += push * o.dy;
+            size += o.mass * fabs(p / (rho * rho) * o.slope) * o.r;
+        }
+        close_to(f->ax[i], a[0], size, "ax", i);
+        close_to(f->ay[i], a[1], size, "ay", i);
+    }
+    ck_assert_uint_gt(inside, 10);
+}
+END_TEST
+
+Suite *suite_wcsph_surface(void)
+{
+    Suite *suite = suite_create("wcsph_surface");
+    TCase *tests = tcase_create("surface");
+    tcase_add_checked_fixture(tests, start, finish);
+    tcase_add_test(tests, the_surface_is_known);
+    tcase_add_test(tests, fullness_is_the_smaller_eigenvalue);
+    tcase_add_test(tests, a_row_of_particles_has_no_slope);
+    tcase_add_test(tests, shifts_lead_away_from_the_crowd);
+    tcase_add_loop_test(tests, a_shift_meets_the_fields_on_its_way, 0, 2);
+    tcase_add_test(tests, tension_pushes_apart_inside_and_pulls_at_the_surface);
+    suite_add_tcase(suite, tests);
+    return suite;
+}

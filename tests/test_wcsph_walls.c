@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_wcsph_walls.c
+ *  Walls in one evaluation of method `wcsph` with symmetric operators, against sums over all pairs: what boundary
+ *  particles take from the liquid, how they act on it, and images across periodic sides. */
+#include <math.h>
+
+#include "all_pairs.h"
+#include "methods/wcsph.h"
+
+static const sph2d_slip slips[] = {SPH2D_SLIP_FREE, SPH2D_SLIP_NONE};
+
+/** A random cloud between walls at left and below. */
+static sph2d__system *make_walled(sph2d_slip slip)
+{
+    scene.domain = (sph2d_box){{0, 0}, {SIDE * DX, 1}};
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
+    scene.wall_slip = slip;
+    scene.gravity = (sph2d_vec2){2, -9};
+    scene.fluid.dynamic_viscosity = 3;
+    return make(SPH2D_ISA_AUTO);
+}
+
+START_TEST(walls_carry_the_pressure_of_the_liquid_on)
+{
+    sph2d__system *s = make_walled(slips[_i]);
+    sph2d__wcsph.evaluate(s);
+    sph2d__wcsph.density_rate(s);
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    size_t wet = 0;
+    for (size_t b = 0; b < w->count; ++b) {
+        double sum = 0, p = 0, vx = 0, vy = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            double dx = w->x[b] - f->x[j], dy = w->y[b] - f->y[j];
+            double v = weight(s->method.kernel, s->support, hypot(dx, dy));
+            sum += v;
+            p += v * (f->pressure[j] + f->density[j] * (2 * dx - 9 * dy));
+            vx += v * f->vx[j];
+            vy += v * f->vy[j];
+        }
+        if (sum < 1e-9)
+            continue;
+        ++wet;
+        close_to(w->pressure[b], p / sum, RHO0 * C0 * C0, "pressure", b);
+        close_to(w->density[b], RHO0 + p / sum / (C0 * C0), RHO0, "density", b);
+        close_to(w->volume[b], w->mass[b] / w->density[b], DX * DX, "volume", b);
+        bool left = w->x[b] < 0 && w->y[b] > 0, below = w->y[b] < 0 && w->x[b] > 0;
+        bool rough = slips[_i] == SPH2D_SLIP_NONE, corner = !left && !below;
+        close_to(w->image_vx[b], rough || corner || left ? -vx / sum : vx / sum, 1, "image vx", b);
+        close_to(w->image_vy[b], rough || corner || below ? -vy / sum : vy / sum, 1, "image vy", b);
+    }
+    ck_assert_uint_gt(wet, 2 * SIDE);
+}
+END_TEST
+
+START_TEST(walls_act_like_liquid)
+{
+    sph2d__system *s = make_walled(slips[_i]);
+    sph2d__wcsph.evaluate(s);
+    check_forces(s);
+    sph2d__wcsph.density_rate(s);
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        double rate = 0, size = 0;
+        for (int walls = 0; walls < 2; ++walls) {
+            const sph2d__store *from = walls ? &s->walls : &s->fluid;
+            for (size_t j = 0; j < from->count; ++j) {
+                other o = other_of(s, i, from, j);
+                rate += o.mass * (o.vx * o.dx + o.vy * o.dy) * o.slope;
+                size += o.mass * fabs((o.vx * o.dx + o.vy * o.dy) * o.slope);
+            }
+        }
+        close_to(s->fluid.density_rate[i], rate, size, "rate", i);
+    }
+}
+END_TEST
+
+/* A room that goes on at its left and right side, and in which the floor does. */
+START_TEST(images_act_across_periodic_sides)
+{
+    scene.domain = (sph2d_box){{0, 0}, {SIDE * DX, SIDE * DX}};
+    /* everywhere; a floor across the sides; a wall on the left across floor and top */
+    sph2d_side sides[4] = {SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+    if (_i > 0) {
+        sides[_i == 1 ? 2 : 0] = SPH2D_SIDE_WALL;
+        sides[_i == 1 ? 3 : 1] = SPH2D_SIDE_OPEN;
+    }
+    scene.boundary = (sph2d_boundary){sides[0], sides[1], sides[2], sides[3]};
+    scene.method.artificial_viscosity = 0.05;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    sph2d__wcsph.evaluate(s);
+    check_forces(s);
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    for (size_t b = 0; b < w->count; ++b) {
+        double sum = 0, p = 0;
+        for (size_t j = 0; j < f->count; ++j) {
+            double dx = w->x[b] - f->x[j], dy = w->y[b] - f->y[j];
+            dx = _i == 1 ? sph2d__period_nearest(dx, SIDE * DX) : dx;
+            dy = _i == 2 ? sph2d__period_nearest(dy, SIDE * DX) : dy;
+            double v = weight(s->method.kernel, s->support, hypot(dx, dy));
+            sum += v;
+            p += v * f->pressure[j];
+        }
+        if (sum > 1e-9)
+            close_to(w->pressure[b], p / sum, RHO0 * C0 * C0, "pressure", b);
+    }
+}
+END_TEST
+
+/** The first boundary particle of the left wall, or of the floor, that the middle of the cloud is near. */
+static size_t wall_particle(const sph2d__store *w, bool left)
+{
+    size_t b = 0;
+    for (;; ++b) {
+        double along = left ? w->y[b] : w->x[b], behind = left ? w->x[b] : w->y[b];
+        if (behind < 0 && behind > -DX && along > 4 * DX && along < 5 * DX)
+            return b;
+    }
+}
+
+/* The image turns with twice the wall's velocity: across a smooth wall, in both directions at a rough one. */
+START_TEST(a_moving_wall_adds_its_own_velocity)
+{
+    bool left = _i & 1, rough = _i & 2;
+    sph2d__system *s = make_walled(rough ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE);
+    sph2d__store *w = &s->walls;
+    sph2d__wcsph.evaluate(s);
+    sph2d__wcsph.density_rate(s);
+    size_t b = wall_particle(w, left);
+    double before_x = w->image_vx[b], before_y = w->image_vy[b], before_p = w->pressure[b];
+    w->vx[b] = 0.5;
+    w->vy[b] = 0.25;
+    sph2d__wcsph.evaluate(s);
+    sph2d__wcsph.density_rate(s);
+    ck_assert_double_eq_tol(w->image_vx[b], before_x + (left || rough ? 2 * 0.5 : 0), 1e-12);
+    ck_assert_double_eq_tol(w->image_vy[b], before_y + (!left || rough ? 2 * 0.25 : 0), 1e-12);
+    ck_assert(w->pressure[b] == before_p);
+    *(left ? &w->ax[b] : &w->ay[b]) = 3; /* it is pushed into the liquid */
+    sph2d__wcsph.evaluate(s);
+    ck_assert_double_gt(w->pressure[b], before_p + 3 * 0.9 * RHO0 * 0.4 * DX);
+    ck_assert_double_lt(w->pressure[b], before_p + 3 * 1.1 * RHO0 * 3 * DX);
+}
+END_TEST
+
+Suite *suite_wcsph_walls(void)
+{
+    Suite *suite = suite_create("wcsph_walls");
+    TCase *tests = tcase_create("walls");
+    tcase_add_checked_fixture(tests, start, finish);
+    tcase_add_loop_test(tests, walls_carry_the_pressure_of_the_liquid_on, 0, 2);
+    tcase_add_loop_test(tests, walls_act_like_liquid, 0, 2);
+    tcase_add_loop_test(tests, images_act_across_periodic_sides, 0, 3);
+    tcase_add_loop_test(tests, a_moving_wall_adds_its_own_velocity, 0, 4);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
