@@ -250,10 +250,11 @@ START_TEST(parabolas_of_time_are_exact_in_unequal_steps)
     scene.method.shifting = 0;
     sph2d__store *f = make(SPH2D_ISA_AUTO);
     sph2d__record *r = &sim->record;
-    double speed = 0, expected = 0, y = f->y[0];
+    double speed = 0, expected = 0, x = f->x[0], y = f->y[0];
     uint64_t id = f->id[0];
     for (size_t k = 0; k < sizeof steps / sizeof steps[0]; ++k) {
         double t = r->time, now = pull(t), dt = steps[k];
+        r->gravity_x = -2 * now;
         r->gravity_y = now;
         r->next_step = dt;
         test_steps(sim, 1);
@@ -263,10 +264,33 @@ START_TEST(parabolas_of_time_are_exact_in_unequal_steps)
         expected += dt * (speed + gain / 2);
         speed += gain;
         for (size_t i = 0; i < f->count; ++i) {
+            ck_assert_double_eq_tol(f->vx[i], -2 * speed, 1e-9);
             ck_assert_double_eq_tol(f->vy[i], speed, 1e-9);
-            if (f->id[i] == id)
-                ck_assert_double_eq_tol(remainder(f->y[i] - y - expected, SIDE * DX), 0, 1e-9);
+            if (f->id[i] != id)
+                continue;
+            ck_assert_double_eq_tol(remainder(f->x[i] - x + 2 * expected, SIDE * DX), 0, 1e-9);
+            ck_assert_double_eq_tol(remainder(f->y[i] - y - expected, SIDE * DX), 0, 1e-9);
         }
+    }
+}
+END_TEST
+
+/* Liquid at rest has no rate now, but those of the steps before, which leave the mean alone. */
+START_TEST(rates_of_the_steps_before_act_on_density)
+{
+    scene.method.shifting = 0;
+    sph2d__store *f = make(SPH2D_ISA_AUTO);
+    const double dt = 0.001;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->density[i] = RHO0;
+        f->density_rate[i] = f->id[i] % 2 ? 3 : -3;
+        f->old_density_rate[i] = f->id[i] % 2 ? 10 : -10;
+    }
+    sim->record.last_step = sim->record.older_step = sim->record.next_step = dt;
+    test_steps(sim, 1);
+    for (size_t i = 0; i < f->count; ++i) {
+        double change = dt * (-16.0 / 12 * 3 + 5.0 / 12 * 10);
+        ck_assert_double_eq_tol(f->density[i], RHO0 + (f->id[i] % 2 ? change : -change), 1e-12 * RHO0);
     }
 }
 END_TEST
@@ -345,6 +369,7 @@ Suite *suite_fitted(void)
     tcase_add_loop_test(tests, steps_are_as_long_as_is_stable, 0, 2);
     tcase_add_test(tests, the_mean_density_is_kept);
     tcase_add_test(tests, parabolas_of_time_are_exact_in_unequal_steps);
+    tcase_add_test(tests, rates_of_the_steps_before_act_on_density);
     tcase_add_loop_test(tests, a_shift_is_one_forward_step, 0, 2);
     tcase_add_test(tests, the_scheme_is_of_second_order);
     suite_add_tcase(suite, tests);
