@@ -73,6 +73,18 @@ START_TEST(walls_act_like_liquid)
 }
 END_TEST
 
+START_TEST(particles_that_only_reflect_do_not_push)
+{
+    sph2d__system *s = make_walled(slips[_i]);
+    for (size_t b = 0; b < s->walls.count; b += 2) {
+        s->walls.mass[b] = 0;
+        s->walls.bounce[b] = 0.5;
+    }
+    sph2d__wcsph.evaluate(s);
+    check_forces(s);
+}
+END_TEST
+
 /* A room that goes on at its left and right side, and in which the floor does. */
 START_TEST(images_act_across_periodic_sides)
 {
@@ -147,6 +159,7 @@ Suite *suite_wcsph_walls(void)
     tcase_add_checked_fixture(tests, start, finish);
     tcase_add_loop_test(tests, walls_carry_the_pressure_of_the_liquid_on, 0, 2);
     tcase_add_loop_test(tests, walls_act_like_liquid, 0, 2);
+    tcase_add_loop_test(tests, particles_that_only_reflect_do_not_push, 0, 2);
     tcase_add_loop_test(tests, images_act_across_periodic_sides, 0, 3);
     tcase_add_loop_test(tests, a_moving_wall_adds_its_own_velocity, 0, 4);
     suite_add_tcase(suite, tests);
