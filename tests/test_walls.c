@@ -185,6 +185,7 @@ START_TEST(reflecting_particles_neither_weigh_nor_press)
         for (size_t b = 0; b < w.count; ++b) {
             weight[k] += masses[b];
             ck_assert((w.y[b] > 0) == (masses[b] == 0));
+            ck_assert(masses[b] > 0 || w.density[b] == scene.fluid.density);
         }
         sph2d_sim_destroy(sim);
     }
