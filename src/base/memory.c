@@ -36,8 +36,8 @@ sph2d__memory sph2d__memory_from(sph2d_allocator allocator)
     return (sph2d__memory){.allocator = allocator};
 }
 
-/** Zeroes what is new in a block. A page comes to lie near the processor that writes to it first, so that threads take
- * the shares of a block that they take of the particles later. */
+/** Zeroes what is new in a block. A page comes to lie near the processor that writes to it first, so threads take about
+ * the shares of a large block that they take of the particles later. */
 static void clear(char *block, size_t size, int threads)
 {
     if (threads < 2 || size < LARGE) {

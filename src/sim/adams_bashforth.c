@@ -9,7 +9,7 @@
  *      x(n+1)   = x(n)   + dt (v(n) + v(n+1))/2
  *
  *  The first step knows one rate, the second two. On top of each, particles are shifted by dt w(n), velocity and
- * density by what they find on that way, in one forward step: it stands four times the shift that a parabola does.
+ * density by what they find on that way, in one forward step: it stands five times the shift that a parabola does.
  *
  *  A step looks at the neighbours once. Waves are stable up to w dt = 0.72 (Durran 1991), with three stages
  *  of Runge and Kutta's up to 1.73; what decays at a rate r up to r dt = 6/11. */
