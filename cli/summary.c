@@ -19,7 +19,7 @@ static double ratio(double above, double below)
 
 double summary_energy_change(const sph2d_summary *s)
 {
-    return s->kinetic + s->potential - s->energy_start - s->energy_fed;
+    return s->kinetic + s->potential + s->elastic - s->energy_start - s->energy_fed;
 }
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
@@ -57,7 +57,8 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else
         text_row("energy", "%+.4g J/m", change);
-    text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start, s->kinetic + s->potential,
+    text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
+             s->kinetic + s->potential + s->elastic,
              s->energy_fed);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
@@ -166,6 +167,7 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "energy_start", s->energy_start);
     json_number(line, "energy_kinetic", s->kinetic);
     json_number(line, "energy_potential", s->potential);
+    json_number(line, "energy_elastic", s->elastic);
     json_number(line, "energy_fed", s->energy_fed);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);

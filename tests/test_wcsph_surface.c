@@ -95,8 +95,9 @@ START_TEST(shifts_lead_away_from_the_crowd)
     sph2d__system *s = at_rest(RHO0);
     const sph2d__store *f = &s->fluid;
     double close = weight(s->method.kernel, s->support, DX);
-    s->shift_gain = 2;
-    s->speed = 3;
+    s->step = 1e-4;
+    for (size_t i = 0; i < f->count; ++i)
+        f->strain[i] = 3 + (double)(i % 4);
     for (size_t i = 0; i < f->count; ++i) {
         double gx = 0, gy = 0, nx = 0, ny = 0;
         for (size_t j = 0; j < f->count; ++j) {
@@ -112,8 +113,9 @@ START_TEST(shifts_lead_away_from_the_crowd)
             gx -= across * nx;
             gy -= across * ny;
         }
-        double wx = -2 * 3 * s->support * gx, wy = -2 * 3 * s->support * gy, w = hypot(wx, wy);
-        double less = f->fullness[i] < 0.4 ? 0 : w > 1.5 ? 1.5 / w : 1; /* none in spray, half the speed at most */
+        double d = fmin(f->strain[i] * s->support * s->support, 0.1 * s->support * s->support / s->step);
+        double wx = -d * gx, wy = -d * gy, crowd = s->support * hypot(gx, gy);
+        double less = f->fullness[i] < 0.4 ? 0 : crowd > 0.25 ? 0.25 / crowd : 1; /* none in spray */
         sph2d_vec2 shift = sph2d__shift_velocity(s, i);
         close_to(shift.x, less * wx, 100, "shift x", i);
         close_to(shift.y, less * wy, 100, "shift y", i);
@@ -121,47 +123,95 @@ START_TEST(shifts_lead_away_from_the_crowd)
 }
 END_TEST
 
-START_TEST(a_shift_meets_the_fields_on_its_way)
+/* u = (2x - 5y, 3x - 2y) and a rate of volume: |S| = sqrt(2 S:S) without its trace; density along a shift. */
+START_TEST(a_shift_meets_the_density_on_its_way)
 {
     block.perturb.amplitude = 0.2;
     scene.method.density_diffusion = _i ? 0.1 : 0;
     sph2d__system *s = at_rest(RHO0);
     sph2d__store *f = &s->fluid;
     for (size_t i = 0; i < f->count; ++i) {
-        f->vx[i] = 2 * f->x[i] - 5 * f->y[i];
-        f->vy[i] = 3 * f->x[i] - 2 * f->y[i]; /* no divergence */
+        f->vx[i] = 2.5 * f->x[i] - 5 * f->y[i];
+        f->vy[i] = 3 * f->x[i] - 1.5 * f->y[i];
         f->density[i] = RHO0 + 40 * f->x[i] + 10 * f->y[i];
     }
-    s->speed = 1;
-    s->shift_gain = 2;
+    s->step = 1e-4;
     sph2d__wcsph.evaluate(s);
     double before[MOST] = {0};
-    s->shift_gain = 0;
+    memset(f->strain, 0, f->count * sizeof *f->strain); /* no shift */
     sph2d__wcsph.density_rate(s);
     for (size_t i = 0; i < f->count; ++i)
         before[i] = f->density_rate[i];
-    s->shift_gain = 2;
+    for (size_t i = 0; i < f->count; ++i)
+        close_to(f->strain[i], hypot(4, 2), 10, "rate of strain", i);
+    sph2d_vec2 w[MOST];
+    for (size_t i = 0; i < f->count; ++i)
+        w[i] = sph2d__shift_velocity(s, i);
     sph2d__wcsph.density_rate(s);
     size_t moved = 0, kept = 0;
     for (size_t i = 0; i < f->count; ++i) {
-        sph2d_vec2 w = sph2d__shift_velocity(s, i);
-        if (f->fullness[i] < 0.75) { /* the fields are not known there */
-            w = (sph2d_vec2){0, 0};
+        if (f->fullness[i] < 0.75) { /* the slope is not known there */
+            w[i] = (sph2d_vec2){0, 0};
             ++kept;
         }
-        moved += hypot(w.x, w.y) > 0.01;
-        close_to(f->old_ax[i], 2 * w.x - 5 * w.y, 10, "way vx", i);
-        close_to(f->old_ay[i], 3 * w.x - 2 * w.y, 10, "way vy", i);
-        close_to(f->density_rate[i] - before[i], 40 * w.x + 10 * w.y, 1e5, "way rho", i);
+        moved += hypot(w[i].x, w[i].y) > 1e-4;
+        close_to(f->density_rate[i] - before[i], 40 * w[i].x + 10 * w[i].y, 1e5, "way rho", i);
     }
     ck_assert_uint_gt(moved, f->count / 2);
     ck_assert_uint_gt(kept, SIDE);
 }
 END_TEST
 
+/* Density comes to what places say, inside alone: c0/(60 H) of the difference each second. */
+START_TEST(density_follows_the_packing_inside)
+{
+    block.perturb.amplitude = 0.1;
+    sph2d__system *s = at_rest(1.001 * RHO0);
+    const sph2d__store *f = &s->fluid;
+    double own = 0;
+    for (int a = -9; a <= 9; ++a)
+        for (int b = -9; b <= 9; ++b)
+            own += weight(s->method.kernel, s->support, DX * hypot(a, b));
+    size_t inside = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        double sum = 0;
+        for (size_t j = 0; j < f->count; ++j)
+            sum += other_of(s, i, f, j).weight;
+        close_to(f->packing[i], RHO0 * sum / own, RHO0, "packing", i);
+        bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support;
+        inside += deep;
+        double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (60 * s->support) : 0;
+        close_to(f->density_rate[i], rate, RHO0, "rate", i);
+    }
+    ck_assert_uint_gt(inside, 10);
+}
+END_TEST
+
+/* One by itself, a pair, a row, a corner of liquid. */
+START_TEST(connection_tells_spray_from_liquid)
+{
+    scene.method.support_ratio = _i == 0 ? 3 : 4;
+    block.perturb.amplitude = 0;
+    sph2d__system *s = at_rest(RHO0);
+    sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert(f->connection[i] > 0.99);
+    for (size_t count = 1; count <= 2; ++count) {
+        f->count = count;
+        f->x[0] = 0.1;
+        f->x[1] = 0.1 + DX;
+        f->y[0] = f->y[1] = 0.1;
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, 1));
+        sph2d__wcsph.density_rate(s);
+        ck_assert(f->connection[0] == 0);
+    }
+}
+END_TEST
+
 /* Liquid under even tension: plain forces vanish in the bulk of a lattice; controlled ones push every pair apart. */
 START_TEST(tension_pushes_apart_inside_and_pulls_at_the_surface)
 {
+    scene.method.max_compression = 0.05; /* tension of 2 % is within what liquid bears */
     sph2d__system *s = at_rest(0.98 * RHO0);
     const sph2d__store *f = &s->fluid;
     double p = -0.02 * RHO0 * C0 * C0, rho = 0.98 * RHO0;
@@ -193,7 +243,9 @@ Suite *suite_wcsph_surface(void)
     tcase_add_test(tests, fullness_is_the_smaller_eigenvalue);
     tcase_add_test(tests, a_row_of_particles_has_no_slope);
     tcase_add_test(tests, shifts_lead_away_from_the_crowd);
-    tcase_add_loop_test(tests, a_shift_meets_the_fields_on_its_way, 0, 2);
+    tcase_add_loop_test(tests, a_shift_meets_the_density_on_its_way, 0, 2);
+    tcase_add_test(tests, density_follows_the_packing_inside);
+    tcase_add_loop_test(tests, connection_tells_spray_from_liquid, 0, 2);
     tcase_add_test(tests, tension_pushes_apart_inside_and_pulls_at_the_surface);
     suite_add_tcase(suite, tests);
     return suite;

@@ -340,7 +340,7 @@ typedef struct sph2d_interaction {
 typedef enum sph2d_probe_kind {
     SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
                                     central force and surface; momentum_x, momentum_y [kg/s]; particles;
-                                    speed_max: of the fastest one [m/s] */
+                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m] */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */
     SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours */

@@ -152,7 +152,8 @@ typedef struct sph2d_summary {
     double compression_max;    /**< over all particles and steps */
     double kinetic, potential; /**< energy now [J/m]; potential is that of gravity, 0 at the domain's corner
                                   min, of the central force and of the surface under tension */
-    double energy_start;       /**< kinetic + potential at the start [J/m] */
+    double elastic;            /**< that of compression, by the equation of state of method wcsph; 0 for others [J/m] */
+    double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */

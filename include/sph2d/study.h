@@ -94,7 +94,7 @@ typedef enum sph2d_summary_value {
     SPH2D_SUMMARY_COMPRESSION = 0,      /**< compression_p99 */
     SPH2D_SUMMARY_COMPRESSION_MEAN = 1, /**< compression_mean */
     SPH2D_SUMMARY_COMPRESSION_MAX = 2,  /**< compression_max */
-    SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential - energy_start - energy_fed, over |energy_start| unless
+    SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential + elastic - energy_start - energy_fed, over |energy_start| unless
                                              that is 0 */
     SPH2D_SUMMARY_ITERATIONS = 4        /**< iterations over steps */
 } sph2d_summary_value;

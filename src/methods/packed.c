@@ -39,15 +39,22 @@ static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
     pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
 }
 
-static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
+static void pack_some_wall_rates(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *w = &s->walls;
     pack_places(w, &s->wall_cells, first, last);
     pack(sph2d__floats(w, w->packed_velocity, 0), w->image_vx, 0, first, last);
     pack(sph2d__floats(w, w->packed_velocity, 1), w->image_vy, 0, first, last);
+    pack(sph2d__floats(w, w->packed_density, 1), w->mass, 0, first, last);
+    pack(sph2d__packed_excess(w), w->wall_rate, 0, first, last);
+}
+
+static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *w = &s->walls;
+    pack_some_wall_rates(s, first, last);
     pack(sph2d__packed_volume(w), w->volume, 0, first, last);
     pack(sph2d__packed_pressure(w), w->pressure, 0, first, last);
-    pack(sph2d__floats(w, w->packed_density, 1), w->mass, 0, first, last);
 }
 
 void sph2d__pack_fluid(sph2d__system *s)
@@ -60,4 +67,10 @@ void sph2d__pack_walls(sph2d__system *s)
 {
     if (s->walls.packed_place)
         sph2d__over_particles(s, s->walls.count, pack_some_walls);
+}
+
+void sph2d__pack_wall_rates(sph2d__system *s)
+{
+    if (s->walls.packed_place)
+        sph2d__over_particles(s, s->walls.count, pack_some_wall_rates);
 }

@@ -11,13 +11,14 @@
 #include "base/lanes.h"
 #include "methods/system.h"
 
-/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, where
- * Fourtakas' diffusion needs it for the rate of density, the excess; densities, where a term reads them, beside the
+/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for
+ * the rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term reads them, beside the
  * fullness of liquid or the mass of walls; slopes. */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
-    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess;
+    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
+        *wall_rate;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -53,6 +54,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .volume = sph2d__packed_volume(t),
                            .pressure = sph2d__packed_pressure(t),
                            .excess = sph2d__packed_excess(t),
+                           .wall_rate = sph2d__packed_excess(t),
                            .density = sph2d__floats(t, t->packed_density, 0),
                            .fullness = sph2d__floats(t, t->packed_density, 1),
                            .mass = sph2d__floats(t, t->packed_density, 1),
@@ -76,6 +78,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->slope_y,
                            t->fullness,
                            t->excess,
+                           t->wall_rate,
                            0};
 }
 #endif
@@ -83,5 +86,8 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
 /** Copies what pair loops read of the fluid, or of the boundary particles; nothing without packed arrays. */
 void sph2d__pack_fluid(sph2d__system *system);
 void sph2d__pack_walls(sph2d__system *system);
+
+/** The same of boundary particles for the rate of density: wall_rate in place of pressure. */
+void sph2d__pack_wall_rates(sph2d__system *system);
 
 #endif

@@ -5,7 +5,11 @@
  *      linear   p = c0^2 (rho - rho0)
  *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
  *
- *  Both have dp/drho = c0^2 at rest density. Negative pressure is kept. */
+ *  Both have dp/drho = c0^2 at rest density. Pressure falls no further than to -tension (system.h). What it takes to compress a kilogram,
+ *
+ *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
+ *
+ *  is least, 0, at rest density. */
 #ifndef SPH2D_METHODS_STATE_EQUATION_H
 #define SPH2D_METHODS_STATE_EQUATION_H
 
@@ -16,11 +20,12 @@
 
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 {
-    double c2 = s->sound_speed * s->sound_speed;
-    if (s->method.state_equation == SPH2D_STATE_LINEAR)
-        return c2 * (density - s->rest_density);
-    double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
-    return s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
+    double c2 = s->sound_speed * s->sound_speed, pressure = c2 * (density - s->rest_density);
+    if (s->method.state_equation == SPH2D_STATE_TAIT) {
+        double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
+        pressure = s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
+    }
+    return fmax(pressure, -s->tension);
 }
 
 /** The inverse; a pressure below what the equation can give is cut off at a thousandth of the rest density. */
@@ -31,6 +36,19 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
                          ? s->rest_density + pressure / c2
                          : s->rest_density * pow(fmax(1 + 7 * pressure / (s->rest_density * c2), 0), 1.0 / 7);
     return fmax(density, 1e-3 * s->rest_density);
+}
+
+/** e: the elastic energy of a kilogram [J/kg]. */
+static inline double sph2d__elastic_of(const sph2d__system *s, double density)
+{
+    double torn = sph2d__density_of(s, -s->tension);
+    if (density < torn)
+        return sph2d__elastic_of(s, torn) + s->tension * (1 / density - 1 / torn);
+    double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
+    if (s->method.state_equation == SPH2D_STATE_LINEAR)
+        return c2 * (log(x) + 1 / x - 1);
+    double x2 = x * x;
+    return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
 }
 
 /** dp/drho, the square of the speed of sound at a density [m^2/s^2]. */

@@ -30,7 +30,9 @@ typedef struct sph2d__system {
     double calibration;     /**< muller: factor on summed density that makes a filled lattice have the rest density */
     double moment;          /**< of a projection's gradients on a filled lattice, where 1 would be exact */
     double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
-    double shift_gain;      /**< wcsph: shift velocity over U and the crowding; set for each step */
+    double shift_gain;      /**< wcsph, fitted: shift velocity over U and the crowding; set for each step */
+    double lattice_values;  /**< wcsph: sum of f(r/H)/f(dx/H) over a filled lattice, the particle itself with them */
+    double lattice_slopes;  /**< wcsph: sum of g(r/H) over the others of a filled lattice */
     sph2d_method_options method; /**< the scene's, every default filled in */
     sph2d_slip wall_slip;
     sph2d__body body;
@@ -39,6 +41,7 @@ typedef struct sph2d__system {
     double speed;   /**< largest speed of a particle when the step began [m/s] */
     double hardest; /**< largest pressure then, that of the scene's head at least [Pa] */
     double head;    /**< g h + U^2/2 + pull of the scene as it starts, or what its sound speed is meant for [m^2/s^2] */
+    double tension; /**< wcsph: by how much pressure may be negative; infinite without tensile control [Pa] */
     double densest; /**< largest density of a particle then, the rest density at least [kg/m^3] */
 
     uint64_t iterations; /**< of the pressure solver in the step that was taken */

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "kernels/kernel.h"
 #include "methods/isa.h"
 #include "methods/packed.h"
 #include "methods/state_equation.h"
@@ -42,9 +43,20 @@ static const double FORCE = 0.25;
         sph2d__over_particles(s, (store)->count, table[(s)->isa - SPH2D_ISA_BASELINE][mixed][(s)->method.kernel]);     \
     } while (0)
 
+/* Lattice places on either side of a particle that the widest support reaches. */
+enum { REACH = 8 };
+
 static void prepare(sph2d__system *s)
 {
-    (void)s;
+    double q = s->spacing / s->support, unit = sph2d__kernel_value_at(s->method.kernel, q);
+    s->lattice_values = s->lattice_slopes = 0;
+    for (int i = -REACH; i <= REACH; ++i)
+        for (int j = -REACH; j <= REACH; ++j) {
+            double r = hypot(i, j) * q;
+            s->lattice_values += sph2d__kernel_value_at(s->method.kernel, r) / unit;
+            if (i != 0 || j != 0)
+                s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
+        }
 }
 
 /** The kinematic viscosity that limits the step as much as what acts does in Morris' form [m^2/s]. */
@@ -128,8 +140,8 @@ static void density_rate(sph2d__system *s)
     sph2d__over_particles(s, s->fluid.count, set_some_excesses);
     sph2d__pack_fluid(s);
     if (s->walls_press) {
-        RUN(image, s, &s->walls);
-        sph2d__pack_walls(s);
+        RUN(wall_rate, s, &s->walls);
+        sph2d__pack_wall_rates(s);
     }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     RUN(rate, s, &s->fluid);
@@ -162,7 +174,8 @@ static sph2d__set unused(const sph2d_method_options *m)
 {
     sph2d__layout layout = sph2d__wcsph_layout(m);
     sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
-    sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface), crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y);
+    sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(packing);
+    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(strain);
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
     return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
            (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
@@ -175,14 +188,16 @@ const sph2d__method sph2d__wcsph = {
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
-             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess),
+             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess) | SPH2D__BIT(connection) |
+             SPH2D__BIT(packing) | SPH2D__BIT(strain),
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
-               SPH2D__BIT(surface),
+               SPH2D__BIT(surface) | SPH2D__BIT(connection) | SPH2D__BIT(packing) | SPH2D__BIT(strain),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
-             SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy),
+             SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
+             SPH2D__BIT(wall_rate),
     .prepare = prepare,
     .evaluate = evaluate,
     .density_rate = density_rate,

@@ -14,26 +14,43 @@
  *  Boundary particles b of walls in layers take part in all sums but the diffusion's, with (Adami, Hu & Adams 2012,
  *  eq. 27; a_b the wall's acceleration, g the body force, j over the liquid around b)
  *
- *      p_b   = [sum p_j W + (g - a_b) . sum rho_j r_bj W] / sum W,   rho_b from the equation of state
- *      v_b   = sum v_j W / sum W, reflected in the frame of the wall: its part across a smooth one, all at a rough one
+ *      p_b       = [sum p_j W + (g - a_b) . sum c_j rho_j r_bj W] / sum W,   rho_b from the equation of state
+ *      drho_i/dt = ... + sum m_b (v_i - v_b) . grad W + sum m_b W_bi (rho_i/rho_b)^2 D_b
+ *      D_b       = sum (v_j - v_b) . grad W_jb / sum W
  *
- *  which holds a resting liquid exactly. A smooth wall has no viscosity.
+ *  which holds a resting liquid exactly. The last sum gives back what p_b takes: it is the transpose of the first part
+ *  of p_b, so that the power of p_b on the liquid, -sum m_j v_j . m_b p_b/rho_b^2 grad W_jb, is what the liquid's own
+ *  density gives. A wall at rest then neither makes nor takes energy, whatever its shape and however few particles are
+ *  near it, but for the hydrostatic part of p_b. That part has no potential; a particle by itself would ride up a wall
+ *  on it, so that it counts only liquid, c_j = 1, not what flies by itself, c_j = 0 (by the filling with others).
+ *  A rough wall has viscosity with v_b = 2 v_wall - sum v_j W / sum W; a smooth wall has none.
+ *
+ *  What flies by itself has the rest density, and no pressure but that of others: what it remembered of the liquid that
+ *  it left would glue it to walls.
  *
  *  grad rho_i is corrected: exact for linear density, so that psi vanishes there pair by pair and a resting liquid
  *  keeps its surface. Artificial viscosity alpha is the monaghan form with mu = rho0 alpha h c0/8 in approach and
  *  recession alike. The pair (rate, pressure) conserves energy when nothing dissipates or shifts.
  *
+ *  The rate of density knows nothing of surfaces that meet or part: without more, the number of particles on an area and
+ *  their density part by per cents in a dam break, and the level at its end is wrong by as much. Inside the liquid,
+ *  farther than H from its surface, density therefore also comes to what places say, in 60 H/c0:
+ *
+ *      drho_i/dt = ... + c0/(60 H) (rho0 sum (m_j/m) W / sum over a lattice W - rho_i)
+ *
  *  The second psi vanishes at rest in gravity g and a central force, where d rho = rho0/c0^2 of the work they do; not
  *  along periodic directions, in which no liquid rests on another.
  *
- *  Particles are shifted by w (shift.h) to where neighbours are few. They carry their fields along as the fields around
- *  say, (w . grad) v and w . grad rho (Sun et al. 2019), so that shifting moves no liquid. The smaller eigenvalue of
+ *  Particles are shifted by w (shift.h) to where neighbours are few. Their density changes along as that around says,
+ *  w . grad rho (Sun et al. 2019); their velocity stays, so that shifting has no kinetic energy. The smaller eigenvalue of
  *  sum V_j r_ji grad W, 1 in full surroundings and half at a flat surface, tells the free surface (Marrone 2010):
  *  within H of it a shift has no part across the surface, and in spray there is none (Sun et al. 2017).
  *
  *  Pair loops are compiled for doubles and, for precision `mixed`, for floats (packed.h).
  *
- *  Where pressure is negative and the surface farther than H, |p_i| stands for p_i in the force (Sun et al. 2018):
+ *  With tensile control liquid is drawn apart by no more than max_compression rho0 c0^2, which is twice the pressure of the scene's head:
+ *  liquid that turns or flows round something draws with half of that at most, the sound of impacts with ten times that,
+ *  and what follows here then did a fifth of a dam break's energy in work. Where pressure is negative and the surface farther than H, |p_i| stands for p_i in the force (Sun et al. 2018):
  *  liquid under tension neither pairs nor tears. Momentum is then kept to the order of the scheme alone.
  */
 #ifndef SPH2D_METHODS_WCSPH_H
@@ -67,13 +84,14 @@ static inline sph2d__layout sph2d__wcsph_layout(const sph2d_method_options *m)
 }
 
 /* Pair loops over some particles; there is one for every kernel and instruction set.
- * rate: density_rate of the fluid, from places, velocities, densities, volumes and slopes; distance to the surface.
- * image: image velocity of the boundary particles, from the fluid.
+ * rate: density_rate, connection and strain of the fluid, from places, velocities, densities, volumes and slopes;
+ *       distance to the surface.
+ * wall_rate: wall_rate of the boundary particles, from the fluid.
  * wall: their pressure, density and volume, and the image velocity where they are rough.
- * force: acceleration of the fluid, slope of density, fullness and crowding, from densities, pressures and volumes. */
+ * force: acceleration of the fluid, slope of density, fullness, packing and crowding, from densities, pressures and volumes. */
 #define SPH2D__WCSPH_PASSES(isa)                                                                                       \
     extern sph2d__span_work *const sph2d__wcsph_rate_##isa[5],                                                         \
-        *const sph2d__wcsph_image_##isa[5], *const sph2d__wcsph_wall_##isa[5], *const sph2d__wcsph_force_##isa[5];
+        *const sph2d__wcsph_wall_rate_##isa[5], *const sph2d__wcsph_wall_##isa[5], *const sph2d__wcsph_force_##isa[5];
 SPH2D__WCSPH_PASSES(baseline)
 SPH2D__WCSPH_PASSES(baseline_mixed)
 #ifdef SPH2D__ISA_X86

@@ -15,6 +15,7 @@ typedef struct force_sums {
     sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
     sph2d__lanes xx, xy, yy, slope_x, slope_y;
     sph2d__lanes crowd_x, crowd_y;
+    sph2d__lanes packing; /* W/W(dx) */
 } force_sums;
 
 /** The terms of a scene, constants in each copy of the loops. */
@@ -46,15 +47,20 @@ typedef struct receiver {
     sph2d__lanes vx, vy, density, own, damping;
 } receiver;
 
-/** Adds what tells how neighbours lie around a particle: `vg` is V_j g. */
-SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg)
+/** Adds what tells how neighbours lie around a particle: `vg` is V_j g, `ratio` their mass over that of the liquid's
+ *  particles. */
+SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg,
+                              sph2d__real ratio)
 {
-    if (with.layout >= SPH2D__LAYOUT_CROWDED) {
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
         sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
-        near *= near;
-        sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
-        sums->crowd_x += crowd * p->dx;
-        sums->crowd_y += crowd * p->dy;
+        sums->packing += near * ratio;
+        if (with.layout >= SPH2D__LAYOUT_CROWDED) {
+            near *= near;
+            sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
+            sums->crowd_x += crowd * p->dx;
+            sums->crowd_y += crowd * p->dy;
+        }
     }
     sums->xx += vg * p->dx * p->dx;
     sums->xy += vg * p->dx * p->dy;
@@ -101,7 +107,7 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, co
         add_morris(sums, p->g * volume, dvx, dvy);
     if (with.layout >= SPH2D__LAYOUT_SLOPED) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
-        add_layout(sums, with, n, p, vg);
+        add_layout(sums, with, n, p, vg, 1);
         sums->slope_x += vg * p->dx * drho;
         sums->slope_y += vg * p->dy * drho;
     }
@@ -118,7 +124,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     if (with.morris)
         add_morris(sums, p->g * (volume * sticky), dvx, dvy);
     if (with.layout >= SPH2D__LAYOUT_FULL)
-        add_layout(sums, with, n, p, p->g * volume);
+        add_layout(sums, with, n, p, p->g * volume, ratio);
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
@@ -205,6 +211,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         double scale = slope_scale(s), fullness = fullness_of(sums, l, scale);
         bool inside = fullness > BULK && f->surface[i] >= s->support;
         f->fullness[i] = fullness;
+        f->packing[i] = s->rest_density / s->lattice_values * (double)sums->packing[l];
         if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
             own = -own;
         if (with.layout >= SPH2D__LAYOUT_CROWDED)

@@ -42,6 +42,10 @@ enum { SPH2D__PADDING = 16 };
     X(crowd_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                          \
     X(crowd_y)                                                                                                         \
     X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
+    X(connection) /* 0 for a particle by itself, 1 for one in liquid: wcsph.h */                                       \
+    X(packing)    /* density that the places of the particles around say [kg/m^3] */                                   \
+    X(strain)     /* rate of strain without that of volume [1/s] */                                                    \
+    X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                     \
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \

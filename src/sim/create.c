@@ -88,6 +88,9 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->sound_speed = d.sound_speed;
     s->densest = s->rest_density;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
+    bool held = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
+    double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
+    s->tension = held ? tension : INFINITY;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
@@ -131,11 +134,14 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     status = sph2d__sim_aim(sim, 0);
     if (status != SPH2D_OK)
         return status;
+    if (sim->system.fluid.connection)
+        for (size_t i = 0; i < sim->system.fluid.count; ++i)
+            sim->system.fluid.connection[i] = 1; /* as if a step had found it so: liquid that is placed is connected */
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
     sph2d_summary start;
     sph2d__sim_sum_energy(sim, &start);
-    sim->record.energy_start = start.kinetic + start.potential;
+    sim->record.energy_start = start.kinetic + start.potential + start.elastic;
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 

@@ -3,6 +3,7 @@
  *  What a run sums up: compression, energy, momentum, counts. */
 #include <math.h>
 
+#include "methods/state_equation.h"
 #include "methods/tension.h"
 #include "sim/simulation.h"
 
@@ -96,17 +97,21 @@ static double mean_neighbours(const sph2d__system *s)
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0;
+    const bool elastic = sim->system.method.name == SPH2D_METHOD_WCSPH;
+    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         kinetic += v2 / 2;
         total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
+        if (elastic)
+            squeezed += sph2d__elastic_of(&sim->system, f->density[i]);
         px += f->vx[i];
         py += f->vy[i];
         speed2 = v2 > speed2 ? v2 : speed2;
     }
     out->kinetic = m * kinetic;
     out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
+    out->elastic = m * squeezed;
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;
     out->speed_max = sqrt(speed2);

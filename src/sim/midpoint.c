@@ -5,7 +5,6 @@
  *      v(n+1/2)   = v(n) + dt/2 a(n)
  *      x(n+1/2)   = x(n) + dt/2 (v(n+1/2) + w)
  *      rho(n+1)   = rho(n) + dt rate(x(n+1/2), v(n+1/2))
- *      v(n+1/2)  += dt (w . grad) v
  *      x(n+1)     = x(n+1/2) + dt/2 (v(n+1/2) + w)
  *      a(n+1)     = a(x(n+1), rho(n+1), v(n) + dt a(n))
  *      v(n+1)     = v(n+1/2) + dt/2 a(n+1)
@@ -15,12 +14,6 @@
  * that energy neither grows nor falls in the long run. */
 #include "methods/shift.h"
 #include "sim/integrators.h"
-
-/* Shift velocity over the largest speed, the support and the gradient of crowding, for shifting: 1 (Sun et al. 2017,
- * eq. 7: dr = -CFL Ma (2h)^2 grad C with CFL Ma = dt U/h). */
-static const double SHIFT_GAIN = 2;
-/* Shifting is a diffusion of particles with D = gain U H: D dt / H^2 that is stable. */
-static const double SHIFT_LIMIT = 0.1;
 
 /** Half a drift with the velocities that are set, and the shift. */
 static void set_ways(const sph2d_sim *sim, double dt, sph2d__flock *w)
@@ -46,26 +39,21 @@ static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
     set_ways(sim, dt, w);
 }
 
-/** Moves density by its rate and velocity by what a shift finds on its way; then the other half of the drift. */
+/** Moves density by its rate, then the other half of the drift. A particle by itself is not compressed, nor does it
+ *  remember that it was. */
 static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        f->density[i] += dt * f->density_rate[i];
+        f->density[i] = f->connection[i] > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }
-    if (sim->system.method.shifting > 0)
-        for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-            w->vx[k] += dt * f->old_ax[i];
-            w->vy[k] += dt * f->old_ay[i];
-        }
     set_ways(sim, dt, w);
 }
 
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
 {
-    sph2d__limit_shift(&sim->system, SHIFT_GAIN, SHIFT_LIMIT, dt);
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
     sph2d__sim_window(sim, start, middle);
     sph2d_status status = sph2d__carry(sim, dt, kick, NULL);

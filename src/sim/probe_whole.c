@@ -16,7 +16,8 @@ size_t sph2d__probe_energy(const sph2d_sim *sim, const sph2d_probe *probe, doubl
     values[3] = sum.momentum[1];
     values[4] = (double)sim->system.fluid.count;
     values[5] = sum.speed_max;
-    return 6;
+    values[6] = sum.elastic;
+    return 7;
 }
 
 /** Centre of mass, summed from the domain's centre, so that coordinates far from 0 lose no digits; NaN without liquid.

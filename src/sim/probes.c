@@ -10,7 +10,7 @@ typedef struct row {
 
 static const row rows[] = {
     [SPH2D_PROBE_ENERGY] = {sph2d__probe_energy, "kinetic [J/m],potential [J/m],momentum_x [kg/s],momentum_y [kg/s],"
-                                                 "particles,speed_max [m/s]"},
+                                                 "particles,speed_max [m/s],elastic [J/m]"},
     [SPH2D_PROBE_SPEED] = {sph2d__probe_speed, "vx [m/s],vy [m/s],speed [m/s],neighbours"},
     [SPH2D_PROBE_PRESSURE] = {sph2d__probe_pressure, "pressure [Pa],density [kg/m^3],neighbours"},
     [SPH2D_PROBE_ELEVATION] = {sph2d__probe_elevation, "elevation [m]"},

@@ -18,7 +18,7 @@ static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    PAST_ARRAYS = 4, /* of the fluid, beyond its fields */
+    PAST_ARRAYS = 6, /* of the fluid, beyond its fields */
     STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 2
 };
 
@@ -58,6 +58,16 @@ static size_t list_past(const sph2d__store *f, sph2d_array out[PAST_ARRAYS])
          "distance to the free surface within the last step, up to H",
          {1, 0, 0},
          {f->surface, NULL}},
+        {SPH2D__BIT(connection),
+         "Connections",
+         "0 for a particle by itself, 1 for one in liquid, within the last step",
+         {0, 0, 0},
+         {f->connection, NULL}},
+        {SPH2D__BIT(strain),
+         "StrainRates",
+         "rate of strain without that of volume, within the last step",
+         {0, 0, -1},
+         {f->strain, NULL}},
         {SPH2D__BIT(density_rate),
          "DensityRates",
          "change of density in the last step",
