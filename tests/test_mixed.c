@@ -99,8 +99,10 @@ START_TEST(sums_in_floats_are_those_in_doubles)
     start(1);
     for (int k = 0; k < 2; ++k) {
         sph2d__store *f = &sims[k]->system.fluid;
-        for (size_t i = 0; i < f->count; ++i)
+        for (size_t i = 0; i < f->count; ++i) {
             f->density[i] *= 1 + 0.01 * sin(70 * (f->x[i] - places[_i].x)) * cos(50 * (f->y[i] - places[_i].y));
+            f->vx[i] += 0.1 * sin(40 * (f->x[i] - places[_i].x)) * cos(60 * (f->y[i] - places[_i].y));
+        }
         sims[k]->method->evaluate(&sims[k]->system);
         sims[k]->method->density_rate(&sims[k]->system);
     }
