@@ -43,7 +43,7 @@ typedef struct sph2d_allocator {
 /** What does not change the result. Make one with sph2d_sim_options_default(). */
 typedef struct sph2d_sim_options {
     size_t struct_size;
-    int threads;               /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
+    int threads;               /**< most threads, 1 to 1024; default 0: as many as the process may use processors */
     sph2d_isa isa;             /**< default auto */
     sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
     bool profile;              /**< read clocks at every phase of a step; default false */
@@ -72,7 +72,7 @@ SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);      /**< simulated time 
 SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);   /**< steps taken */
 SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim); /**< the step that comes next [s] */
 SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);    /**< in use, never auto */
-SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);      /**< in use */
+SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);      /**< the most that share a step */
 SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);    /**< bytes allocated */
 /** The simulation's own copy of its scene, valid as long as the simulation. */
 SPH2D_API const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);
