@@ -3,22 +3,25 @@
  *  Comparing numbers of threads. */
 #include "base/pace.h"
 
-/* Turns of a comparison. Two of each, since another job comes and goes by some milliseconds. */
-enum { TURNS = 4 };
-/* A turn's length, that of a time slice, and one step at least [s]. */
+#include <math.h>
+
+/* A turn's length, about that of a time slice, and one step at least [s]. */
 static const double TURN = 0.005;
-/* From the start to the first comparison, from each to the next, twice as long each time that it changes nothing [s]. */
-static const double FIRST = 0.03, SHORTEST = 0.1, LONGEST = 2;
-/* A comparison may take no more than this part of all time. */
+/* From a change to the next comparison, and so many times longer each time that it changes nothing [s]. */
+static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
+/* A comparison that changes nothing may take no more than this part of all time. */
 static const double SHARE = 0.04;
-/* More threads must bring that much; they cost processor time. */
+/* More threads must bring that much in each pair of turns: they cost processor time, and another job that comes and goes
+ * makes turns uneven. */
 static const double WORTH = 1.05;
-/* What is slower than this times its usual pace is compared at once, if it was not just before [s]. */
-static const double DROP = 0.8, PATIENCE = 0.05;
+/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns. */
+static const double POOR = 0.8;
+/* What is slower than this times its usual pace is compared sooner: after this part of the time. */
+static const double DROP = 0.8, SOONER = 0.25;
 
 sph2d__pace sph2d__pace_start(int limit)
 {
-    return (sph2d__pace){.limit = limit, .chosen = limit, .interval = FIRST};
+    return (sph2d__pace){.limit = limit, .chosen = limit};
 }
 
 /** Whether there are numbers of threads further on that way. */
@@ -35,54 +38,48 @@ static int rival_of(const sph2d__pace *p)
     return upwards ? twice : p->chosen / 2;
 }
 
-static void begin_turn(sph2d__pace *p)
+/** Ends a comparison that took a time. */
+static void decide(sph2d__pace *p, bool better, double spent)
 {
-    p->turn_spent = p->turn_work = 0;
-}
-
-static void compare(sph2d__pace *p)
-{
-    double rival = p->work[0] / p->spent[0], chosen = p->work[1] / p->spent[1];
-    bool better = p->rival > p->chosen ? rival > WORTH * chosen : WORTH * rival > chosen;
     bool upwards = p->rival > p->chosen;
-    p->usual = better ? rival : chosen;
-    p->chosen = better ? p->rival : p->chosen;
+    if (better)
+        p->chosen = p->rival;
     p->rival = 0;
     p->age = 0;
-    if (better) {
-        p->upwards = upwards;
-        p->interval = goes_on(p, upwards) ? FIRST : SHORTEST;
-        return;
-    }
-    double least = (p->spent[0] + p->spent[1]) / SHARE;
-    p->upwards = !upwards; /* the other way next time */
-    p->interval = p->interval < SHORTEST ? SHORTEST : 2 * p->interval < LONGEST ? 2 * p->interval : LONGEST;
-    p->interval = p->interval > least ? p->interval : least;
+    p->upwards = better ? upwards : !upwards; /* on, or the other way next time */
+    double longer = fmin(fmax(LONGER * p->interval, FIRST), LONGEST);
+    p->interval = better ? FIRST : fmax(longer, spent / SHARE);
 }
 
-/** Goes on with a comparison. */
+/** Ends a turn of a comparison. */
 static void take_turn(sph2d__pace *p)
 {
-    int whose = p->turn % 2;
-    p->work[whose] += p->turn_work;
-    p->spent[whose] += p->turn_spent;
-    begin_turn(p);
-    if (++p->turn == TURNS)
-        compare(p);
+    sph2d__stint now = p->now;
+    p->now = (sph2d__stint){0, 0};
+    if (p->turn++ % 2 == 0) {
+        p->of_rival = now;
+        return;
+    }
+    double ratio = p->of_rival.work * now.spent / (now.work * p->of_rival.spent);
+    double pair = now.spent + p->of_rival.spent;
+    bool more = p->rival > p->chosen;
+    p->usual = now.work / now.spent;
+    p->ratios[p->turn / 2 - 1] = ratio;
+    if (p->turn == 2 && (ratio < POOR || (!more && ratio * POOR > 1)))
+        decide(p, ratio > 1, pair);
+    else if (p->turn == 4)
+        decide(p, more ? fmin(p->ratios[0], ratio) > WORTH : (p->ratios[0] + ratio) / 2 * WORTH > 1, 2 * pair);
 }
 
-/** Begins one when it is time. */
+/** Begins a comparison when it is time. */
 static void question(sph2d__pace *p)
 {
-    bool dropped = p->usual > 0 && p->turn_work < DROP * p->usual * p->turn_spent && p->age > PATIENCE;
-    begin_turn(p);
-    if (p->age < p->interval && !dropped)
+    bool dropped = p->now.work < DROP * p->usual * p->now.spent;
+    p->now = (sph2d__stint){0, 0};
+    if (p->age < (dropped ? SOONER : 1) * p->interval)
         return;
-    if (dropped)
-        p->interval = SHORTEST;
     p->rival = rival_of(p);
     p->turn = 0;
-    p->work[0] = p->work[1] = p->spent[0] = p->spent[1] = 0;
 }
 
 int sph2d__pace_note(sph2d__pace *p, double work, double seconds)
@@ -90,9 +87,9 @@ int sph2d__pace_note(sph2d__pace *p, double work, double seconds)
     if (p->limit < 2)
         return 1;
     p->age += seconds;
-    p->turn_spent += seconds;
-    p->turn_work += work;
-    if (p->turn_spent >= TURN) {
+    p->now.work += work;
+    p->now.spent += seconds;
+    if (p->now.spent >= TURN) {
         if (p->rival > 0)
             take_turn(p);
         else

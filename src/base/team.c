@@ -21,6 +21,8 @@
 /* How long a thread spins before it sleeps [ns]: longer than what a step does between two loops, and than waking takes;
  * shorter than anybody misses. */
 static const int64_t SPIN = 100000;
+/* How long the caller waits for a part in hand at least [ns]. */
+static const int64_t PATIENCE = 30000;
 
 /** Of a seat. Its helper turns IDLE into ASLEEP, OPEN into TAKEN and leaves with IDLE; all else is done by the caller. */
 enum { IDLE, ASLEEP, OPEN, TAKEN, AWAITED, ENDED };
@@ -31,6 +33,7 @@ typedef struct seat {
     size_t end;         /**< behind the last */
     sph2d__team *team;
     pthread_t thread;
+    cpu_set_t may; /**< where the helper may run, while it is held at the caller's place */
 } seat;
 
 /** The loop that is being shared. */
@@ -50,6 +53,7 @@ struct sph2d__team {
     sph2d__pace pace;
     double parts;           /**< worked on since the pace was looked at */
     int64_t begun;          /**< when that was [ns] */
+    atomic_int place;       /**< the processor that the caller was on */
     pthread_mutex_t common; /**< of sph2d__team_lock */
     pthread_mutex_t sleep;
     pthread_cond_t opened, left; /**< some seat was: helpers wait for one, the caller for the other */
@@ -81,41 +85,81 @@ static inline void pause_briefly(void)
 #endif
 }
 
-/** Spins while a seat is in a state; false when that takes too long. */
-static bool spin_while(seat *s, int state)
+/** Moves the calling thread to another of the processors that it may use. */
+static void go_elsewhere(const cpu_set_t *may)
+{
+    cpu_set_t other = *may;
+    int here = sched_getcpu();
+    if (here < 0 || CPU_COUNT(may) < 2)
+        return;
+    CPU_CLR((size_t)here, &other);
+    if (sched_setaffinity(0, sizeof other, &other) == 0)
+        sched_setaffinity(0, sizeof *may, may);
+}
+
+/** Leaves the caller's processor. A helper is woken there when all seem busy, and would be in the way of the one that it
+ *  should help: who is not running now. */
+static void step_aside(const sph2d__team *team)
+{
+    cpu_set_t may;
+    if (sched_getcpu() == atomic_load_explicit(&team->place, memory_order_relaxed) &&
+        sched_getaffinity(0, sizeof may, &may) == 0)
+        go_elsewhere(&may);
+}
+
+/** Brings a helper, which another job keeps from running, to this processor, which its caller is about to leave idle. The
+ *  helper goes elsewhere when it has left its seat. */
+static void fetch(seat *s)
+{
+    cpu_set_t here;
+    int place = sched_getcpu();
+    if (pthread_getaffinity_np(s->thread, sizeof s->may, &s->may) != 0 || place < 0)
+        return;
+    CPU_ZERO(&here);
+    CPU_SET((size_t)place, &here);
+    pthread_setaffinity_np(s->thread, sizeof here, &here);
+}
+
+/** Spins while a seat is in a state; false when that takes longer than some time [ns]. */
+static bool spin_while(seat *s, int state, int64_t most)
 {
     enum { LOOKS = 32 }; /* between looks at the clock */
-    for (int64_t end = now() + SPIN; now() < end;)
+    for (int64_t end = now() + most; now() < end;) {
         for (int k = 0; k < LOOKS; ++k) {
             if (atomic_load_explicit(&s->state, memory_order_acquire) != state)
                 return true;
             pause_briefly();
         }
+        if (state == IDLE)
+            step_aside(s->team);
+    }
     return false;
 }
 
-/** Waits until a seat is in another state than `state`. Who changes it sees from `asleep` that somebody must be woken. */
-static void wait_while(seat *s, int state, int asleep, pthread_cond_t *changed)
+/** Sleeps while a seat is in a state, which becomes `asleep`: who changes it sees from that that somebody must be woken.
+ *  False when the state is already another. */
+static bool sleep_while(seat *s, int state, int asleep, pthread_cond_t *changed)
 {
     sph2d__team *team = s->team;
-    int expected = state;
-    if (spin_while(s, state) || !atomic_compare_exchange_strong(&s->state, &expected, asleep))
-        return;
+    if (!atomic_compare_exchange_strong(&s->state, &state, asleep))
+        return false;
     pthread_mutex_lock(&team->sleep);
     while (atomic_load_explicit(&s->state, memory_order_acquire) == asleep)
         pthread_cond_wait(changed, &team->sleep);
     pthread_mutex_unlock(&team->sleep);
+    return true;
 }
 
-/** Puts a seat into a state, and wakes who sleeps over that. */
-static void put(seat *s, int state, int asleep, pthread_cond_t *changed)
+/** Puts a seat into a state, and wakes who sleeps over that; whether somebody did. */
+static bool put(seat *s, int state, int asleep, pthread_cond_t *changed)
 {
     bool waiting = atomic_exchange_explicit(&s->state, state, memory_order_acq_rel) == asleep;
     if (!waiting || getpid() != s->team->process) /* forked off: nobody is there, and the mutex may be locked for ever */
-        return;
+        return false;
     pthread_mutex_lock(&s->team->sleep);
     pthread_cond_broadcast(changed);
     pthread_mutex_unlock(&s->team->sleep);
+    return true;
 }
 
 /** Works on parts of a seat until there are none. */
@@ -143,12 +187,14 @@ static void *help(void *argument)
     seat *s = argument;
     sph2d__team *team = s->team;
     for (;;) {
-        wait_while(s, IDLE, ASLEEP, &team->opened);
+        if (!spin_while(s, IDLE, SPIN))
+            sleep_while(s, IDLE, ASLEEP, &team->opened);
         int state = OPEN;
         if (atomic_compare_exchange_strong_explicit(&s->state, &state, TAKEN, memory_order_acquire,
                                                     memory_order_acquire)) {
             take_part(team, (int)(s - team->seats));
-            put(s, IDLE, AWAITED, &team->left);
+            if (put(s, IDLE, AWAITED, &team->left))
+                go_elsewhere(&s->may);
         } else if (state == ENDED)
             return NULL;
     }
@@ -237,20 +283,25 @@ static void open_seats(sph2d__team *team)
         atomic_store_explicit(&team->seats[k].next, parts * k / members, memory_order_relaxed);
         team->seats[k].end = parts * (k + 1) / members;
     }
+    atomic_store_explicit(&team->place, sched_getcpu(), memory_order_relaxed);
     for (int k = 1; k < l->members; ++k)
         put(&team->seats[k], OPEN, ASLEEP, &team->opened);
 }
 
-/** Closes seats that nobody took, and waits for those who have a part in hand. */
-static void close_seats(sph2d__team *team)
+/** Closes seats that nobody took, and waits for those who have a part in hand; so long they may take [ns] that nothing
+ *  seems to keep them. */
+static void close_seats(sph2d__team *team, int64_t patience)
 {
     for (int k = 1; k < team->loop.members; ++k) {
         seat *s = &team->seats[k];
         int state = OPEN;
         if (atomic_compare_exchange_strong_explicit(&s->state, &state, IDLE, memory_order_acquire, memory_order_acquire))
             continue;
-        if (state == TAKEN)
-            wait_while(s, TAKEN, AWAITED, &team->left);
+        if (state == TAKEN && !spin_while(s, TAKEN, patience)) {
+            fetch(s);
+            if (!sleep_while(s, TAKEN, AWAITED, &team->left)) /* it has just left, and does not know */
+                pthread_setaffinity_np(s->thread, sizeof s->may, &s->may);
+        }
     }
 }
 
@@ -271,9 +322,11 @@ void sph2d__share(sph2d__team *team, size_t count, size_t grain, sph2d__share_wo
     }
     team->loop = (loop){work, with, count, grain, members};
     team->sharing = true;
+    int64_t begun = now();
     open_seats(team);
     take_part(team, 0);
-    close_seats(team);
+    int64_t worked = now() - begun; /* what has one of the parts in hand should not take as long as all of the own */
+    close_seats(team, worked > PATIENCE ? worked : PATIENCE);
     team->sharing = false;
 }
 
