@@ -300,6 +300,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
+	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
 	$(hush)$(BUILD)/tests/check_all
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
@@ -320,6 +321,9 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 
 bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
 	$(hush)$(BUILD)/tests/bench $(BENCH)
+
+bench-command: $(BUILD)/sph2d ## the command's own choice of threads against one thread; COMMAND='beside particles=1000,1000000'
+	$(hush)tests/bench/command.sh $(BUILD)/sph2d $(COMMAND)
 
 bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes in a step, by callgrind; SCENES='lean wcsph'
 	$(hush)tests/bench/instructions.sh $(BUILD)/tests/bench $(SCENES)
@@ -449,6 +453,6 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
-    bench-instructions bench-variants report report-full report-readme \
+    bench-command bench-instructions bench-variants report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -129,11 +129,8 @@ START_TEST(helpers_help)
 {
     sph2d__team *team = sph2d__team_create(&memory, 3);
     tally t = {.grain = 1, .caller = pthread_self()};
-    double from = clock_of(CLOCK_MONOTONIC);
     sph2d__share(team, 60, 1, doze_a_little, &t);
-    double took = clock_of(CLOCK_MONOTONIC) - from;
     ck_assert_uint_ge(t.helped, 20);
-    ck_assert_double_lt(took, 0.1); /* of 0.12 s alone, 0.04 s together */
     sph2d__team_destroy(team, &memory);
 }
 END_TEST
@@ -143,14 +140,14 @@ static void be_late(void *with, size_t first, size_t last)
 {
     tally *t = with;
     if (!pthread_equal(pthread_self(), t->caller))
-        doze(0.02);
+        doze(0.1);
     count(with, first, last);
 }
 
 START_TEST(others_do_what_a_late_helper_leaves)
 {
     sph2d__team *team = sph2d__team_create(&memory, 2);
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 3; ++k) {
         tally t = {.grain = 1, .caller = pthread_self()};
         sph2d__share(team, 400, 1, be_late, &t);
         ck_assert_uint_eq(wrong(&t, 400), 0);

@@ -22,7 +22,7 @@
  * shorter than anybody misses. */
 static const int64_t SPIN = 100000;
 /* How long the caller waits for a part in hand at least [ns]. */
-static const int64_t PATIENCE = 30000;
+static const int64_t PATIENCE = 60000;
 
 /** Of a seat. Its helper turns IDLE into ASLEEP, OPEN into TAKEN and leaves with IDLE; all else is done by the caller. */
 enum { IDLE, ASLEEP, OPEN, TAKEN, AWAITED, ENDED };
