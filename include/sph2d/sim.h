@@ -9,7 +9,11 @@
  *      sph2d_view fluid = sph2d_sim_fluid(sim);
  *      sph2d_sim_destroy(sim);
  *
- *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. */
+ *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A step
+ *  is made by the thread that asks for it and by helpers of the simulation's own, which start when there is enough to
+ *  do, take no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They are
+ *  left out while they bring nothing, since other jobs have the processors or there is too little to do. A process
+ *  that is forked off has none of them and steps alone. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
 
@@ -43,7 +47,7 @@ typedef struct sph2d_allocator {
 /** What does not change the result. Make one with sph2d_sim_options_default(). */
 typedef struct sph2d_sim_options {
     size_t struct_size;
-    int threads;               /**< most threads, 1 to 1024; default 0: as many as the process may use processors */
+    int threads;               /**< the most, 1 to 1024; default 0: as many as the process may use processors */
     sph2d_isa isa;             /**< default auto */
     sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
     bool profile;              /**< read clocks at every phase of a step; default false */

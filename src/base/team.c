@@ -2,10 +2,14 @@
 /** @file team.c
  *  Helpers, their seats, and the sharing of a loop.
  *
- *  Each helper has a seat, in one cache line: what it is about, and the parts that are its own. The caller opens a seat
+ *  Each helper has a seat: what it is about, and the parts that are its own, in one cache line. The caller opens a seat
  *  with its parts in it; the helper takes the seat, works, and leaves it. A seat that nobody took when all is done is
- *  closed again. Parts are taken by adding to `next`, from the own seat first. */
-#define _GNU_SOURCE /* sched_getaffinity */
+ *  closed again. Parts are taken by adding to `next`, from the own seat first.
+ *
+ *  Where another job has a processor, two things cost milliseconds, a time slice, where they could cost microseconds: a
+ *  helper that is on the caller's processor, and one that does not get on with a part in hand. The first goes to
+ *  another processor, the second is brought to the caller's, which waits. Neither is bound there. */
+#define _GNU_SOURCE /* sched_getaffinity and its like */
 #include "base/team.h"
 
 #include <pthread.h>
@@ -90,11 +94,10 @@ static void go_elsewhere(const cpu_set_t *may)
 {
     cpu_set_t other = *may;
     int here = sched_getcpu();
-    if (here < 0 || CPU_COUNT(may) < 2)
-        return;
-    CPU_CLR((size_t)here, &other);
-    if (sched_setaffinity(0, sizeof other, &other) == 0)
-        sched_setaffinity(0, sizeof *may, may);
+    if (here >= 0)
+        CPU_CLR((size_t)here, &other);
+    sched_setaffinity(0, sizeof other, &other); /* fails where there is no other */
+    sched_setaffinity(0, sizeof *may, may);
 }
 
 /** Leaves the caller's processor. A helper is woken there when all seem busy, and would be in the way of the one that it

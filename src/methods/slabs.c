@@ -10,6 +10,15 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
     return (sph2d__slab){rows, walls, first, last < rows->count ? last : rows->count};
 }
 
+/* So many slabs are worth a second thread. */
+enum { WORTH = 4 };
+
+/** The team for so many slabs. */
+static sph2d__team *team_for(const sph2d__system *s, size_t slabs)
+{
+    return slabs < WORTH ? NULL : s->team;
+}
+
 /** What is done to slabs: those of the fluid, then those of the boundary particles. */
 typedef struct task {
     sph2d__system *system;
@@ -32,7 +41,7 @@ static void do_slabs(void *task_, size_t first, size_t last)
 
 static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d__slab_work *work, const void *with)
 {
-    sph2d__share(s->team, fluid + walls, 1, do_slabs, &(task){s, fluid, work, with});
+    sph2d__share(team_for(s, fluid + walls), fluid + walls, 1, do_slabs, &(task){s, fluid, work, with});
     sph2d__slab_sum total = sph2d__neighbours_total(&s->neighbours, fluid);
     sph2d__slab_sum beside = sph2d__neighbours_total(&s->wall_neighbours, walls);
     total.first += beside.first;
@@ -71,5 +80,6 @@ static void do_spans(void *span_, size_t first, size_t last)
 
 void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
 {
-    sph2d__share(s->team, sph2d__slabs(count), 1, do_spans, &(span){s, count, work});
+    size_t slabs = sph2d__slabs(count);
+    sph2d__share(team_for(s, slabs), slabs, 1, do_spans, &(span){s, count, work});
 }
