@@ -11,8 +11,8 @@ static const double TURN = 0.005;
 static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
 /* A comparison that changes nothing may take no more than this part of all time. */
 static const double SHARE = 0.04;
-/* More threads must bring that much in each pair of turns: they cost processor time, and another job that comes and goes
- * makes turns uneven. */
+/* More threads must bring that much in each pair of turns: they cost processor time, and another job that comes and
+ * goes makes turns uneven. */
 static const double WORTH = 1.05;
 /* What gets less than this done, and is the rival or has more threads, loses after one pair of turns. */
 static const double POOR = 0.8;

@@ -28,7 +28,7 @@ static const int64_t SPIN = 100000;
 /* How long the caller waits for a part in hand at least [ns]. */
 static const int64_t PATIENCE = 60000;
 
-/** Of a seat. Its helper turns IDLE into ASLEEP, OPEN into TAKEN and leaves with IDLE; all else is done by the caller. */
+/** Of a seat. Its helper turns IDLE into ASLEEP, OPEN into TAKEN and leaves with IDLE; the caller does all else. */
 enum { IDLE, ASLEEP, OPEN, TAKEN, AWAITED, ENDED };
 
 typedef struct seat {
@@ -52,7 +52,7 @@ struct sph2d__team {
     loop loop;
     bool sharing;
     int limit, now; /**< most threads, and those that share loops now */
-    int started;    /**< threads that there are: 1 before the helpers, fewer than `limit` where the system has no more */
+    int started;    /**< threads that there are: 1 at first; fewer than `limit` where the system gives no more */
     pid_t process;  /**< in which they are */
     sph2d__pace pace;
     double parts;           /**< worked on since the pace was looked at */
@@ -100,8 +100,8 @@ static void go_elsewhere(const cpu_set_t *may)
     sched_setaffinity(0, sizeof *may, may);
 }
 
-/** Leaves the caller's processor. A helper is woken there when all seem busy, and would be in the way of the one that it
- *  should help: who is not running now. */
+/** Leaves the caller's processor. A helper is woken there when all seem busy, and would be in the way of the one that
+ *  it should help: who is not running now. */
 static void step_aside(const sph2d__team *team)
 {
     cpu_set_t may;
@@ -110,8 +110,8 @@ static void step_aside(const sph2d__team *team)
         go_elsewhere(&may);
 }
 
-/** Brings a helper, which another job keeps from running, to this processor, which its caller is about to leave idle. The
- *  helper goes elsewhere when it has left its seat. */
+/** Brings a helper, which another job keeps from running, to this processor, which its caller is about to leave idle.
+ *  The helper goes elsewhere when it has left its seat. */
 static void fetch(seat *s)
 {
     cpu_set_t here;
@@ -139,8 +139,8 @@ static bool spin_while(seat *s, int state, int64_t most)
     return false;
 }
 
-/** Sleeps while a seat is in a state, which becomes `asleep`: who changes it sees from that that somebody must be woken.
- *  False when the state is already another. */
+/** Sleeps while a seat is in a state, which becomes `asleep`: who changes it sees from that that somebody must be
+ *  woken. False when the state is already another. */
 static bool sleep_while(seat *s, int state, int asleep, pthread_cond_t *changed)
 {
     sph2d__team *team = s->team;
@@ -157,7 +157,7 @@ static bool sleep_while(seat *s, int state, int asleep, pthread_cond_t *changed)
 static bool put(seat *s, int state, int asleep, pthread_cond_t *changed)
 {
     bool waiting = atomic_exchange_explicit(&s->state, state, memory_order_acq_rel) == asleep;
-    if (!waiting || getpid() != s->team->process) /* forked off: nobody is there, and the mutex may be locked for ever */
+    if (!waiting || getpid() != s->team->process) /* forked off: nobody is there, the mutex may be locked for ever */
         return false;
     pthread_mutex_lock(&s->team->sleep);
     pthread_cond_broadcast(changed);
@@ -298,7 +298,7 @@ static void close_seats(sph2d__team *team, int64_t patience)
     for (int k = 1; k < team->loop.members; ++k) {
         seat *s = &team->seats[k];
         int state = OPEN;
-        if (atomic_compare_exchange_strong_explicit(&s->state, &state, IDLE, memory_order_acquire, memory_order_acquire))
+        if (atomic_compare_exchange_strong(&s->state, &state, IDLE))
             continue;
         if (state == TAKEN && !spin_while(s, TAKEN, patience)) {
             fetch(s);
