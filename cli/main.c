@@ -12,7 +12,6 @@
 #include "help.h"
 #include "message.h"
 #include "text.h"
-#include "threads.h"
 
 const cli_command commands[CLI_COMMAND_COUNT] = {
 #define COMMAND_ROW(name, NAME, operands, text) {#name, operands, text, CLI_##NAME, command_##name},
@@ -112,7 +111,5 @@ int main(int argc, char **argv)
         unknown_command(argv[1]);
         return close_output(CLI_EXIT_USAGE);
     }
-    if ((what->bit & (CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY)) != 0)
-        threads_wait_passively(argv);
     return close_output(act(what, argc - 1, argv + 1));
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file threads.c
- *  How many threads, and that those which wait let others run. */
+ *  How many threads. */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "threads.h"
 
@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-
-#ifdef _OPENMP
 
 enum { THREADS_MAX = 1024 };
 
@@ -46,16 +44,6 @@ static thread_choice choose(const cli_options *options)
     return (thread_choice){online < 1 ? 1 : online > THREADS_MAX ? THREADS_MAX : (int)online, "processors online"};
 }
 
-#else
-
-static thread_choice choose(const cli_options *options)
-{
-    (void)options;
-    return (thread_choice){1, "this build has no OpenMP"};
-}
-
-#endif
-
 thread_choice threads_choose(const cli_options *options)
 {
     thread_choice choice = choose(options);
@@ -67,8 +55,11 @@ thread_choice threads_choose(const cli_options *options)
 
 int threads_for_frames(const cli_options *options, size_t frames)
 {
-    int count = choose(options).count;
+    int count = 1;
+#ifdef _OPENMP
+    count = choose(options).count;
     count = frames < (size_t)count ? (int)frames : count;
+#endif
     if (count > 1)
         setenv("LP_NUM_THREADS", "0", 0); /* Mesa draws in the thread that asks */
     else
@@ -80,19 +71,4 @@ char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choi
 {
     snprintf(out, TEXT_SIZE, "%d thread%s (%s)", count, count == 1 ? "" : "s", choice->source);
     return out;
-}
-
-void threads_wait_passively(char **argv)
-{
-    /* Once set it is found here again, so that this happens only once. */
-    if (getenv("OMP_WAIT_POLICY") != NULL || getenv("GOMP_SPINCOUNT") != NULL)
-        return;
-    if (setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
-        return;
-    char path[4096]; /* by its own name: pkill and top know the process by that, and "exe" says nothing */
-    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
-    if (length > 0) {
-        path[length] = '\0';
-        execv(path, argv);
-    }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file threads.h
- *  How many threads, and that those which wait let others run. */
+ *  How many threads. */
 #ifndef SPH2D_CLI_THREADS_H
 #define SPH2D_CLI_THREADS_H
 
@@ -22,10 +22,5 @@ int threads_for_frames(const cli_options *options, size_t frames);
 
 /** "2 threads (--threads)", for the number that is in use. Returns `out`. */
 char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice);
-
-/** OpenMP's idle threads spin by default: beside another job that costs both a lot. The policy is read when the OpenMP
- *  library is loaded, so this sets it in the environment and starts the program again. Returns when there is nothing to
- *  do, or when it cannot be done. */
-void threads_wait_passively(char **argv);
 
 #endif

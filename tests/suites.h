@@ -18,6 +18,8 @@
     X(flows)                                                                                                           \
     X(flows_channels)                                                                                                  \
     X(flows_free)                                                                                                      \
+    X(team)                                                                                                            \
+    X(pace)                                                                                                            \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(periodic)                                                                                                        \

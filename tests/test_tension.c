@@ -152,7 +152,7 @@ START_TEST(edges_are_those_that_arcs_leave_bare)
             f->x[i] = test_random(&seed, 0, 4 * DX);
             f->y[i] = test_random(&seed, 0, 4 * DX);
         }
-        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, 1));
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, NULL));
         only_tension(s);
         for (size_t i = 0; i < HEAP; ++i) {
             double pull[2] = {0, 0};

@@ -189,14 +189,11 @@ static void check_profile(cli_study *s, size_t index, const sph2d_scene *scene)
     }
 }
 
-/* Faults that show when particles are placed. On one thread: threads that this process has by then are missing in the
- * processes of the rows, which would wait for them for ever. */
+/* Faults that show when particles are placed. */
 static sph2d_status place_particles(const sph2d_scene *scene, sph2d_report *report)
 {
-    sph2d_sim_options options = sph2d_sim_options_default();
-    options.threads = 1;
     sph2d_sim *sim;
-    sph2d_status status = sph2d_sim_create(scene, &options, &sim, report);
+    sph2d_status status = sph2d_sim_create(scene, NULL, &sim, report);
     sph2d_sim_destroy(sim);
     return status;
 }

@@ -9,7 +9,11 @@
  *      sph2d_view fluid = sph2d_sim_fluid(sim);
  *      sph2d_sim_destroy(sim);
  *
- *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. */
+ *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A step
+ *  is made by the thread that asks for it and by helpers of the simulation's own, which start when there is enough to
+ *  do, take no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They are
+ *  left out while they bring nothing, since other jobs have the processors or there is too little to do. A process
+ *  that is forked off has none of them and steps alone. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
 
@@ -43,7 +47,7 @@ typedef struct sph2d_allocator {
 /** What does not change the result. Make one with sph2d_sim_options_default(). */
 typedef struct sph2d_sim_options {
     size_t struct_size;
-    int threads;               /**< OpenMP threads, 1 to 1024; default 0: as many as the process may use processors */
+    int threads;               /**< the most, 1 to 1024; default 0: as many as the process may use processors */
     sph2d_isa isa;             /**< default auto */
     sph2d_allocator allocator; /**< default {NULL, NULL}: the C library's */
     bool profile;              /**< read clocks at every phase of a step; default false */
@@ -72,7 +76,7 @@ SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);      /**< simulated time 
 SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);   /**< steps taken */
 SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim); /**< the step that comes next [s] */
 SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);    /**< in use, never auto */
-SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);      /**< in use */
+SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);      /**< the most that share a step */
 SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);    /**< bytes allocated */
 /** The simulation's own copy of its scene, valid as long as the simulation. */
 SPH2D_API const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);

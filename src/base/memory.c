@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/team.h"
+
 enum { ALIGNMENT = 64 };
-/** Blocks below are not worth a second thread. */
-enum { LARGE = 1 << 22 };
+/** Bytes that are worth a thread. */
+enum { LARGE = 1 << 21 };
 
 /** realloc with alignment: C has aligned_alloc but nothing that resizes. */
 static void *resize_aligned(void *user, void *block, size_t old_size, size_t new_size)
@@ -36,18 +38,16 @@ sph2d__memory sph2d__memory_from(sph2d_allocator allocator)
     return (sph2d__memory){.allocator = allocator};
 }
 
+static void clear_part(void *block, size_t first, size_t last)
+{
+    memset((char *)block + first, 0, last - first);
+}
+
 /** Zeroes what is new in a block. A page comes to lie near the processor that writes to it first, so threads take about
  * the shares of a large block that they take of the particles later. */
-static void clear(char *block, size_t size, int threads)
+static void clear(char *block, size_t size, sph2d__team *team)
 {
-    if (threads < 2 || size < LARGE) {
-        memset(block, 0, size);
-        return;
-    }
-    const size_t share = size / (size_t)threads;
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (int n = 0; n < threads; ++n)
-        memset(block + (size_t)n * share, 0, n < threads - 1 ? share : size - (size_t)n * share);
+    sph2d__share(team, size, LARGE, clear_part, block);
 }
 
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size)
@@ -62,7 +62,7 @@ bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t
     if (!fresh && new_size > 0)
         return false;
     if (new_size > old_size)
-        clear((char *)fresh + old_size, new_size - old_size, memory->threads);
+        clear((char *)fresh + old_size, new_size - old_size, memory->team);
     *block = fresh;
     memory->bytes += new_size - old_size;
     return true;

@@ -9,10 +9,12 @@
 
 #include "sph2d/sim.h"
 
+typedef struct sph2d__team sph2d__team; /**< team.h */
+
 typedef struct sph2d__memory {
     sph2d_allocator allocator;
-    size_t bytes; /**< allocated now */
-    int threads;  /**< that share the zeroing of large blocks; 0 or 1 for one */
+    size_t bytes;      /**< allocated now */
+    sph2d__team *team; /**< that shares the zeroing of large blocks (team.h); NULL: none */
 } sph2d__memory;
 
 /** The C library's allocator where `allocator` is {NULL, NULL}. */

@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "base/threads.h"
 #include "kernels/muller.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator stands nu dt/H^2 < 0.145; in a
@@ -69,18 +68,24 @@ static double pressure_of(const sph2d__system *s, double density)
     return p > 0 ? p : 0;
 }
 
+/** Pressures and volumes of particles. */
+static void set_pressures(void *system, size_t first, size_t last)
+{
+    const sph2d__system *s = system;
+    const sph2d__store *fluid = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        fluid->pressure[i] = pressure_of(s, fluid->density[i]);
+        fluid->volume[i] = s->mass / fluid->density[i];
+    }
+}
+
 static bool evaluate(sph2d__system *s)
 {
     const sph2d__muller_passes *pass = passes(s->isa);
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     sph2d__over_particles(s, fluid->count, pass->density);
-    int threads = sph2d__threads_for(s->threads, fluid->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < fluid->count; ++i) {
-        fluid->pressure[i] = pressure_of(s, fluid->density[i]);
-        fluid->volume[i] = s->mass / fluid->density[i];
-    }
+    sph2d__share(s->team, fluid->count, SPH2D__GRAIN, set_pressures, s);
     if (s->walls_press) {
         sph2d__profile_enter(&s->profile, SPH2D_PHASE_WALLS);
         sph2d__over_particles(s, walls->count, pass->wall_density);

@@ -3,8 +3,6 @@
  *  Sharing slabs among threads. */
 #include "methods/slabs.h"
 
-#include "base/threads.h"
-
 /** Slab k of a store. */
 static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
 {
@@ -12,16 +10,38 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
     return (sph2d__slab){rows, walls, first, last < rows->count ? last : rows->count};
 }
 
+/* So many slabs are worth a second thread. */
+enum { WORTH = 4 };
+
+/** The team for so many slabs. */
+static sph2d__team *team_for(const sph2d__system *s, size_t slabs)
+{
+    return slabs < WORTH ? NULL : s->team;
+}
+
+/** What is done to slabs: those of the fluid, then those of the boundary particles. */
+typedef struct task {
+    sph2d__system *system;
+    size_t fluid;
+    sph2d__slab_work *work;
+    const void *with;
+} task;
+
+static void do_slabs(void *task_, size_t first, size_t last)
+{
+    const task *t = task_;
+    sph2d__system *s = t->system;
+    for (size_t k = first; k < last; ++k) {
+        sph2d__slab slab = k < t->fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - t->fluid);
+        sph2d__slab_sum sum = {0}; /* of its own while it is added to: neighbours would share its cache line */
+        t->work(s, &slab, t->with, &sum);
+        *(k < t->fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - t->fluid]) = sum;
+    }
+}
+
 static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d__slab_work *work, const void *with)
 {
-    int threads = sph2d__threads_for(s->threads, (fluid + walls) * SPH2D__SLAB);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-    for (size_t k = 0; k < fluid + walls; ++k) {
-        sph2d__slab slab = k < fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - fluid);
-        sph2d__slab_sum sum = {0}; /* of its own while it is added to: neighbours would share its cache line */
-        work(s, &slab, with, &sum);
-        *(k < fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - fluid]) = sum;
-    }
+    sph2d__share(team_for(s, fluid + walls), fluid + walls, 1, do_slabs, &(task){s, fluid, work, with});
     sph2d__slab_sum total = sph2d__neighbours_total(&s->neighbours, fluid);
     sph2d__slab_sum beside = sph2d__neighbours_total(&s->wall_neighbours, walls);
     total.first += beside.first;
@@ -42,11 +62,24 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const
     return over(s, sph2d__slabs(s->fluid.count), walls, work, with);
 }
 
-/* Each thread takes the same part in every loop, so that its particles stay in its cache. */
+/** What is done to some of the particles of a store. */
+typedef struct span {
+    sph2d__system *system;
+    size_t count;
+    sph2d__span_work *work;
+} span;
+
+static void do_spans(void *span_, size_t first, size_t last)
+{
+    const span *t = span_;
+    for (size_t k = first; k < last; ++k) {
+        size_t end = (k + 1) * SPH2D__SLAB;
+        t->work(t->system, k * SPH2D__SLAB, end < t->count ? end : t->count);
+    }
+}
+
 void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
 {
-    int threads = sph2d__threads_for(s->threads, count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t first = 0; first < count; first += SPH2D__SLAB)
-        work(s, first, first + SPH2D__SLAB < count ? first + SPH2D__SLAB : count);
+    size_t slabs = sph2d__slabs(count);
+    sph2d__share(team_for(s, slabs), slabs, 1, do_spans, &(span){s, count, work});
 }

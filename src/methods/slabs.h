@@ -3,8 +3,8 @@
  *  Work on particles, slab by slab, and on the rows of a pressure solver: those of the fluid and those of the boundary
  *  particles that have some. Threads share the slabs; what each sums up is added in one order.
  *
- *  Pair loops are functions of their own, out of the parallel region: a kernel that is an argument is a constant in
- *  their loops, which it would no longer be in the function that the compiler makes of such a region. */
+ *  Pair loops are functions of their own, which a pointer names: a kernel that is an argument is a constant in their
+ *  loops. */
 #ifndef SPH2D_METHODS_SLABS_H
 #define SPH2D_METHODS_SLABS_H
 

@@ -15,7 +15,6 @@
 
 #include <math.h>
 
-#include "base/threads.h"
 #include "methods/system.h"
 
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
@@ -61,13 +60,18 @@ static inline double sph2d__sound_speed2_at(const sph2d__system *s, double densi
     return c2 * x2 * x2 * x2;
 }
 
-/** Sets the pressure of every particle of a store. */
-static inline void sph2d__state_equation_apply(const sph2d__system *s, sph2d__store *store)
+static inline void sph2d__state_equation_some(void *system, size_t first, size_t last)
 {
-    int threads = sph2d__threads_for(s->threads, store->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < store->count; ++i)
-        store->pressure[i] = sph2d__pressure_of(s, store->density[i]);
+    const sph2d__system *s = system;
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i)
+        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
+}
+
+/** Sets the pressure of every particle of the fluid. */
+static inline void sph2d__state_equation_apply(sph2d__system *s)
+{
+    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, sph2d__state_equation_some, s);
 }
 
 #endif

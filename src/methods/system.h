@@ -4,6 +4,7 @@
 #ifndef SPH2D_METHODS_SYSTEM_H
 #define SPH2D_METHODS_SYSTEM_H
 
+#include "base/team.h"
 #include "methods/profile.h"
 #include "particles/cells.h"
 #include "particles/neighbours.h"
@@ -51,7 +52,7 @@ typedef struct sph2d__system {
 
     sph2d__profile profile;
     sph2d__memory *memory;
-    int threads;
+    sph2d__team *team; /**< that shares the loops; NULL: one thread */
     sph2d_isa isa;
 } sph2d__system;
 

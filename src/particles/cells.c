@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/threads.h"
-
 enum { RIM = SPH2D__RIM };
 
 /* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index.
@@ -24,22 +22,38 @@ typedef struct bounds {
     double min_x, min_y, max_x, max_y;
 } bounds;
 
-/** Smallest and largest coordinates. They do not depend on how threads share the work. */
-static bounds find_bounds(const sph2d__store *store, int threads)
+/** What is asked, and what was found. */
+typedef struct extent {
+    const sph2d__store *store;
+    sph2d__team *team;
+    bounds found;
+} extent;
+
+static void find_some_bounds(void *with, size_t first, size_t last)
 {
-    double min_x = INFINITY, min_y = INFINITY, max_x = -INFINITY, max_y = -INFINITY;
-    const double *x = store->x, *y = store->y;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(min                          \
-                                                                                          : min_x, min_y)              \
-    reduction(max                                                                                                      \
-              : max_x, max_y)
-    for (size_t i = 0; i < store->count; ++i) {
-        min_x = x[i] < min_x ? x[i] : min_x;
-        min_y = y[i] < min_y ? y[i] : min_y;
-        max_x = x[i] > max_x ? x[i] : max_x;
-        max_y = y[i] > max_y ? y[i] : max_y;
+    extent *e = with;
+    const double *x = e->store->x, *y = e->store->y;
+    bounds b = {INFINITY, INFINITY, -INFINITY, -INFINITY}, *all = &e->found;
+    for (size_t i = first; i < last; ++i) {
+        b.min_x = x[i] < b.min_x ? x[i] : b.min_x;
+        b.min_y = y[i] < b.min_y ? y[i] : b.min_y;
+        b.max_x = x[i] > b.max_x ? x[i] : b.max_x;
+        b.max_y = y[i] > b.max_y ? y[i] : b.max_y;
     }
-    return (bounds){min_x, min_y, max_x, max_y};
+    sph2d__team_lock(e->team);
+    all->min_x = b.min_x < all->min_x ? b.min_x : all->min_x;
+    all->min_y = b.min_y < all->min_y ? b.min_y : all->min_y;
+    all->max_x = b.max_x > all->max_x ? b.max_x : all->max_x;
+    all->max_y = b.max_y > all->max_y ? b.max_y : all->max_y;
+    sph2d__team_unlock(e->team);
+}
+
+/** Smallest and largest coordinates. They do not depend on how threads share the work. */
+static bounds find_bounds(const sph2d__store *store, sph2d__team *team)
+{
+    extent e = {store, team, {INFINITY, INFINITY, -INFINITY, -INFINITY}};
+    sph2d__share(team, store->count, SPH2D__GRAIN, find_some_bounds, &e);
+    return e.found;
 }
 
 /** The cells of one direction, rim included. */
@@ -166,56 +180,91 @@ static void place_cells(sph2d__cells *cells, size_t first, size_t last, size_t c
     }
 }
 
-/** Sorts by counting, each sorter its part of the particles and its part of the cells; within a cell particles keep
- *  the order that they had, however many sorters there are. */
-static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters)
+/** Sorting by counting, each sorter its part of the particles and its part of the cells. */
+typedef struct sorting {
+    sph2d__cells *cells;
+    const sph2d__store *store;
+    size_t cell_count;
+    int sorters;
+    uint32_t sums[SORTERS]; /**< particles in each part of the cells */
+} sorting;
+
+static void count_some(void *with, size_t first, size_t last)
 {
-    uint32_t sums[SORTERS];
-#pragma omp parallel num_threads(sorters) if (sorters > 1)
-    {
-#pragma omp for schedule(static, 1)
-        for (int t = 0; t < sorters; ++t) {
-            uint32_t *count = cells->places + (size_t)t * cell_count;
-            memset(count, 0, cell_count * sizeof *count);
-            assign_cells(cells, store, part(store->count, t, sorters), part(store->count, t + 1, sorters), count);
-        }
-#pragma omp for schedule(static, 1)
-        for (int t = 0; t < sorters; ++t)
-            sums[t] =
-                count_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters);
-#pragma omp for schedule(static, 1)
-        for (int t = 0; t < sorters; ++t) {
-            uint32_t before = 0;
-            for (int u = 0; u < t; ++u)
-                before += sums[u];
-            place_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters,
-                        before);
-        }
-#pragma omp for schedule(static, 1)
-        for (int t = 0; t < sorters; ++t) {
-            uint32_t *place = cells->places + (size_t)t * cell_count;
-            size_t last = part(store->count, t + 1, sorters);
-            for (size_t i = part(store->count, t, sorters); i < last; ++i)
-                cells->order[place[cells->cell[i]]++] = (uint32_t)i;
-        }
+    const sorting *s = with;
+    for (int t = (int)first; t < (int)last; ++t) {
+        uint32_t *count = s->cells->places + (size_t)t * s->cell_count;
+        memset(count, 0, s->cell_count * sizeof *count);
+        assign_cells(s->cells, s->store, part(s->store->count, t, s->sorters), part(s->store->count, t + 1, s->sorters),
+                     count);
     }
+}
+
+static void sum_some(void *with, size_t first, size_t last)
+{
+    sorting *s = with;
+    for (int t = (int)first; t < (int)last; ++t)
+        s->sums[t] = count_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters),
+                                 s->cell_count, s->sorters);
+}
+
+static void place_some(void *with, size_t first, size_t last)
+{
+    const sorting *s = with;
+    for (int t = (int)first; t < (int)last; ++t) {
+        uint32_t before = 0;
+        for (int u = 0; u < t; ++u)
+            before += s->sums[u];
+        place_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters), s->cell_count,
+                    s->sorters, before);
+    }
+}
+
+static void order_some(void *with, size_t first, size_t last)
+{
+    const sorting *s = with;
+    const sph2d__cells *cells = s->cells;
+    for (int t = (int)first; t < (int)last; ++t) {
+        uint32_t *place = cells->places + (size_t)t * s->cell_count;
+        size_t end = part(s->store->count, t + 1, s->sorters);
+        for (size_t i = part(s->store->count, t, s->sorters); i < end; ++i)
+            cells->order[place[cells->cell[i]]++] = (uint32_t)i;
+    }
+}
+
+/** Within a cell particles keep the order that they had, however many sorters there are. */
+static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters,
+                           sph2d__team *team)
+{
+    static sph2d__share_work *const turns[] = {count_some, sum_some, place_some, order_some};
+    sorting s = {cells, store, cell_count, sorters, {0}};
+    for (size_t k = 0; k < sizeof turns / sizeof *turns; ++k)
+        sph2d__share(team, (size_t)sorters, 1, turns[k], &s);
     cells->start[cell_count] = (uint32_t)store->count;
 }
 
-bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads)
+/** The same however many threads there are at a time, and with them the room. */
+static int sorters_for(const sph2d__team *team, size_t count)
+{
+    int most = sph2d__team_limit(team) < SORTERS ? sph2d__team_limit(team) : SORTERS;
+    size_t worth = count / SPH2D__GRAIN;
+    return worth < 1 ? 1 : worth < (size_t)most ? (int)worth : most;
+}
+
+bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,
+                        sph2d__team *team)
 {
     size_t count = store->count;
-    threads = sph2d__threads_for(threads, count);
-    bounds b = count > 0 ? find_bounds(store, threads) : (bounds){0, 0, 0, 0};
+    bounds b = count > 0 ? find_bounds(store, team) : (bounds){0, 0, 0, 0};
     lay_grid(cells, b, support, count);
     size_t cell_count = (size_t)cells->nx * cells->ny;
-    int sorters = threads < SORTERS ? threads : SORTERS;
+    int sorters = sorters_for(team, count);
     if (!reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) ||
         !reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters, memory) ||
         !reserve_particles(cells, store->capacity, memory))
         return false;
-    sort_particles(cells, store, cell_count, sorters);
-    sph2d__store_reorder(store, cells->order, threads);
+    sort_particles(cells, store, cell_count, sorters, team);
+    sph2d__store_reorder(store, cells->order, team);
     return true;
 }
 

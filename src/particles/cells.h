@@ -37,9 +37,10 @@ typedef struct sph2d__cells {
     size_t cell_capacity, place_capacity, particle_capacity;
 } sph2d__cells;
 
-/** Sorts the particles into cells of at least `support` and reorders the store. Positions must be finite. False when
- *  memory is short. */
-bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory, int threads);
+/** Sorts the particles into cells of at least `support` and reorders the store; a team may share it. Positions must be
+ *  finite. False when memory is short. */
+bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,
+                        sph2d__team *team);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
 /** The most ranges that there are: four rows, cut in two by the end of a period and each again by that of a tile. */

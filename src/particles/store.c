@@ -5,7 +5,6 @@
 
 #include <string.h>
 
-#include "base/threads.h"
 
 _Static_assert(sizeof(double) == sizeof(uint64_t), "numbers of particles are reordered where their values are");
 
@@ -89,34 +88,45 @@ size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
     return i;
 }
 
-void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int threads)
+/** An array that gets a new order. */
+typedef struct reordering {
+    const uint32_t *order;
+    const void *from;
+    void *to;
+} reordering;
+
+static void reorder_reals(void *with, size_t first, size_t last)
 {
-    threads = sph2d__threads_for(threads, store->count);
-    size_t count = store->count;
+    const reordering *r = with;
+    const double *from = r->from;
+    double *to = r->to;
+    for (size_t k = first; k < last; ++k)
+        to[k] = from[r->order[k]];
+}
+
+static void reorder_ids(void *with, size_t first, size_t last)
+{
+    const reordering *r = with;
+    const uint64_t *from = r->from;
+    uint64_t *to = r->to;
+    for (size_t k = first; k < last; ++k)
+        to[k] = from[r->order[k]];
+}
+
+void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, sph2d__team *team)
+{
     double **slots[SPH2D__STORE_COUNT];
     list_reals(store, slots);
     const sph2d__set moved = store->has & store->carried;
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        for (int a = 0; a < SPH2D__STORE_COUNT; ++a) {
-            if (!(moved >> a & 1))
-                continue;
-            const double *from = *slots[a];
-            double *to = store->scratch;
-#pragma omp for schedule(static)
-            for (size_t k = 0; k < count; ++k)
-                to[k] = from[order[k]];
-#pragma omp single
-            {
-                store->scratch = *slots[a];
-                *slots[a] = to;
-            }
-        }
-        uint64_t *to = store->scratch;
-#pragma omp for schedule(static)
-        for (size_t k = 0; k < count; ++k)
-            to[k] = store->id[order[k]];
+    for (int a = 0; a < SPH2D__STORE_COUNT; ++a) {
+        if (!(moved >> a & 1))
+            continue;
+        double *from = *slots[a];
+        sph2d__share(team, store->count, SPH2D__GRAIN, reorder_reals, &(reordering){order, from, store->scratch});
+        *slots[a] = store->scratch;
+        store->scratch = from;
     }
+    sph2d__share(team, store->count, SPH2D__GRAIN, reorder_ids, &(reordering){order, store->id, store->scratch});
     uint64_t *ids = store->scratch;
     store->scratch = store->id;
     store->id = ids;

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "base/memory.h"
+#include "base/team.h"
 
 /** Doubles behind the last particle that a block of lanes may read, and write where nothing else is. */
 enum { SPH2D__PADDING = 16 };
@@ -115,7 +115,7 @@ void sph2d__store_free(sph2d__store *store, sph2d__memory *memory);
 size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y);
 
 /** Puts the particles into a new order: particle order[k] becomes particle k. */
-void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, int threads);
+void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, sph2d__team *team);
 
 /** Removes every particle whose flag is set, keeping the order of the rest. */
 void sph2d__store_remove(sph2d__store *store, const unsigned char *flags);

@@ -113,6 +113,6 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     keep_mass(sim);
-    sph2d__state_equation_apply(s, &s->fluid);
+    sph2d__state_equation_apply(s);
     return SPH2D_OK;
 }

@@ -70,8 +70,8 @@ static bool sort_walls(sph2d__system *s)
 {
     for (size_t i = 0; i < s->walls.count; ++i)
         s->wall_cells.order[s->walls.id[i]] = (uint32_t)i;
-    sph2d__store_reorder(&s->walls, s->wall_cells.order, 1);
-    return sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, 1);
+    sph2d__store_reorder(&s->walls, s->wall_cells.order, NULL);
+    return sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL);
 }
 
 /** Puts the boundary particles of moving obstacles to where they are at a time, with their velocity and acceleration.

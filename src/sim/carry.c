@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/threads.h"
 #include "sim/integrators.h"
 
 /** Reflects a velocity off the nearest boundary particle that is within one spacing and ahead, if that one reflects:
@@ -142,35 +141,53 @@ static void carry_flock(sph2d_sim *sim, const sph2d__flock *flock, events *met)
     }
 }
 
-sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after)
+/** Carrying all flocks. */
+typedef struct journey {
+    sph2d_sim *sim;
+    double dt;
+    sph2d__flock_work *set, *after;
+    events met;
+} journey;
+
+static void carry_flocks(void *with, size_t first, size_t last)
 {
-    const size_t count = sim->system.fluid.count, flocks = (count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
-    uint64_t hits = 0, reflections = 0, bad = 0;
-    int threads = sph2d__threads_for(sim->system.threads, count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : hits, reflections, bad)
-    for (size_t n = 0; n < flocks; ++n) {
+    journey *j = with;
+    const size_t count = j->sim->system.fluid.count;
+    events met = {0};
+    for (size_t n = first; n < last; ++n) {
         sph2d__flock flock;
-        events met = {0};
         flock.first = n * SPH2D__FLOCK;
         flock.count = count - flock.first < SPH2D__FLOCK ? count - flock.first : SPH2D__FLOCK;
-        set(sim, dt, &flock);
-        carry_flock(sim, &flock, &met);
-        if (after)
-            after(sim, dt, &flock);
-        hits += met.hits;
-        reflections += met.reflections;
-        bad += met.bad;
+        j->set(j->sim, j->dt, &flock);
+        carry_flock(j->sim, &flock, &met);
+        if (j->after)
+            j->after(j->sim, j->dt, &flock);
     }
-    sim->record.backstop_hits += hits;
-    sim->record.reflections += reflections;
-    return bad == 0 ? SPH2D_OK : SPH2D_GUARD;
+    sph2d__team_lock(j->sim->system.team);
+    j->met.hits += met.hits;
+    j->met.reflections += met.reflections;
+    j->met.bad += met.bad;
+    sph2d__team_unlock(j->sim->system.team);
+}
+
+/* Flocks that are worth a thread. */
+enum { FLOCKS = SPH2D__GRAIN / 4 / SPH2D__FLOCK };
+
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after)
+{
+    journey j = {sim, dt, set, after, {0}};
+    const size_t flocks = (sim->system.fluid.count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
+    sph2d__share(sim->system.team, flocks, FLOCKS, carry_flocks, &j);
+    sim->record.backstop_hits += j.met.hits;
+    sim->record.reflections += j.met.reflections;
+    return j.met.bad == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SORT);
-    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->threads);
+    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->team);
     sph2d__profile_enter(&s->profile, before);
     return sorted ? SPH2D_OK : SPH2D_NOMEM;
 }
@@ -199,13 +216,23 @@ void sph2d__keep_accelerations(sph2d__store *f)
     f->ay = y;
 }
 
+/** The second kick of particles. */
+typedef struct kick {
+    sph2d__store *fluid;
+    double dt;
+} kick;
+
+static void kick_some(void *with, size_t first, size_t last)
+{
+    const kick *k = with;
+    const sph2d__store *f = k->fluid;
+    for (size_t i = first; i < last; ++i) {
+        f->vx[i] += k->dt / 2 * (f->ax[i] - f->old_ax[i]);
+        f->vy[i] += k->dt / 2 * (f->ay[i] - f->old_ay[i]);
+    }
+}
+
 void sph2d__second_kick(sph2d__system *s, double dt)
 {
-    sph2d__store *f = &s->fluid;
-    int threads = sph2d__threads_for(s->threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t i = 0; i < f->count; ++i) {
-        f->vx[i] += dt / 2 * (f->ax[i] - f->old_ax[i]);
-        f->vy[i] += dt / 2 * (f->ay[i] - f->old_ay[i]);
-    }
+    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, kick_some, &(kick){&s->fluid, dt});
 }

@@ -3,10 +3,6 @@
  *  Making a simulation, new or from a state, and freeing it. */
 #include <math.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "methods/isa.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
@@ -16,15 +12,6 @@
 sph2d_sim_options sph2d_sim_options_default(void)
 {
     return (sph2d_sim_options){.struct_size = sizeof(sph2d_sim_options)};
-}
-
-static int default_threads(void)
-{
-#ifdef _OPENMP
-    return omp_get_num_procs();
-#else
-    return 1;
-#endif
 }
 
 static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report *report)
@@ -71,12 +58,6 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__system *s = &sim->system;
     s->memory = &sim->memory;
     s->profile.phase = SPH2D_PHASE_COUNT;
-#ifdef _OPENMP
-    s->threads = options->threads > 0 ? options->threads : default_threads();
-#else
-    s->threads = default_threads();
-#endif
-    sim->memory.threads = s->threads;
     s->isa = sph2d__isa_choose(options->isa);
     s->spacing = scene->spacing;
     s->support = d.support_radius;
@@ -111,6 +92,15 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sim->record.gravity_x = scene->gravity.x;
     sim->record.gravity_y = scene->gravity.y;
     sim->record.isa = s->isa;
+}
+
+static sph2d_status gather_team(sph2d_sim *sim, int threads)
+{
+    int limit = threads > 0 ? threads : sph2d__team_processors();
+    if (limit == 1)
+        return SPH2D_OK;
+    sim->system.team = sim->memory.team = sph2d__team_create(&sim->memory, limit);
+    return sim->system.team ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 static sph2d_status allocate_lists(sph2d_sim *sim)
@@ -185,7 +175,9 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     sim->scene.walls = sph2d__side_form(&sim->scene);
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
-    status = allocate_lists(sim);
+    status = gather_team(sim, options->threads);
+    if (status == SPH2D_OK)
+        status = allocate_lists(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
     if (status == SPH2D_OK)
@@ -256,6 +248,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__barrier_free(&sim->moving[k].barrier, memory);
     sph2d__arena_free(&sim->arena, memory);
+    sph2d__team_destroy(s->team, memory);
     sph2d__memory last = *memory; /* the simulation holds its own allocator */
     void *block = sim;
     sph2d__release(&last, &block, 1, sizeof *sim);
@@ -264,7 +257,9 @@ void sph2d_sim_destroy(sph2d_sim *sim)
 sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report)
 {
     sph2d_sim *sim = NULL;
-    sph2d_status status = sph2d_sim_create(scene, NULL, &sim, report);
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = 1; /* more take memory of their own */
+    sph2d_status status = sph2d_sim_create(scene, &options, &sim, report);
     if (status == SPH2D_OK)
         *plan = sim->plan;
     sph2d_sim_destroy(sim);

@@ -3,7 +3,6 @@
  *  What a step looks at when it is done: guards, extremes, the length of the next step. */
 #include <math.h>
 
-#include "base/threads.h"
 #include "sim/simulation.h"
 
 /* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
@@ -28,18 +27,21 @@ static sph2d_box walled_box(const sph2d_scene *scene)
         {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
 }
 
-static extremes find_extremes(const sph2d_sim *sim)
+/** What is looked for, and what was found. */
+typedef struct search {
+    const sph2d_sim *sim;
+    sph2d_box box;
+    extremes found;
+} search;
+
+static void find_some_extremes(void *with, size_t first, size_t last)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d_box box = walled_box(&sim->scene);
+    search *s = with;
+    const sph2d__store *f = &s->sim->system.fluid;
+    const sph2d_box box = s->box;
     double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
     size_t bad = SIZE_MAX, escaped = SIZE_MAX;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)                                        \
-    reduction(max                                                                                                      \
-              : speed2, acceleration2, density, pressure) reduction(min                                                \
-                                                                    : bad, escaped)
-    for (size_t i = 0; i < f->count; ++i) {
+    for (size_t i = first; i < last; ++i) {
         double x = f->x[i], y = f->y[i];
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
@@ -52,7 +54,19 @@ static extremes find_extremes(const sph2d_sim *sim)
         if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)
             escaped = i;
     }
-    return (extremes){speed2, acceleration2, density, pressure, bad, escaped};
+    sph2d__team_lock(s->sim->system.team);
+    extremes *e = &s->found;
+    *e = (extremes){fmax(e->speed2, speed2),   fmax(e->acceleration2, acceleration2),
+                    fmax(e->density, density), fmax(e->pressure, pressure),
+                    bad < e->bad ? bad : e->bad, escaped < e->escaped ? escaped : e->escaped};
+    sph2d__team_unlock(s->sim->system.team);
+}
+
+static extremes find_extremes(const sph2d_sim *sim)
+{
+    search s = {sim, walled_box(&sim->scene), {.bad = SIZE_MAX, .escaped = SIZE_MAX}};
+    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
+    return s.found;
 }
 
 static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i, const char *what,

@@ -293,7 +293,7 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         return SPH2D_SCENE;
     }
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
-        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.threads))
+        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.team))
         return SPH2D_NOMEM;
     return check_distances(sim, first_single, report);
 }

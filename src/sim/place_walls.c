@@ -170,7 +170,7 @@ static bool finish_walls(sph2d_sim *sim)
         if (!sph2d__barrier_build(&sim->moving[k].barrier, bucket, clearance, &sim->memory))
             return false;
     return sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
-           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, 1));
+           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL));
 }
 
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)

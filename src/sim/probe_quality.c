@@ -3,7 +3,6 @@
  *  A probe of how well the particles represent the liquid: how evenly they lie, how constant their density is. */
 #include <math.h>
 
-#include "base/threads.h"
 #include "sim/probes.h"
 
 /* Bins of distances from 0 to the support radius. */
@@ -34,29 +33,45 @@ static double nearest(const sph2d_sim *sim, size_t i)
     return sqrt(least2);
 }
 
-static void find_distances(const sph2d_sim *sim, distances *out)
+/** A look at all particles. */
+typedef struct look {
+    const sph2d_sim *sim;
+    distances found;
+} look;
+
+static void count_distances(look *l, const double *found, size_t count)
 {
-    const sph2d__system *s = &sim->system;
-    size_t counts[BINS] = {0}, paired = 0;
-    double least[BINS];
-    for (int b = 0; b < BINS; ++b)
-        least[b] = INFINITY;
-    int threads = sph2d__threads_for(s->threads, s->fluid.count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) \
-    reduction(+ : counts, paired) reduction(min : least)
-    for (size_t i = 0; i < s->fluid.count; ++i) {
-        double distance = nearest(sim, i);
-        size_t bin = (size_t)(distance / s->support * BINS);
+    const sph2d__system *s = &l->sim->system;
+    distances *d = &l->found;
+    sph2d__team_lock(s->team);
+    for (size_t k = 0; k < count; ++k) {
+        size_t bin = (size_t)(found[k] / s->support * BINS);
         bin = bin < BINS ? bin : BINS - 1;
-        ++counts[bin];
-        least[bin] = distance < least[bin] ? distance : least[bin];
-        paired += distance < s->spacing / 2;
+        ++d->counts[bin];
+        d->least[bin] = found[k] < d->least[bin] ? found[k] : d->least[bin];
+        d->paired += found[k] < s->spacing / 2;
     }
-    for (int b = 0; b < BINS; ++b) {
-        out->counts[b] = counts[b];
-        out->least[b] = least[b];
+    sph2d__team_unlock(s->team);
+}
+
+static void find_some_distances(void *with, size_t first, size_t last)
+{
+    look *l = with;
+    while (first < last) {
+        double found[SPH2D__SLAB];
+        size_t count = 0;
+        for (; first < last && count < SPH2D__SLAB; ++first)
+            found[count++] = nearest(l->sim, first);
+        count_distances(l, found, count);
     }
-    out->paired = paired;
+}
+
+static void find_distances(look *l)
+{
+    for (int b = 0; b < BINS; ++b)
+        l->found.least[b] = INFINITY;
+    const sph2d__system *s = &l->sim->system;
+    sph2d__share(s->team, s->fluid.count, SPH2D__SLAB, find_some_distances, l);
 }
 
 /** The distance that `below` others are shorter than, to 1/2048 of the support radius [m]. */
@@ -77,8 +92,9 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
         values[k] = NAN;
     if (f->count == 0)
         return 6;
-    distances d;
-    find_distances(sim, &d);
+    look l = {.sim = sim};
+    find_distances(&l);
+    const distances *d = &l.found;
     double n = (double)f->count, square = 0, most = 0, speed2 = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double error = f->density[i] / s->rest_density - 1, v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
@@ -86,9 +102,9 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
         most = fmax(most, fabs(error));
         speed2 = fmax(speed2, v2);
     }
-    values[0] = ranked(&d, 0) / s->spacing;
-    values[1] = ranked(&d, f->count / 100) / s->spacing;
-    values[2] = (double)d.paired / n;
+    values[0] = ranked(d, 0) / s->spacing;
+    values[1] = ranked(d, f->count / 100) / s->spacing;
+    values[2] = (double)d->paired / n;
     values[3] = sqrt(square / n);
     values[4] = most;
     values[5] = sqrt(speed2) / s->sound_speed;

@@ -2,10 +2,10 @@
 /** @file sources.c
  *  What comes and goes between steps: sources feed rows of particles, drains and open sides take them. */
 #include <math.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "base/random.h"
-#include "base/threads.h"
 #include "sim/simulation.h"
 
 /* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart; the
@@ -153,16 +153,28 @@ static int side_left(const sph2d_scene *scene, double x, double y)
     return y > d.max.y + height ? 3 : -1;
 }
 
-/** Whether any particle has left. */
-static bool any_left(const sph2d_sim *sim)
+/** A look at all particles. */
+typedef struct census {
+    sph2d_sim *sim;
+    atomic_size_t count; /**< of those that are looked for */
+} census;
+
+static void count_left(void *with, size_t first, size_t last)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    uint64_t left = 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : left)
-    for (size_t i = 0; i < f->count; ++i)
-        left += side_left(&sim->scene, f->x[i], f->y[i]) >= 0;
-    return left > 0;
+    census *c = with;
+    const sph2d__store *f = &c->sim->system.fluid;
+    size_t left = 0;
+    for (size_t i = first; i < last; ++i)
+        left += side_left(&c->sim->scene, f->x[i], f->y[i]) >= 0;
+    atomic_fetch_add(&c->count, left);
+}
+
+/** Whether any particle has left. */
+static bool any_left(sph2d_sim *sim)
+{
+    census c = {.sim = sim};
+    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, count_left, &c);
+    return c.count > 0;
 }
 
 static bool in_drain(const sph2d_sim *sim, double x, double y)
@@ -207,6 +219,20 @@ static bool can_lose(const sph2d_scene *scene)
            b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
 }
 
+/** Flags those that go. */
+static void flag_lost(void *with, size_t first, size_t last)
+{
+    census *c = with;
+    sph2d_sim *sim = c->sim;
+    const sph2d__store *f = &sim->system.fluid;
+    size_t lost = 0;
+    for (size_t i = first; i < last; ++i) {
+        sim->doomed[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
+        lost += sim->doomed[i];
+    }
+    atomic_fetch_add(&c->count, lost);
+}
+
 sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
     if (!can_lose(&sim->scene))
@@ -216,14 +242,9 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
         return SPH2D_OK;
     if (!reserve_flags(sim))
         return SPH2D_NOMEM;
-    size_t lost = 0;
-    int threads = sph2d__threads_for(sim->system.threads, f->count);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(+ : lost)
-    for (size_t i = 0; i < f->count; ++i) {
-        sim->doomed[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
-        lost += sim->doomed[i];
-    }
-    if (lost == 0)
+    census lost = {.sim = sim};
+    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_lost, &lost);
+    if (lost.count == 0)
         return SPH2D_OK;
     for (size_t i = 0; i < f->count; ++i)
         if (sim->doomed[i])

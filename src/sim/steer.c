@@ -55,7 +55,7 @@ sph2d_isa sph2d_sim_isa(const sph2d_sim *sim)
 
 int sph2d_sim_threads(const sph2d_sim *sim)
 {
-    return sim->system.threads;
+    return sph2d__team_limit(sim->system.team);
 }
 
 size_t sph2d_sim_memory(const sph2d_sim *sim)

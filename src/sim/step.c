@@ -69,6 +69,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
         return sim->stopped;
     }
     sph2d__profile *profile = &sim->system.profile;
+    sph2d__team_begin(sim->system.team);
     sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
     sph2d_status status = come_and_go(sim);
     if (status != SPH2D_OK)
@@ -88,5 +89,6 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
     sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
+    sph2d__team_end(sim->system.team);
     return SPH2D_OK;
 }

@@ -13,7 +13,7 @@ folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 
 count() { # SCENE STEPS
-    OMP_WAIT_POLICY=passive valgrind --tool=callgrind --callgrind-out-file="$folder/out" \
+    valgrind --tool=callgrind --callgrind-out-file="$folder/out" \
         --toggle-collect=sph2d_sim_step "$bench" --scenes "$1" --isa "${ISA:-avx2}" --particles "$particles" \
         --threads 1 --runs 1 --steps "$2" --json >"$folder/row" 2>"$folder/log" || { cat "$folder/log" >&2 && exit 1; }
     sed -n 's/^totals: *\([0-9]*\).*/\1/p' "$folder/out"

@@ -1,8 +1,7 @@
 #!/bin/sh
-# One thread or several: the same bytes.
+# One thread or several: the same bytes. The environment stays as it is.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
-can_thread || exit 77
 
 expect 0 "$SPH2D" init dam.yaml -q
 # Enough particles that several threads get some.
@@ -12,3 +11,18 @@ expect 0 "$SPH2D" "$@" -o two --threads 2 && prints '"threads": 2,'
 expect 0 "$SPH2D" "$@" -o many --threads 5
 same one two && same one many
 [ "$(find one -name '*.h5' | wc -l)" = 5 ] || fail 'not 5 snapshots'
+
+# The command that runs is the one that was started, with the environment that it was given.
+if [ -r /proc/self/environ ]; then
+    env -i A=b "$SPH2D" run dam.yaml -s run.until=1e5 --no-frames --progress never -q -o endless &
+    pid=$!
+    tries=0
+    until [ -e endless/snapshot_000000.h5 ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
+        sleep 0.02
+    done
+    [ "$(tr '\0' ' ' </proc/$pid/environ)" = 'A=b ' ] || fail 'the environment was changed'
+    kill $pid
+    wait $pid || :
+fi

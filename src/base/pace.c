@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pace.c
+ *  Comparing numbers of threads. */
+#include "base/pace.h"
+
+#include <math.h>
+
+/* A turn's length, about that of a time slice, and one step at least [s]. */
+static const double TURN = 0.005;
+/* From a change to the next comparison, and so many times longer each time that it changes nothing [s]. */
+static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
+/* A comparison that changes nothing may take no more than this part of all time. */
+static const double SHARE = 0.04;
+/* More threads must bring that much in each pair of turns: they cost processor time, and another job that comes and
+ * goes makes turns uneven. */
+static const double WORTH = 1.05;
+/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns. */
+static const double POOR = 0.8;
+/* What is slower than this times its usual pace is compared sooner: after this part of the time. */
+static const double DROP = 0.8, SOONER = 0.25;
+
+sph2d__pace sph2d__pace_start(int limit)
+{
+    return (sph2d__pace){.limit = limit, .chosen = limit};
+}
+
+/** Whether there are numbers of threads further on that way. */
+static bool goes_on(const sph2d__pace *p, bool upwards)
+{
+    return upwards ? p->chosen < p->limit : p->chosen > 1;
+}
+
+/** Twice or half as many, on the way that is open. */
+static int rival_of(const sph2d__pace *p)
+{
+    bool upwards = goes_on(p, p->upwards) ? p->upwards : !p->upwards;
+    int twice = 2 * p->chosen < p->limit ? 2 * p->chosen : p->limit;
+    return upwards ? twice : p->chosen / 2;
+}
+
+/** Ends a comparison that took a time. */
+static void decide(sph2d__pace *p, bool better, double spent)
+{
+    bool upwards = p->rival > p->chosen;
+    if (better)
+        p->chosen = p->rival;
+    p->rival = 0;
+    p->age = 0;
+    p->upwards = better ? upwards : !upwards; /* on, or the other way next time */
+    double longer = fmin(fmax(LONGER * p->interval, FIRST), LONGEST);
+    p->interval = better ? FIRST : fmax(longer, spent / SHARE);
+}
+
+/** Ends a turn of a comparison. */
+static void take_turn(sph2d__pace *p)
+{
+    sph2d__stint now = p->now;
+    p->now = (sph2d__stint){0, 0};
+    if (p->turn++ % 2 == 0) {
+        p->of_rival = now;
+        return;
+    }
+    double ratio = p->of_rival.work * now.spent / (now.work * p->of_rival.spent);
+    double pair = now.spent + p->of_rival.spent;
+    bool more = p->rival > p->chosen;
+    p->usual = now.work / now.spent;
+    p->ratios[p->turn / 2 - 1] = ratio;
+    if (p->turn == 2 && (ratio < POOR || (!more && ratio * POOR > 1)))
+        decide(p, ratio > 1, pair);
+    else if (p->turn == 4)
+        decide(p, more ? fmin(p->ratios[0], ratio) > WORTH : (p->ratios[0] + ratio) / 2 * WORTH > 1, 2 * pair);
+}
+
+/** Begins a comparison when it is time. */
+static void question(sph2d__pace *p)
+{
+    bool dropped = p->now.work < DROP * p->usual * p->now.spent;
+    p->now = (sph2d__stint){0, 0};
+    if (p->age < (dropped ? SOONER : 1) * p->interval)
+        return;
+    p->rival = rival_of(p);
+    p->turn = 0;
+}
+
+int sph2d__pace_note(sph2d__pace *p, double work, double seconds)
+{
+    if (p->limit < 2)
+        return 1;
+    p->age += seconds;
+    p->now.work += work;
+    p->now.spent += seconds;
+    if (p->now.spent >= TURN) {
+        if (p->rival > 0)
+            take_turn(p);
+        else
+            question(p);
+    }
+    return p->rival > 0 && p->turn % 2 == 0 ? p->rival : p->chosen;
+}
