@@ -41,6 +41,7 @@
     X(invariance)                                                                                                      \
     X(walls)                                                                                                           \
     X(layers)                                                                                                          \
+    X(sides)                                                                                                           \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

@@ -158,7 +158,8 @@ typedef enum sph2d_outline_kind {
     SPH2D_OUTLINE_LINE,     /**< two points */
     SPH2D_OUTLINE_POLYLINE, /**< two points or more, open */
     SPH2D_OUTLINE_CIRCLE,
-    SPH2D_OUTLINE_BOX
+    SPH2D_OUTLINE_BOX,
+    SPH2D_OUTLINE_POLYGON /**< closed by itself, 3 to 10000 points either way round, without self-crossing: a solid */
 } sph2d_outline_kind;
 
 typedef struct sph2d_outline {
@@ -167,7 +168,18 @@ typedef struct sph2d_outline {
     sph2d_points polyline;
     sph2d_disc circle;
     sph2d_box box;
+    sph2d_points polygon;
 } sph2d_outline;
+
+/** On which side of a line or polyline with layers the liquid is, looking from its first point to its last. */
+typedef enum sph2d_liquid_side {
+    SPH2D_LIQUID_AUTO = 0, /**< where blocks or sources lie: next to the line, or else nearest to it; left without any.
+                                Refused where blocks lie on both sides within the thickness of the layers */
+    SPH2D_LIQUID_LEFT = 1,
+    SPH2D_LIQUID_RIGHT = 2,
+    SPH2D_LIQUID_BOTH = 3 /**< the line becomes a solid as thick as its layers, half of it on either side; blocks leave
+                               that room free */
+} sph2d_liquid_side;
 
 /** What closes the four sides of the domain. */
 typedef struct sph2d_boundary {
@@ -319,10 +331,12 @@ typedef struct sph2d_motion {
 } sph2d_motion;
 
 /** A wall of boundary particles. Nothing passes it, at any speed. Heavy and reflecting ones are one particle thick and
- *  work on both sides. Generalised ones have layers: closed outlines are solids, with layers inside; lines and
- * polylines have the liquid on the left of the way from the first point to the last, and layers on the right. */
+ *  work on both sides. Generalised ones have layers of boundary particles, together as thick as the support radius:
+ * closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the layers on the
+ * other, where nothing enters them from behind either. */
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
+    sph2d_liquid_side liquid; /**< lines and polylines with layers: where the liquid is; default auto */
     sph2d_motion motion;  /**< default: none, it stands */
     sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; the others: all
                                three; default: the method's */

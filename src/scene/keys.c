@@ -50,6 +50,7 @@ static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     NULL};
+static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
 static const sph2d_key box_items[] = {
@@ -174,6 +175,13 @@ static const sph2d_key obstacle_items[] = {
     {"box", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.box),
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_BOX), .keys = &box_keys, .unit = "",
      .text = "the four sides of a rectangle"},
+    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
+     .text = "a solid: corners, 3 or more, closed by itself"},
+    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
+     .standard = "auto",
+     .text = "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
+             "sources lie; both: a solid of the layers' thickness, centred on the line"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .standard = "the method's",
      .text =

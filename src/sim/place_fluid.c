@@ -160,44 +160,6 @@ static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *repo
     return SPH2D_OK;
 }
 
-/** The earlier block that shares a place with block `index`, whose particles start at `first`; `index` for none. */
-static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *place)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d_block *blocks = sim->scene.blocks;
-    for (size_t other = 0; other < index; ++other)
-        for (size_t i = 0; i < f->count; ++i) {
-            *place = (sph2d_vec2){f->x[i], f->y[i]};
-            if (sph2d__shape_contains(&blocks[other].shape, *place) &&
-                (i >= first || sph2d__shape_contains(&blocks[index].shape, *place)))
-                return other;
-        }
-    return index;
-}
-
-static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
-{
-    sph2d_vec2 place;
-    size_t other = find_overlap(sim, index, first, &place);
-    if (other == index)
-        return SPH2D_OK;
-    char path[64];
-    snprintf(path, sizeof path, "blocks[%zu]", index);
-    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
-                                           "overlaps blocks[%zu] near (%g, %g)", other, place.x, place.y);
-    sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
-    return SPH2D_SCENE;
-}
-
-/** Reports that single particle k cannot be where it is. */
-static sph2d_status refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report)
-{
-    char path[64];
-    snprintf(path, sizeof path, "particles[%zu]", k);
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path, "(%g, %g) lies %s", p.x, p.y, what);
-    return SPH2D_SCENE;
-}
-
 static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
 {
     for (size_t i = 0; i < scene->block_count; ++i)
@@ -221,33 +183,13 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
         sph2d_vec2 at = {sph2d__period_wrap(p->x, period->low_x, period->length_x),
                          sph2d__period_wrap(p->y, period->low_y, period->length_y)};
         if (in_block(&sim->scene, at))
-            return refuse_particle(k, "inside a block", at, report);
+            return sph2d__sim_refuse_particle(k, "inside a block", at, report);
         if (taken_by_obstacle(sim, at, 0))
-            return refuse_particle(k, "inside an obstacle", at, report);
+            return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
         size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
         f->density[i] = p->density;
-    }
-    return SPH2D_OK;
-}
-
-/** Two particles in one place never part. Refuses a single particle that is less than a thousandth of a spacing from
- *  another. The cells are built; ids from `first` on are those of single particles. */
-static sph2d_status check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    double near = 1e-3 * sim->scene.spacing;
-    for (size_t i = 0; i < f->count; ++i) {
-        uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
-        if (f->id[i] < first || cell == UINT32_MAX)
-            continue;
-        sph2d__ranges ranges;
-        sph2d__cells_ranges(&sim->system.fluid_cells, cell, &ranges);
-        SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
-            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
-                return refuse_particle((size_t)(f->id[i] - first), "where another particle is",
-                                       (sph2d_vec2){f->x[i], f->y[i]}, report);
     }
     return SPH2D_OK;
 }
@@ -275,7 +217,7 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         size_t first = fluid->count;
         sph2d_status status = place_block(sim, i, report);
         if (status == SPH2D_OK)
-            status = check_overlap(sim, i, first, report);
+            status = sph2d__sim_check_overlap(sim, i, first, report);
         if (status != SPH2D_OK)
             return status;
         perturb_block(sim, i, first);
@@ -295,5 +237,6 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
         !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.threads))
         return SPH2D_NOMEM;
-    return check_distances(sim, first_single, report);
+    status = sph2d__sim_check_distances(sim, first_single, report);
+    return status == SPH2D_OK ? sph2d__sim_check_layers(sim, report) : status;
 }
