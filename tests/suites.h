@@ -51,6 +51,7 @@
     X(scene_file)                                                                                                      \
     X(scene_text)                                                                                                      \
     X(plan)                                                                                                            \
+    X(basin)                                                                                                           \
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \

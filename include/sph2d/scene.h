@@ -230,8 +230,8 @@ typedef struct sph2d_method_options {
                                        round-off; default on */
     double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
                                  the others 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) /
-                                 max_compression with h the height of the liquid above the lowest side, U its fastest
-                                 start or source, pull the strongest interaction's acceleration * radius / 2, and 2 for
+                                 max_compression with h the height of the liquid above the lowest place that walls and
+                                 obstacles that stand let it get to, U its fastest start or source, pull the strongest interaction's acceleration * radius / 2, and 2 for
                                  the swing after a release. pcisph keeps it in every step, and its sound speed is for a
                                  tenth of it; constraint corrects particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
