@@ -108,6 +108,7 @@ static const char *const goldens[] = {
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  material: honey\n  density: 1000\n" /* 1000 is the default, but not honey's */
     "method:\n  name: pcisph\n  criterion: mean\n  min_iterations: 2\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",

@@ -198,8 +198,29 @@ typedef struct sph2d_central_force {
     double rate;       /**< B [1/s], >= 0; default 0: none */
 } sph2d_central_force;
 
+/** Liquids that are known by name, at 20 C and the pressure of the air. */
+typedef enum sph2d_material {
+    SPH2D_MATERIAL_NONE = 0, /**< the liquid of the numbers */
+    SPH2D_MATERIAL_WATER = 1,
+    SPH2D_MATERIAL_OIL = 2, /**< olive oil */
+    SPH2D_MATERIAL_GLYCERINE = 3,
+    SPH2D_MATERIAL_HONEY = 4, /**< with 16 % water */
+    SPH2D_MATERIAL_MERCURY = 5
+} sph2d_material;
+
+/** The numbers of a material. */
+typedef struct sph2d_material_data {
+    const char *name;
+    double density;           /**< [kg/m^3] */
+    double dynamic_viscosity; /**< [Pa s] */
+    double surface_tension;   /**< against air [N/m]; 0: no sure value */
+    const char *source;
+} sph2d_material_data;
+
 /** The liquid. */
 typedef struct sph2d_fluid {
+    sph2d_material material;  /**< which material's numbers a file asked for; they are in the fields below, where
+                                 sph2d_fluid_of() puts them too. Default none */
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
     double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. All methods but wcsph with
@@ -459,6 +480,12 @@ SPH2D_API sph2d_drain sph2d_drain_default(void);
 SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
+
+/** The table of materials, by sph2d_material; static storage. */
+SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
+/** A liquid with the density and viscosity of a material, and no surface tension: name that where drops and jets are so
+ *  small that it matters. The default liquid for none. */
+SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
 
 /** Finds every fault that the structs alone show: ranges, conflicts, places outside the domain. Overlaps of blocks are
  *  found when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */

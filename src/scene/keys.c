@@ -50,6 +50,7 @@ static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     NULL};
+static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
@@ -294,11 +295,21 @@ static const sph2d_key central_force_items[] = {
 };
 KEYS(central_force, sph2d_central_force, NULL);
 
+static void set_material(void *fluid)
+{
+    sph2d_fluid *f = fluid;
+    *f = sph2d_fluid_of(f->material);
+}
+
 static const sph2d_key fluid_items[] = {
+    {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
+     .standard = "none", .preset = set_material,
+     .text = "density and viscosity at 20 C, unless they are given; `fluid: water` does, `help materials` has the "
+             "numbers"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
-     .standard = "0.001", .text = "water 0.001, oil 0.1, honey 10"},
+     .standard = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
     {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
      .standard = "0", .text = "of the free surface"},
 };
