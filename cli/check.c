@@ -61,11 +61,11 @@ static const double FEW = 200;
 static void predict(checked *c)
 {
     const double particles = (double)c->plan.fluid_particles;
-    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps * c->step_cpu, particles);
+    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps, c->plan.steps * c->step_cpu, particles);
     c->steps = c->plan.steps * pilot.steps;
     c->cpu = c->steps * pilot.particles * pilot.cost * c->step_cpu;
-    if (particles < FEW && pilot.cpu_of_particle > 0)
-        c->cpu = c->steps * pilot.mean * pilot.cpu_of_particle;
+    if ((particles < FEW || c->scene->source_count > 0) && pilot.cpu_of_particle > 0)
+        c->cpu = c->steps * (pilot.cpu_of_step + pilot.mean * pilot.cpu_of_particle);
     c->seconds = c->step_cpu > 0 ? c->cpu * c->step_seconds / c->step_cpu : c->cpu;
 }
 
