@@ -500,7 +500,9 @@ SPH2D_API double sph2d_rate_due(sph2d_rate rate, uint64_t n);
 typedef struct sph2d_plan {
     size_t fluid_particles; /**< at the start */
     size_t wall_particles;
-    size_t places_left_free;       /**< lattice places inside or too close to an obstacle */
+    size_t places_left_free;       /**< lattice places inside an obstacle, or too close to one without layers */
+    double area_asked;             /**< of all blocks without the solids in them [m^2] */
+    double area_placed;            /**< dx^2 of each of their particles, by the block's own spacing [m^2] */
     double particle_mass;          /**< [kg/m] */
     double support_radius;         /**< H [m]: kernels are zero beyond it */
     double sound_speed;            /**< c0 [m/s] */

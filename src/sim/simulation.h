@@ -90,6 +90,14 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
 /** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
 
+/** What an obstacle does to a place: leaves it free, encloses it, has it within the distance that it keeps free behind
+ *  its own layers, or without layers. */
+typedef enum sph2d__taken { SPH2D__FREE, SPH2D__ENCLOSED, SPH2D__BESIDE_LAYERS, SPH2D__BESIDE_LINE } sph2d__taken;
+
+/** What the obstacles do to a place, or to one of its images beyond periodic sides: the last of the above that one of
+ *  them does. They keep `part` of their distance free. */
+sph2d__taken sph2d__sim_taken(const sph2d_sim *sim, sph2d_vec2 p, double part);
+
 /** Faults of placed particles. Block `index`, whose particles start at `first`, against those before it; particles in
  *  one place, ids from `first` on being those of single ones; liquid in the layers of an obstacle, both once the cells
  *  are built; that single particle k cannot be where it is. Errors: SPH2D_SCENE. */
