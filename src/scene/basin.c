@@ -160,17 +160,21 @@ static double spread(grid *g, double level)
     return lowest < 1e-6 * g->scene->spacing ? 0 : lowest;
 }
 
-/** Lowest place of a block itself. Squares do not get into the tips of corners. */
-static double lowest_of(const grid *g, const sph2d_shape *shape)
+/** Heights of the lowest and highest place of a block. Squares do not get into the tips of corners. */
+static sph2d_vec2 extremes_of(const grid *g, const sph2d_shape *shape)
 {
-    double lowest = INFINITY;
-    if (shape->kind == SPH2D_SHAPE_DISC)
-        return height_of(g, shape->disc.center) - shape->disc.radius;
+    sph2d_vec2 h = {INFINITY, -INFINITY};
+    if (shape->kind == SPH2D_SHAPE_DISC) {
+        double middle = height_of(g, shape->disc.center);
+        return (sph2d_vec2){middle - shape->disc.radius, middle + shape->disc.radius};
+    }
     if (shape->kind == SPH2D_SHAPE_BOX)
-        return heights_of(g, shape->box).x;
-    for (size_t k = 0; k < shape->polygon.count; ++k)
-        lowest = fmin(lowest, height_of(g, shape->polygon.items[k]));
-    return lowest;
+        return heights_of(g, shape->box);
+    for (size_t k = 0; k < shape->polygon.count; ++k) {
+        h.x = fmin(h.x, height_of(g, shape->polygon.items[k]));
+        h.y = fmax(h.y, height_of(g, shape->polygon.items[k]));
+    }
+    return h;
 }
 
 /** Height of each liquid over the place that it falls to, or over the lowest corner where `walled` is not set. */
@@ -180,12 +184,13 @@ static double highest_fall(grid *g, double spare, bool walled)
     double fall = 0, top = -INFINITY;
     for (size_t i = 0; i < scene->block_count; ++i) {
         const sph2d_shape *shape = &scene->blocks[i].shape;
-        double height = heights_of(g, sph2d__shape_bounds(shape)).y, low = 0;
+        sph2d_vec2 own = extremes_of(g, shape);
+        double low = 0;
         if (walled) {
             visit_block(g, shape);
-            low = fmin(spread(g, height + spare), fmax(lowest_of(g, shape), 0));
+            low = fmin(spread(g, own.y + spare), fmax(own.x, 0));
         }
-        fall = fmax(fall, height - low);
+        fall = fmax(fall, own.y - low);
     }
     for (size_t i = 0; i < scene->source_count; ++i) {
         double height = height_of(g, scene->sources[i].at), low = 0;

@@ -49,9 +49,9 @@ static size_t cell_count(const packer *p)
 
 static size_t cell_of(const packer *p, sph2d_vec2 at)
 {
-    double i = floor((at.x - p->region->origin.x) / p->size), j = floor((at.y - p->region->origin.y) / p->size);
-    i = fmin(fmax(i, 0), (double)p->region->nx - 1);
-    j = fmin(fmax(j, 0), (double)p->region->ny - 1);
+    sph2d_vec2 cell = sph2d__region_in_cells(p->region, at);
+    double i = fmin(fmax(floor(cell.x), 0), (double)p->region->nx - 1);
+    double j = fmin(fmax(floor(cell.y), 0), (double)p->region->ny - 1);
     return (size_t)j * p->region->nx + (size_t)i;
 }
 
@@ -158,8 +158,8 @@ static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at)
 static sph2d_vec2 quarter_middle(const packer *p, size_t cell, int q)
 {
     const sph2d__region *r = p->region;
-    return (sph2d_vec2){r->origin.x + ((double)(cell % r->nx) + (q & 1 ? 0.75 : 0.25)) * p->size,
-                        r->origin.y + ((double)(cell / r->nx) + (q & 2 ? 0.75 : 0.25)) * p->size};
+    return sph2d__region_place(r, (double)(cell % r->nx) + (q & 1 ? 0.75 : 0.25),
+                               (double)(cell / r->nx) + (q & 2 ? 0.75 : 0.25));
 }
 
 /** Turns the cover of each quarter of a cell into what is missing, where no boundary particle stands for it. */
@@ -195,9 +195,10 @@ static void add_missing(const packer *p, sph2d_vec2 at, sph2d_vec2 *sum)
     const sph2d__region *r = p->region;
     if (!p->near_edge[cell_of(p, at)])
         return;
-    double reach = p->support / p->size, x = (at.x - r->origin.x) / p->size, y = (at.y - r->origin.y) / p->size;
-    size_t i0 = (size_t)fmax(floor(x - reach), 0), i1 = (size_t)fmin(floor(x + reach), (double)r->nx - 1);
-    size_t j0 = (size_t)fmax(floor(y - reach), 0), j1 = (size_t)fmin(floor(y + reach), (double)r->ny - 1);
+    double reach = p->support / p->size;
+    sph2d_vec2 c = sph2d__region_in_cells(r, at);
+    size_t i0 = (size_t)fmax(floor(c.x - reach), 0), i1 = (size_t)fmin(floor(c.x + reach), (double)r->nx - 1);
+    size_t j0 = (size_t)fmax(floor(c.y - reach), 0), j1 = (size_t)fmin(floor(c.y + reach), (double)r->ny - 1);
     for (size_t j = j0; j <= j1; ++j)
         for (size_t i = i0; i <= i1; ++i)
             for (int q = 0; q < 4; ++q) {
@@ -226,10 +227,10 @@ static void add_walls(const packer *p, sph2d_vec2 at, sph2d_vec2 *sum)
 
 /* ---- neighbours -------------------------------------------------------------------------------------------------- */
 
-static size_t bucket_of(const packer *p, double place, double origin, size_t n)
+/** The bucket of a number of cells from the first. */
+static size_t bucket_of(const packer *p, double cells, size_t n)
 {
-    double f = floor((place - origin) / p->bucket);
-    return (size_t)fmin(fmax(f, 0), (double)n - 1);
+    return (size_t)fmin(fmax(floor(cells * p->size / p->bucket), 0), (double)n - 1);
 }
 
 /** Sorts the places into buckets, in their order. */
@@ -239,8 +240,8 @@ static void fill_buckets(packer *p)
     memset(p->start, 0, (buckets + 1) * sizeof *p->start);
     for (int pass = 0; pass < 2; ++pass) {
         for (size_t i = 0; i < p->count; ++i) {
-            size_t b = bucket_of(p, p->at[i].y, p->region->origin.y, p->by) * p->bx +
-                       bucket_of(p, p->at[i].x, p->region->origin.x, p->bx);
+            sph2d_vec2 c = sph2d__region_in_cells(p->region, p->at[i]);
+            size_t b = bucket_of(p, c.y, p->by) * p->bx + bucket_of(p, c.x, p->bx);
             if (pass == 0)
                 ++p->start[b + 1];
             else
@@ -275,8 +276,8 @@ static bool find_partners(packer *p)
     memcpy(p->old, p->at, p->count * sizeof *p->at);
     for (size_t m = 0; m < p->movers; ++m) {
         size_t i = p->mover[m];
-        size_t x = bucket_of(p, p->at[i].x, p->region->origin.x, p->bx);
-        size_t y = bucket_of(p, p->at[i].y, p->region->origin.y, p->by);
+        sph2d_vec2 c = sph2d__region_in_cells(p->region, p->at[i]);
+        size_t x = bucket_of(p, c.x, p->bx), y = bucket_of(p, c.y, p->by);
         p->first[m] = (uint32_t)used;
         for (size_t b = y > 0 ? y - 1 : 0; b <= y + 1 && b < p->by; ++b) {
             size_t from = p->start[b * p->bx + (x > 0 ? x - 1 : 0)];

@@ -44,17 +44,16 @@ enum { UNKNOWN = 255 }; /* in the first quarter of a cell: an edge may pass thro
 /** Marks the cells around a straight piece of an edge: in each row those that it passes, and their neighbours. */
 static void mark_piece(sph2d__region *r, sph2d__segment s)
 {
-    double ay = (s.a.y - r->origin.y) / r->size, by = (s.b.y - r->origin.y) / r->size;
-    double ax = (s.a.x - r->origin.x) / r->size, bx = (s.b.x - r->origin.x) / r->size;
-    double first = fmax(floor(fmin(ay, by)) - 1, 0), last = fmin(floor(fmax(ay, by)) + 1, (double)r->ny - 1);
+    sph2d_vec2 a = sph2d__region_in_cells(r, s.a), b = sph2d__region_in_cells(r, s.b);
+    double first = fmax(floor(fmin(a.y, b.y)) - 1, 0), last = fmin(floor(fmax(a.y, b.y)) + 1, (double)r->ny - 1);
     for (double row = first; row <= last; ++row) {
         double t0 = 0, t1 = 1;
-        if (ay != by) { /* the part of it in this row and half a row beside it */
-            double low = (row - 0.5 - ay) / (by - ay), high = (row + 1.5 - ay) / (by - ay);
+        if (a.y != b.y) { /* the part of it in this row and half a row beside it */
+            double low = (row - 0.5 - a.y) / (b.y - a.y), high = (row + 1.5 - a.y) / (b.y - a.y);
             t0 = fmin(fmax(fmin(low, high), 0), 1);
             t1 = fmin(fmax(fmax(low, high), 0), 1);
         }
-        double x0 = ax + t0 * (bx - ax), x1 = ax + t1 * (bx - ax);
+        double x0 = a.x + t0 * (b.x - a.x), x1 = a.x + t1 * (b.x - a.x);
         double from = fmax(floor(fmin(x0, x1)) - 1, 0), to = fmin(floor(fmax(x0, x1)) + 1, (double)r->nx - 1);
         for (double column = from; column <= to; ++column)
             r->quarters[4 * ((size_t)row * r->nx + (size_t)column)] = UNKNOWN;
@@ -108,8 +107,7 @@ static void look_at_points(sph2d__region *r, size_t cell)
     quarters[0] = 0;
     for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
         sph2d_vec2 p = point_of(k);
-        sph2d_vec2 at = {r->origin.x + ((double)(cell % r->nx) + p.x) * r->size,
-                         r->origin.y + ((double)(cell / r->nx) + p.y) * r->size};
+        sph2d_vec2 at = sph2d__region_place(r, (double)(cell % r->nx) + p.x, (double)(cell / r->nx) + p.y);
         quarters[2 * (p.y > 0.5) + (p.x > 0.5)] += sph2d__region_contains(r, at);
     }
 }
@@ -127,8 +125,7 @@ static void fill_rows(sph2d__region *r)
                 continue;
             }
             if (!known)
-                inside = sph2d__region_contains(r, (sph2d_vec2){r->origin.x + ((double)i + 0.5) * r->size,
-                                                                r->origin.y + ((double)j + 0.5) * r->size});
+                inside = sph2d__region_contains(r, sph2d__region_place(r, (double)i + 0.5, (double)j + 0.5));
             known = true;
             for (int q = 0; q < 4; ++q)
                 r->quarters[4 * cell + (size_t)q] = inside ? SPH2D__REGION_QUARTER : 0;
@@ -136,18 +133,47 @@ static void fill_rows(sph2d__region *r)
     }
 }
 
+/** The longest side of a polygon. */
+static sph2d__segment longest_side(sph2d_points corners)
+{
+    sph2d__segment longest = {corners.items[0], corners.items[1]};
+    for (size_t k = 1; k < corners.count; ++k) {
+        sph2d_vec2 a = corners.items[k], b = corners.items[(k + 1) % corners.count];
+        if (hypot(b.x - a.x, b.y - a.y) > (1 + 1e-9) * hypot(longest.b.x - longest.a.x, longest.b.y - longest.a.y))
+            longest = (sph2d__segment){a, b};
+    }
+    return longest;
+}
+
+/** Bounds of the shape, in cells from the region's origin. */
+static sph2d_box bounds_in_cells(const sph2d__region *r)
+{
+    sph2d_box b = sph2d__shape_bounds(r->shape);
+    if (r->shape->kind != SPH2D_SHAPE_POLYGON)
+        return (sph2d_box){sph2d__region_in_cells(r, b.min), sph2d__region_in_cells(r, b.max)};
+    b = (sph2d_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d_vec2 p = sph2d__region_in_cells(r, r->shape->polygon.items[k]);
+        b = (sph2d_box){{fmin(b.min.x, p.x), fmin(b.min.y, p.y)}, {fmax(b.max.x, p.x), fmax(b.max.y, p.y)}};
+    }
+    return b;
+}
+
 bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
                         double size, int margin, sph2d__memory *memory)
 {
-    sph2d_box b = sph2d__shape_bounds(shape);
-    double i0 = floor((b.min.x - corner.x) / size) - margin, i1 = ceil((b.max.x - corner.x) / size) + margin;
-    double j0 = floor((b.min.y - corner.y) / size) - margin, j1 = ceil((b.max.y - corner.y) / size) + margin;
-    *region = (sph2d__region){.scene = scene,
-                              .shape = shape,
-                              .origin = {corner.x + i0 * size, corner.y + j0 * size},
-                              .size = size,
-                              .nx = (size_t)(i1 - i0),
-                              .ny = (size_t)(j1 - j0)};
+    *region = (sph2d__region){.scene = scene, .shape = shape, .axis = {1, 0}, .origin = corner, .size = size};
+    if (shape->kind == SPH2D_SHAPE_POLYGON) {
+        sph2d__segment side = longest_side(shape->polygon);
+        double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
+        region->axis = (sph2d_vec2){(side.b.x - side.a.x) / length, (side.b.y - side.a.y) / length};
+        region->origin = side.a;
+    }
+    sph2d_box b = bounds_in_cells(region);
+    double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;
+    region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
+    region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
+    region->origin = sph2d__region_place(region, i, j);
     region->quarters = sph2d__alloc(memory, region->nx * region->ny, 4);
     if (!region->quarters)
         return false;
@@ -173,12 +199,11 @@ double sph2d__region_area(const sph2d__region *r)
 
 sph2d_vec2 sph2d__region_middle(const sph2d__region *r, size_t cell)
 {
-    double x = 0, y = 0, count = 0;
-    sph2d_vec2 low = {r->origin.x + (double)(cell % r->nx) * r->size, r->origin.y + (double)(cell / r->nx) * r->size};
+    double x = 0, y = 0, count = 0, i = (double)(cell % r->nx), j = (double)(cell / r->nx);
     if (sph2d__region_cover(r, cell) == SPH2D__REGION_WHOLE)
-        return (sph2d_vec2){low.x + 0.5 * r->size, low.y + 0.5 * r->size};
+        return sph2d__region_place(r, i + 0.5, j + 0.5);
     for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
-        sph2d_vec2 p = point_of(k), at = {low.x + p.x * r->size, low.y + p.y * r->size};
+        sph2d_vec2 p = point_of(k), at = sph2d__region_place(r, i + p.x, j + p.y);
         if (!sph2d__region_contains(r, at))
             continue;
         x += at.x;

@@ -14,16 +14,30 @@ enum { SPH2D__REGION_WHOLE = 256, SPH2D__REGION_QUARTER = SPH2D__REGION_WHOLE / 
 typedef struct sph2d__region {
     const sph2d_scene *scene;
     const sph2d_shape *shape;
-    sph2d_vec2 origin; /**< lower left corner of the first cell */
+    sph2d_vec2 axis;   /**< direction of the rows, of length 1 */
+    sph2d_vec2 origin; /**< where the first cell begins */
     double size;       /**< of a cell [m] */
     size_t nx, ny;
     unsigned char *quarters; /**< of each cell four, lower left, lower right, upper left, upper right: points covered */
 } sph2d__region;
 
 /** Looks at the grid of cells of a size that has a corner at `corner` and covers the shape, with `margin` cells around.
- *  The caller frees it. False when memory is short. */
+ *  Of a polygon the grid lies along its longest side, from a corner of that. The caller frees it. False when memory is
+ *  short. */
 bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
                         double size, int margin, sph2d__memory *memory);
+
+/** A place in cells, from the first one's corner, and back. */
+static inline sph2d_vec2 sph2d__region_in_cells(const sph2d__region *r, sph2d_vec2 p)
+{
+    double x = p.x - r->origin.x, y = p.y - r->origin.y;
+    return (sph2d_vec2){(x * r->axis.x + y * r->axis.y) / r->size, (y * r->axis.x - x * r->axis.y) / r->size};
+}
+static inline sph2d_vec2 sph2d__region_place(const sph2d__region *r, double i, double j)
+{
+    return (sph2d_vec2){r->origin.x + (i * r->axis.x - j * r->axis.y) * r->size,
+                        r->origin.y + (i * r->axis.y + j * r->axis.x) * r->size};
+}
 void sph2d__region_free(sph2d__region *region, sph2d__memory *memory);
 
 /** Points of a cell that are covered. */
