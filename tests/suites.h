@@ -52,6 +52,7 @@
     X(scene_text)                                                                                                      \
     X(plan)                                                                                                            \
     X(basin)                                                                                                           \
+    X(packing)                                                                                                         \
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \

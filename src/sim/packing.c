@@ -9,7 +9,7 @@
 #include "kernels/kernel.h"
 
 /* Places move that are within so many cells of an edge which passes through cells. */
-enum { BAND = 8 };
+enum { BAND = 12 };
 /* Support radius over spacing, at least. */
 static const double LEAST_SUPPORT = 2.4;
 /* The descent: length of a step for a gradient of 1 over the spacing, the part of the last step that goes on, both in
@@ -20,8 +20,9 @@ enum { MOST_ROUNDS = 400 };
 static const double SKIN = 0.5;
 /* Values of the kernel's slope that are kept, by q^2: between them straight lines are right to 1e-6. */
 enum { SLOPES = 2048 };
-/* A boundary particle stands for what is nearer to it than this many spacings. */
-static const double COVERED = 0.72;
+/* A boundary particle stands for what is nearer to it than this many spacings; and for what is missing of the quarter of
+ * a cell whose middle is nearer than that. */
+static const double COVERED = 0.72, COVERED_IN_PART = 1.1;
 
 /** One packing under way. */
 typedef struct packer {
@@ -140,7 +141,7 @@ static bool has_area(const sph2d__store *walls, size_t j)
     return walls->mass && walls->mass[j] > 0 && walls->bounce[j] < 0;
 }
 
-static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at)
+static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance)
 {
     const sph2d__store *w = &sim->system.walls;
     uint32_t cell = w->count > 0 ? sph2d__cells_find(&sim->system.wall_cells, at.x, at.y) : UINT32_MAX;
@@ -150,7 +151,7 @@ static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at)
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
         if (has_area(w, j) &&
-            hypot(at.x + ranges.x[r] - w->x[j], at.y + ranges.y[r] - w->y[j]) < COVERED * sim->scene.spacing)
+            hypot(at.x + ranges.x[r] - w->x[j], at.y + ranges.y[r] - w->y[j]) < distance * sim->scene.spacing)
             return true;
     return false;
 }
@@ -169,7 +170,8 @@ static void turn_to_missing(packer *p)
     for (size_t cell = 0; cell < cells; ++cell) {
         unsigned char *quarters = p->region->quarters + 4 * cell;
         for (int q = 0; q < 4; ++q) {
-            if (quarters[q] < SPH2D__REGION_QUARTER && is_covered(p->sim, quarter_middle(p, cell, q)))
+            if (quarters[q] < SPH2D__REGION_QUARTER &&
+                is_covered(p->sim, quarter_middle(p, cell, q), quarters[q] > 0 ? COVERED_IN_PART : COVERED))
                 quarters[q] = SPH2D__REGION_QUARTER;
             quarters[q] = (unsigned char)(SPH2D__REGION_QUARTER - quarters[q]);
             p->near_edge[cell] |= quarters[q] > 0;
