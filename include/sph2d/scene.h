@@ -280,11 +280,15 @@ typedef struct sph2d_perturb {
 
 /** How a block's particles lie. */
 typedef enum sph2d_arrangement {
-    SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice: boxes fit whole columns, other shapes are cut out of it */
+    SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice where it fits, else packed (see sph2d_block) */
     SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, for a smooth edge */
 } sph2d_arrangement;
 
-/** A piece of liquid at the start. Places inside or too close to an obstacle stay free. */
+/** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a
+ *  square lattice of boxes and what is cut out of it, where that has the area and loses no place beside a wall with
+ *  layers; by a lattice of a box that is stretched by 2 % at most; or else packed: as many particles as the area holds
+ *  move away from edges and walls until equal pressure would push none of them. Beside obstacles without layers
+ *  lattices stay as they are, and places inside or closer than 0.7 spacings stay free. */
 typedef struct sph2d_block {
     sph2d_shape shape;   /**< box, disc or polygon */
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */

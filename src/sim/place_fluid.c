@@ -217,18 +217,32 @@ static bool fits(const sph2d_sim *sim, const placing *b)
     return b->taken[SPH2D__BESIDE_LAYERS] == 0 && is_enough(placed, wanted);
 }
 
-/** Places a block anew where its lattice or rings do not fit its area: by a lattice that is a little stretched, or
- *  packed. Beside obstacles without layers a lattice stays as it is. */
-static bool fit(sph2d_sim *sim, placing *b, sph2d__region *region)
+/** Whether the columns and rows of a box end where it ends, within a twentieth of a spacing on either side. */
+static bool fits_edges(const placing *b, const lattice *l)
+{
+    sph2d_box box = sph2d__shape_bounds(&b->block->shape);
+    double x = l->nx * l->x - (box.max.x - box.min.x), y = l->ny * l->y - (box.max.y - box.min.y);
+    return b->block->shape.kind != SPH2D_SHAPE_BOX || fmax(fabs(x), fabs(y)) <= 0.1 * b->spacing;
+}
+
+/** Places a box anew by a lattice that is a little stretched; false where none fits, or an obstacle takes places. */
+static bool place_stretched(sph2d_sim *sim, placing *b)
 {
     lattice l;
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
+        if (b->taken[k] > 0)
+            return false;
+    if (!stretch(sim, b->block, &l))
+        return false;
+    take_back(sim, b);
+    place_lattice(sim, b, &l);
+    return true;
+}
+
+/** Packs a block anew. False when memory is short. */
+static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
+{
     sph2d__packing packing;
-    bool obstructed = b->taken[SPH2D__ENCLOSED] > 0 || b->taken[SPH2D__BESIDE_LAYERS] > 0;
-    if (!obstructed && stretch(sim, b->block, &l)) {
-        take_back(sim, b);
-        place_lattice(sim, b, &l);
-        return true;
-    }
     take_back(sim, b);
     if (!sph2d__pack(sim, region, &packing) ||
         !sph2d__store_reserve(&sim->system.fluid, &sim->memory, b->first + packing.count))
@@ -239,7 +253,8 @@ static bool fit(sph2d_sim *sim, placing *b, sph2d__region *region)
     return true;
 }
 
-/** Measures the area that a block asks for, and sees to it that it is filled. */
+/** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit, by
+ *  a stretched lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 {
     sph2d__region region = {0};
@@ -251,10 +266,12 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
                                             &sim->memory);
     if (ok && solids)
         b->asked = sph2d__region_area(&region);
-    if (ok && !fits(sim, b) && b->taken[SPH2D__BESIDE_LINE] == 0 && b->asked >= FEWEST * b->spacing * b->spacing) {
+    bool done = fits(sim, b) && fits_edges(b, l);
+    done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
+    if (!done && !fits(sim, b) && b->taken[SPH2D__BESIDE_LINE] == 0) {
         ok = solids || sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin,
                                           &sim->memory);
-        ok = ok && fit(sim, b, &region);
+        ok = ok && place_packed(sim, b, &region);
     }
     if (region.quarters)
         sph2d__region_free(&region, &sim->memory);
