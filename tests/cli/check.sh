@@ -67,7 +67,7 @@ END
 expect 0 "$SPH2D" check jet.yaml --json --threads 1
 sed 's/.*"steps": \([0-9.e+]*\).*"cpu_seconds": \([0-9.e+-]*\).*/\1 \2/' out >wanted
 expect 0 "$SPH2D" run jet.yaml -o jet --json --threads 1
-sed 's/.*"steps": \([0-9]*\).*"step_cpu_seconds": \([0-9.e+-]*\).*/\1 \2/' out | paste wanted - >both
+sed 's/.*"step_cpu_seconds": \([0-9.e+-]*\).*"steps": \([0-9]*\).*/\2 \1/' out | paste wanted - >both
 awk '{ exit !($1 > 0.8 * $3 && $1 < 1.2 * $3 && $2 > $4 / 2 && $2 < 2 * $4) }' both || fail "a jet: $(cat both)"
 
 # init: every template passes check; nothing is overwritten without --force.
