@@ -324,13 +324,14 @@ START_TEST(a_material_is_its_numbers)
     char text[400];
     sph2d_report report = {0};
     sph2d_scene_file *file = NULL;
-    snprintf(text, sizeof text, "%s%s%smethod: {name: wcsph}\n%s", DOMAIN, SPACING, cases[_i].fluid, BLOCKS);
+    snprintf(text, sizeof text, "%s%s%smethod: wcsph\n%s", DOMAIN, SPACING, cases[_i].fluid, BLOCKS);
     sph2d_status status = parse(text, &cases[_i].override, cases[_i].override.path ? 1 : 0, &file, &report);
     ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
     const sph2d_fluid *fluid = &sph2d_scene_file_scene(file)->fluid;
     ck_assert_double_eq(fluid->density, cases[_i].density);
     ck_assert_double_eq(fluid->dynamic_viscosity, cases[_i].viscosity);
     ck_assert_double_eq(fluid->surface_tension, cases[_i].tension);
+    ck_assert_int_eq(sph2d_scene_file_scene(file)->method.name, SPH2D_METHOD_WCSPH);
     sph2d_scene_file_destroy(file);
 }
 END_TEST

@@ -161,14 +161,24 @@ static size_t preset_index(const sph2d_keys *keys)
     return i;
 }
 
+/** The key whose word stands for its whole group; NULL when none does. */
+static const sph2d_key *word_of(const sph2d_keys *keys, const char *name)
+{
+    size_t index = key_index(keys, name);
+    const sph2d_keys *inner = index < key_count(keys) ? keys->items[index].keys : NULL;
+    if (!inner || keys->items[index].kind != SPH2D_KEY_GROUP)
+        return NULL;
+    for (size_t i = 0; i < key_count(inner); ++i)
+        if (inner->items[i].stands_alone)
+            return &inner->items[i];
+    return NULL;
+}
+
 void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
 {
     for (sph2d__node *child = mapping->first; child; child = child->next) {
-        size_t index = key_index(keys, child->key);
-        const sph2d_keys *inner = index < key_count(keys) ? keys->items[index].keys : NULL;
-        size_t preset = inner && keys->items[index].kind == SPH2D_KEY_GROUP ? preset_index(inner) : 0;
-        if (!inner || child->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(child) || preset == key_count(inner) ||
-            !inner->items[preset].preset)
+        const sph2d_key *key = word_of(keys, child->key);
+        if (!key || child->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(child))
             continue;
         sph2d__node *word = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, child->place);
         faults->short_of_memory |= !word;
@@ -176,7 +186,7 @@ void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__f
             return;
         *word = *child;
         word->next = NULL;
-        word->key = inner->items[preset].name;
+        word->key = key->name;
         *child = (sph2d__node){.kind = SPH2D__NODE_MAPPING,
                                .key = child->key,
                                .place = child->place,

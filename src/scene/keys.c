@@ -303,7 +303,7 @@ static void set_material(void *fluid)
 
 static const sph2d_key fluid_items[] = {
     {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
-     .standard = "none", .preset = set_material,
+     .standard = "none", .stands_alone = true, .preset = set_material,
      .text = "density and viscosity at 20 C, unless they are given; `fluid: water` does, `help materials` has the "
              "numbers"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
@@ -317,7 +317,7 @@ KEYS(fluid, sph2d_fluid, NULL);
 
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
-     .standard = "muller", .text = "the solver"},
+     .standard = "muller", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .standard = "symmetric",
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "

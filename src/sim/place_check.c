@@ -116,7 +116,8 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
         "(%g, %g)",
         count, APART, at.x, at.y);
     if (!sph2d__outline_is_open(&obstacle->outline))
-        sph2d_diagnostic_hint(d, "move or shrink the liquid or the obstacle");
+        sph2d_diagnostic_hint(d, "move the liquid or the obstacle; a solid with liquid around it must be %.3g m thick",
+                              sph2d__layer_thickness(&sim->scene));
     else
         sph2d_diagnostic_hint(
             d, "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on the "
