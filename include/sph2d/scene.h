@@ -286,7 +286,8 @@ typedef enum sph2d_arrangement {
 
 /** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a
  *  square lattice of boxes and what is cut out of it, where that has the area and loses no place beside a wall with
- *  layers; by a lattice of a box that is stretched by 2 % at most; or else packed: as many particles as the area holds
+ *  layers; by a lattice of a box that is stretched by 2 % at most, or of another shape in the air that is shifted; or else
+ *  packed: as many particles as the area holds
  *  move away from edges and walls until equal pressure would push none of them. Beside obstacles without layers
  *  lattices stay as they are, and places inside or closer than 0.7 spacings stay free. */
 typedef struct sph2d_block {

@@ -19,6 +19,10 @@ static const double FREE_DISTANCE = 0.7, FREE_DISTANCE_OF_LAYERS = 0.49;
  * the least area, in particles, that is packed. */
 static const double SHORT = 0.002, STRETCH = 0.02, FEWEST = 4;
 
+/* Shifts of a lattice that are tried in each direction, and the most places times corners for which they are. */
+enum { SHIFTS = 16 };
+static const double MOST_SHIFTED = 2e5;
+
 /* Cells name particles by 32 bits. */
 static const double MOST_PARTICLES = 4e9;
 
@@ -202,6 +206,68 @@ static void take_back(sph2d_sim *sim, placing *b)
     memset(b->taken, 0, sizeof b->taken);
 }
 
+/** Whether nothing took a place. */
+static bool is_free(const placing *b)
+{
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
+        if (b->taken[k] > 0)
+            return false;
+    return true;
+}
+
+/** Whether a block keeps a spacing or so from the sides of the domain and from obstacles. */
+static bool is_in_the_air(const sph2d_sim *sim, const placing *b)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = b->first; i < f->count; ++i)
+        if (sph2d__sim_taken(sim, (sph2d_vec2){f->x[i], f->y[i]}, 3) != SPH2D__FREE)
+            return false;
+    sph2d_box d = sim->scene.domain, s = sph2d__shape_bounds(&b->block->shape);
+    return s.min.x > d.min.x + b->spacing && s.max.x < d.max.x - b->spacing && s.min.y > d.min.y + b->spacing &&
+           s.max.y < d.max.y - b->spacing;
+}
+
+static double count_inside(const placing *b, const lattice *l)
+{
+    double count = 0;
+    for (double row = 0; row < l->ny; ++row)
+        for (double column = 0; column < l->nx; ++column)
+            count += sph2d__shape_contains(&b->block->shape,
+                                           (sph2d_vec2){l->first.x + column * l->x, l->first.y + row * l->y});
+    return count;
+}
+
+/** Places a disc or polygon in the air by a lattice that is shifted, by sixteenths of a spacing, until what is cut out
+ *  of it has the area; false where none has, or walls are near. A lattice has no pressure to begin with, while packed
+ *  particles differ a little in what summation makes of their density. */
+static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
+{
+    const sph2d_shape *shape = &b->block->shape;
+    double corners = shape->kind == SPH2D_SHAPE_POLYGON ? (double)shape->polygon.count : 1;
+    double wanted = b->asked / (b->spacing * b->spacing), nearest = INFINITY;
+    lattice best = *plain;
+    if (shape->kind == SPH2D_SHAPE_BOX || b->block->arrangement == SPH2D_ARRANGEMENT_RINGS || !is_free(b) ||
+        plain->nx * plain->ny * corners > MOST_SHIFTED || !is_in_the_air(sim, b))
+        return false;
+    for (int k = 1; k < SHIFTS * SHIFTS && nearest > 0.5; ++k) {
+        lattice l = *plain;
+        l.first.x += ((double)(k % SHIFTS) / SHIFTS - 1) * b->spacing;
+        l.first.y += floor((double)k / SHIFTS) * b->spacing / SHIFTS - b->spacing;
+        ++l.nx;
+        ++l.ny;
+        double off = fabs(count_inside(b, &l) - wanted);
+        if (off < nearest) {
+            nearest = off;
+            best = l;
+        }
+    }
+    if (!is_enough(wanted + nearest, wanted))
+        return false;
+    take_back(sim, b);
+    place_lattice(sim, b, &best);
+    return true;
+}
+
 static bool has_solid(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->obstacle_count; ++i)
@@ -229,10 +295,7 @@ static bool fits_edges(const placing *b, const lattice *l)
 static bool place_stretched(sph2d_sim *sim, placing *b)
 {
     lattice l;
-    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
-        if (b->taken[k] > 0)
-            return false;
-    if (!stretch(sim, b->block, &l))
+    if (!is_free(b) || !stretch(sim, b->block, &l))
         return false;
     take_back(sim, b);
     place_lattice(sim, b, &l);
@@ -254,7 +317,7 @@ static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
 }
 
 /** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit, by
- *  a stretched lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
+ *  a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 {
     sph2d__region region = {0};
@@ -268,7 +331,8 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
         b->asked = sph2d__region_area(&region);
     bool done = fits(sim, b) && fits_edges(b, l);
     done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
-    if (!done && !fits(sim, b) && b->taken[SPH2D__BESIDE_LINE] == 0) {
+    done = done || fits(sim, b) || place_shifted(sim, b, l);
+    if (!done && b->taken[SPH2D__BESIDE_LINE] == 0) {
         ok = solids || sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin,
                                           &sim->memory);
         ok = ok && place_packed(sim, b, &region);
