@@ -87,7 +87,8 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
 sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                      sph2d_report *report);
 sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
-/** Places the particles of the blocks. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+/** Places the particles of one block, and of all with the single ones. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report);
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
 
 /** What an obstacle does to a place: leaves it free, encloses it, has it within the distance that it keeps free behind
