@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_packing.c
- *  All the liquid that was asked for: the area of blocks at walls of any slope, arcs and corners; lattices that fit stay;
- *  packed places are in equilibrium, deterministic, apart from each other and from walls, and start quietly. */
+ *  All the liquid that was asked for: the area of blocks at walls of any slope, arcs and corners; lattices that fit
+ *  stay; packed places are in equilibrium, deterministic, apart from each other and from walls, and start quietly. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -76,7 +76,8 @@ static double set_wedge(double degrees)
 /** A tank 0.6 m by 0.4 m that is turned about (0.3, 0.1), with liquid 0.3 m deep. */
 static void set_turned_tank(double degrees)
 {
-    static const sph2d_vec2 tank[4] = {{0, 0.4}, {0, 0}, {0.6, 0}, {0.6, 0.4}}, liquid[4] = {{0, 0}, {0.6, 0}, {0.6, 0.3}, {0, 0.3}};
+    static const sph2d_vec2 tank[4] = {{0, 0.4}, {0, 0}, {0.6, 0}, {0.6, 0.4}};
+    static const sph2d_vec2 liquid[4] = {{0, 0}, {0.6, 0}, {0.6, 0.3}, {0, 0.3}};
     double c = cos(degrees * TEST_PI / 180), s = sin(degrees * TEST_PI / 180);
     for (int k = 0; k < 4; ++k) {
         line[k] = (sph2d_vec2){0.3 + c * tank[k].x - s * tank[k].y, 0.1 + s * tank[k].x + c * tank[k].y};
@@ -226,7 +227,7 @@ static sph2d_vec2 place_of(sph2d_view f, uint64_t id)
 
 START_TEST(a_box_that_nearly_fits_is_stretched)
 {
-    block = test_block(0.1, 0.1, 0.503, 0.402); /* 40.3 by 30.2: 40 by 30 would be 1.4 % short, 41 by 30 1.1 % too much */
+    block = test_block(0.1, 0.1, 0.503, 0.402); /* 40.3 by 30.2: 40 by 30 is 1.4 % short, 41 by 30 1.1 % too much */
     sph2d_sim *sim = test_create(&scene, NULL);
     ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 1217); /* so it is packed */
     sph2d_sim_destroy(sim);

@@ -252,8 +252,8 @@ typedef struct sph2d_method_options {
     double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
                                  the others 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) /
                                  max_compression with h the height of the liquid above the lowest place that walls and
-                                 obstacles that stand let it get to, U its fastest start or source, pull the strongest interaction's acceleration * radius / 2, and 2 for
-                                 the swing after a release. pcisph keeps it in every step, and its sound speed is for a
+                                 obstacles that stand let it get to, U its fastest start or source, pull the strongest
+                                 interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph keeps it in every step, and its sound speed is for a
                                  tenth of it; constraint corrects particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
@@ -286,8 +286,8 @@ typedef enum sph2d_arrangement {
 
 /** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a
  *  square lattice of boxes and what is cut out of it, where that has the area and loses no place beside a wall with
- *  layers; by a lattice of a box that is stretched by 2 % at most, or of another shape in the air that is shifted; or else
- *  packed: as many particles as the area holds
+ *  layers; by a lattice of a box that is stretched by 2 % at most, or of another shape in the air that is shifted; or
+ *  else packed: as many particles as the area holds
  *  move away from edges and walls until equal pressure would push none of them. Beside obstacles without layers
  *  lattices stay as they are, and places inside or closer than 0.7 spacings stay free. */
 typedef struct sph2d_block {

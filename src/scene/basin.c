@@ -14,8 +14,8 @@
 /* More squares, or squares times pieces of liquid, are not looked at. */
 static const double MOST_CELLS = 4e6, MOST_VISITS = 4e7;
 
-/* Where in a cell its "middle" is: not where walls with round numbers pass, so that no rounding decides on which side of
- * them it is. */
+/* Where in a cell its "middle" is: not where walls with round numbers pass, so that no rounding decides on which side
+ * of them it is. */
 static const double MIDDLE_X = 0.5 + 0.0014142, MIDDLE_Y = 0.5 + 0.0017321;
 
 /** A grid over the domain. Walls close the way from a cell to its neighbour in +x (1) or +y (2). */
@@ -60,7 +60,8 @@ static sph2d_box cell_box(const grid *g, size_t i, size_t j)
 static void close_ways(grid *g, sph2d__segment s, bool columns)
 {
     double a = columns ? s.a.x : s.a.y, b = columns ? s.b.x : s.b.y, c = columns ? s.a.y : s.a.x;
-    double d = columns ? s.b.y : s.b.x, from = columns ? g->origin.x : g->origin.y, size = columns ? g->size_x : g->size_y;
+    double d = columns ? s.b.y : s.b.x;
+    double from = columns ? g->origin.x : g->origin.y, size = columns ? g->size_x : g->size_y;
     double across = columns ? g->origin.y : g->origin.x, step = columns ? g->size_y : g->size_x;
     double in_row = columns ? MIDDLE_X : MIDDLE_Y, in_way = columns ? MIDDLE_Y : MIDDLE_X;
     size_t rows = columns ? g->nx : g->ny, ways = columns ? g->ny : g->nx;
@@ -73,7 +74,8 @@ static void close_ways(grid *g, sph2d__segment s, bool columns)
         double way = floor((c + (d - c) * (middle - a) / (b - a) - across) / step - in_way);
         if (way < -1 || way >= (double)ways)
             continue;
-        size_t k = (size_t)(way < 0 ? (double)ways - 1 : way), r = (size_t)row; /* before the first: across the period */
+        /* before the first: across the period */
+        size_t k = (size_t)(way < 0 ? (double)ways - 1 : way), r = (size_t)row;
         g->closed[columns ? k * g->nx + r : r * g->nx + k] |= columns ? 2 : 1;
     }
 }

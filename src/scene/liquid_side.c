@@ -10,7 +10,7 @@
 
 /* Places along a piece of wall, and along an edge of a block's bounds, where liquid is looked for at most. */
 static const double MOST_ALONG = 2000, MOST_ACROSS = 40;
-/* A mitre reaches at most this many times as far as the offset: lines that turn by more than 120 degrees are refused. */
+/* A mitre reaches at most this many times as far as the offset: lines that turn by more than 120 degrees have none. */
 static const double LONGEST_MITRE = 2;
 
 double sph2d__layer_thickness(const sph2d_scene *scene)

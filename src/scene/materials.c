@@ -9,7 +9,8 @@
  *             (surface tension)
  *  honey      clover honey with 16 % water: White in Beekeeping in the United States, USDA Handbook 335 (density,
  *             viscosity at 20.6 C); half as thick with one part of water more in fifty
- *  mercury    CRC Handbook of Chemistry and Physics (density), Kaye & Laby (viscosity), Jasper 1972 (surface tension) */
+ *  mercury    CRC Handbook of Chemistry and Physics (density), Kaye & Laby (viscosity), Jasper 1972 (surface
+ *             tension) */
 #include "sph2d/scene.h"
 
 static const sph2d_material_data materials[] = {

@@ -120,7 +120,8 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
     sim->wall_ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof(uint64_t));
-    return sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
+    bool ok = sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts;
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 /** First forces and extremes of a new simulation. */

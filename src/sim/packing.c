@@ -20,8 +20,8 @@ enum { MOST_ROUNDS = 400 };
 static const double SKIN = 0.5;
 /* Values of the kernel's slope that are kept, by q^2: between them straight lines are right to 1e-6. */
 enum { SLOPES = 2048 };
-/* A boundary particle stands for what is nearer to it than this many spacings; and for what is missing of the quarter of
- * a cell whose middle is nearer than that. */
+/* A boundary particle stands for what is nearer to it than this many spacings; and for what is missing of the quarter
+ * of a cell whose middle is nearer than that. */
 static const double COVERED = 0.72, COVERED_IN_PART = 1.1;
 
 /** One packing under way. */

@@ -9,8 +9,8 @@
 #include "base/pi.h"
 #include "sim/packing.h"
 
-/* How much of the area may be missing, or too much, where a lattice stays as it is; by how much one may be stretched; and
- * the least area, in particles, that is packed. */
+/* How much of the area may be missing, or too much, where a lattice stays as it is; by how much one may be stretched;
+ * and the least area, in particles, that is packed. */
 static const double SHORT = 0.002, STRETCH = 0.02, FEWEST = 4;
 
 /* Shifts of a lattice that are tried in each direction, and the most places times corners for which they are. */
@@ -250,8 +250,8 @@ static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
     return true;
 }
 
-/** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit, by
- *  a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
+/** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit,
+ *  by a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 {
     sph2d__region region = {0};

@@ -120,8 +120,8 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
                               sph2d__layer_thickness(&sim->scene));
     else
         sph2d_diagnostic_hint(
-            d, "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on the "
-            "%s, try `liquid: %s` or `both`, or join lines that meet to one polyline or polygon",
+            d, "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on "
+            "the %s, try `liquid: %s` or `both`, or join lines that meet to one polyline or polygon",
             sph2d__layer_thickness(&sim->scene), dry, wet, dry);
     return SPH2D_SCENE;
 }

@@ -7,8 +7,8 @@
 
 #include "scene/resolve.h"
 
-/** Point `k` of a cell of size 1: a Hammersley set, one point in each sixteenth by sixteenth, each in a column and a row
- *  of its own, so that edges of any slope are seen. */
+/** Point `k` of a cell of size 1: a Hammersley set, one point in each sixteenth by sixteenth, each in a column and a
+ *  row of its own, so that edges of any slope are seen. */
 static sph2d_vec2 point_of(unsigned k)
 {
     unsigned reversed = 0;
