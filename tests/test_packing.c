@@ -106,6 +106,15 @@ START_TEST(discs_of_any_radius_are_filled)
     block.shape.disc = (sph2d_disc){{0.5, 0.5}, r};
     block.arrangement = _i % 2 ? SPH2D_ARRANGEMENT_RINGS : SPH2D_ARRANGEMENT_LATTICE;
     check_area(TEST_PI * r * r);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    double x = 0, y = 0;
+    for (size_t i = 0; i < f.count; ++i) {
+        x += (f.x[i] - 0.5) / (double)f.count;
+        y += (f.y[i] - 0.5) / (double)f.count;
+    }
+    ck_assert_double_le(hypot(x, y), _i < 2 || _i % 2 ? 0.01 * DX : 1e-12); /* the first and rings have no symmetry */
+    sph2d_sim_destroy(sim);
 }
 END_TEST
 

@@ -253,8 +253,8 @@ typedef struct sph2d_method_options {
                                  the others 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) /
                                  max_compression with h the height of the liquid above the lowest place that walls and
                                  obstacles that stand let it get to, U its fastest start or source, pull the strongest
-                                 interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph keeps it in every step, and its sound speed is for a
-                                 tenth of it; constraint corrects particles beyond it one by one */
+                                 interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
+                                 keeps it in every step, and its sound speed is for a tenth of it; constraint corrects particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph

@@ -171,6 +171,21 @@ static double count_inside(const placing *b, const lattice *l)
     return count;
 }
 
+/** Moves the particles of a disc so that their middle is the disc's. */
+static void centre(sph2d_sim *sim, const placing *b)
+{
+    sph2d__store *f = &sim->system.fluid;
+    double x = 0, y = 0, count = (double)(f->count - b->first);
+    for (size_t i = b->first; i < f->count; ++i) {
+        x += (f->x[i] - b->block->shape.disc.center.x) / count;
+        y += (f->y[i] - b->block->shape.disc.center.y) / count;
+    }
+    for (size_t i = b->first; i < f->count; ++i) {
+        f->x[i] -= x;
+        f->y[i] -= y;
+    }
+}
+
 /** Places a disc or polygon in the air by a lattice that is shifted, by sixteenths of a spacing, until what is cut out
  *  of it has the area; false where none has, or walls are near. A lattice has no pressure to begin with, while packed
  *  particles differ a little in what summation makes of their density. */
@@ -199,6 +214,8 @@ static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
         return false;
     take_back(sim, b);
     place_lattice(sim, b, &best);
+    if (shape->kind == SPH2D_SHAPE_DISC)
+        centre(sim, b);
     return true;
 }
 
