@@ -254,7 +254,8 @@ typedef struct sph2d_method_options {
                                  max_compression with h the height of the liquid above the lowest place that walls and
                                  obstacles that stand let it get to, U its fastest start or source, pull the strongest
                                  interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
-                                 keeps it in every step, and its sound speed is for a tenth of it; constraint corrects particles beyond it one by one */
+                                 keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
+                                 particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
@@ -281,7 +282,7 @@ typedef struct sph2d_perturb {
 /** How a block's particles lie. */
 typedef enum sph2d_arrangement {
     SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice where it fits, else packed (see sph2d_block) */
-    SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, for a smooth edge */
+    SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, as many as fit, for a smooth edge */
 } sph2d_arrangement;
 
 /** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a

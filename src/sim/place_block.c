@@ -104,25 +104,19 @@ static void place_lattice(sph2d_sim *sim, placing *b, const lattice *l)
         }
 }
 
-/** Particles of the k-th ring from the middle: of a disc of whole spacings the nearest whole number; of others as many
- *  as make the sum over all rings right. */
-static double ring_count(const placing *b, size_t k, size_t rings)
+/** Particles of the k-th ring from the middle. */
+static double ring_count(size_t k)
 {
-    double radius = b->block->shape.disc.radius / b->spacing, of_disc = SPH2D__PI * radius * radius;
-    if (fabs(radius - (double)rings) < 1e-9 * radius)
-        return round(2 * SPH2D__PI * ((double)k + 0.5));
-    double inner = (double)k / (double)rings, outer = (double)(k + 1) / (double)rings;
-    return round(of_disc * outer * outer) - round(of_disc * inner * inner);
+    return round(2 * SPH2D__PI * ((double)k + 0.5));
 }
 
 /** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first keep a spacing from each other,
  *  without which they collapse. Rings are turned against each other by the golden angle, which repeats no pattern. */
 static void place_rings(sph2d_sim *sim, placing *b, size_t rings)
 {
-    const double golden = SPH2D__PI * (3 - sqrt(5)), whole = b->block->shape.disc.radius / b->spacing;
-    const double spacing = fabs(whole - (double)rings) < 1e-9 * whole ? b->spacing : whole / (double)rings * b->spacing;
+    const double golden = SPH2D__PI * (3 - sqrt(5)), spacing = b->spacing;
     for (size_t k = 0; k < rings; ++k) {
-        double radius = (k > 0 ? (double)k + 0.5 : 1 / sqrt(3)) * spacing, count = ring_count(b, k, rings);
+        double radius = (k > 0 ? (double)k + 0.5 : 1 / sqrt(3)) * spacing, count = ring_count(k);
         for (size_t i = 0; i < (size_t)count; ++i) {
             double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
             place(sim, b,
@@ -280,7 +274,8 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
                                             &sim->memory);
     if (ok && solids)
         b->asked = sph2d__region_area(&region);
-    bool done = fits(sim, b) && fits_edges(b, l);
+    bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->taken[SPH2D__BESIDE_LAYERS] == 0;
+    bool done = rings || (fits(sim, b) && fits_edges(b, l)); /* rings are whole spacings wide, as they were asked for */
     done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
     done = done || fits(sim, b) || place_shifted(sim, b, l);
     if (!done && b->taken[SPH2D__BESIDE_LINE] == 0) {
@@ -306,7 +301,7 @@ sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *
     double count = l.nx * l.ny, rings = 0;
     if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
         rings = fmax(round(block->shape.disc.radius / b.spacing), 1);
-        count = 2 * SPH2D__PI * (rings + 1) * (rings + 1); /* more than ring_count adds up to */
+        count = 2 * SPH2D__PI * rings * rings; /* more than ring_count adds up to */
     }
     char path[64];
     snprintf(path, sizeof path, "blocks[%zu]", index);
