@@ -61,11 +61,11 @@ static const double FEW = 200;
 static void predict(checked *c)
 {
     const double particles = (double)c->plan.fluid_particles;
-    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps * c->step_cpu, particles);
+    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps, c->plan.steps * c->step_cpu, particles);
     c->steps = c->plan.steps * pilot.steps;
     c->cpu = c->steps * pilot.particles * pilot.cost * c->step_cpu;
-    if (particles < FEW && pilot.cpu_of_particle > 0)
-        c->cpu = c->steps * pilot.mean * pilot.cpu_of_particle;
+    if ((particles < FEW || c->scene->source_count > 0) && pilot.cpu_of_particle > 0)
+        c->cpu = c->steps * (pilot.cpu_of_step + pilot.mean * pilot.cpu_of_particle);
     c->seconds = c->step_cpu > 0 ? c->cpu * c->step_seconds / c->step_cpu : c->cpu;
 }
 
@@ -130,6 +130,9 @@ static void print_table(const checked *c)
     text_row("scene", "%s: no faults", c->scene->name);
     print_terms(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
+    if (plan->area_asked > 0)
+        text_row("area", "%.6g m^2 asked for, %.6g m^2 placed (%+.2f %%)", plan->area_asked, plan->area_placed,
+                 100 * (plan->area_placed / plan->area_asked - 1));
     if (plan->places_left_free > 0)
         text_row("", "%zu places left free at obstacles", plan->places_left_free);
     text_row("particle mass", "%.6g kg/m", plan->particle_mass);
@@ -157,6 +160,8 @@ static void print_object(const checked *c)
     json_count(&line, "particles", plan->fluid_particles);
     json_count(&line, "wall_particles", plan->wall_particles);
     json_count(&line, "places_left_free", plan->places_left_free);
+    json_number(&line, "area_asked", plan->area_asked);
+    json_number(&line, "area_placed", plan->area_placed);
     json_number(&line, "particle_mass", plan->particle_mass);
     json_number(&line, "support_radius", plan->support_radius);
     json_number(&line, "sound_speed", plan->sound_speed);

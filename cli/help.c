@@ -66,7 +66,8 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "unit, range and default.\n"
         "\n"
         "  sph2d init basin --template stir\n",
-    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file).\n",
+    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file);\n"
+                  "materials (liquids by name).\n",
 };
 
 void help_print(void)
@@ -173,10 +174,27 @@ static void print_codes(void)
         printf("%s  %s\n", codes[i].code, codes[i].text);
 }
 
+static void print_materials(void)
+{
+    size_t count;
+    const sph2d_material_data *materials = sph2d_materials(&count);
+    printf("At 20 C. 'fluid: NAME' takes density and viscosity; surface_tension is 0 unless it is given, too.\n\n");
+    printf("%-10s %8s %18s %16s  %s\n", "name", "density", "dynamic_viscosity", "surface_tension", "source");
+    printf("%-10s %8s %18s %16s\n", "", "kg/m^3", "Pa s", "N/m");
+    for (size_t i = 1; i < count; ++i) {
+        char tension[24] = "-";
+        if (materials[i].surface_tension > 0)
+            snprintf(tension, sizeof tension, "%g", materials[i].surface_tension);
+        printf("%-10s %8g %18g %16s  %s\n", materials[i].name, materials[i].density, materials[i].dynamic_viscosity,
+               tension, materials[i].source);
+    }
+}
+
 static const struct {
     const char *name;
     void (*print)(void);
-} topics[] = {{"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}};
+} topics[] = {
+    {"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}, {"materials", print_materials}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
 static void unknown_topic(const char *topic)

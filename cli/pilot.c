@@ -14,22 +14,39 @@ static const double WANTED = 0.7, LONGEST = 1.5, FEWEST = 150;
 /* Coarser than this, nothing is left of a scene; less, and nothing is gained. */
 static const double COARSEST = 8, FINEST = 1.4;
 
-/* With sources the start tells nothing of what comes. */
-static const double SOURCES = 4;
+/* With sources the start tells nothing of what comes: the pilot tells all, and may take longer. Until it has run, a
+ * particle in a step is taken to need so long [s]. */
+static const double WANTED_WITH_SOURCES = 1.4, LONGEST_WITH_SOURCES = 4, USUAL = 4e-7;
 
 /* The steps whose time the scene's own first ones are compared with. */
 enum { FIRST = 50 };
 
 #define NOTHING_KNOWN ((cli_pilot){.steps = 1, .particles = 1, .cost = 1})
 
-/** How much coarser, or 0 where that is of no use. */
-static double choose_coarsening(const sph2d_scene *scene, double seconds, double particles)
+/** Mean number of particles of a scene with sources, when nothing is lost and the domain is not overfull. */
+static double mean_particles(const sph2d_scene *scene, double start)
+{
+    const sph2d_box d = scene->domain;
+    const double area = scene->spacing * scene->spacing, until = scene->run.until;
+    double fed = 0;
+    for (size_t i = 0; i < scene->source_count; ++i) {
+        const sph2d_source *s = &scene->sources[i];
+        const double rate = s->rate > 0 ? s->rate : fmax(s->width, scene->spacing) * s->speed;
+        fed += rate * fmax((s->stop > 0 ? fmin(s->stop, until) : until) - s->start, 0) / area;
+    }
+    return fmin(start + fed / 2, (d.max.x - d.min.x) * (d.max.y - d.min.y) / area);
+}
+
+/** How much coarser, or 0 where that is of no use. `steps` and `seconds` are what the first steps let expect. */
+static double choose_coarsening(const sph2d_scene *scene, double steps, double seconds, double particles)
 {
     if (scene->particles.count > 0)
         return 0;
+    if (scene->source_count > 0) {
+        seconds = steps * mean_particles(scene, particles) * USUAL;
+        return fmin(fmax(cbrt(seconds / WANTED_WITH_SOURCES), FINEST), COARSEST);
+    }
     double k = fmin(fmax(cbrt(seconds / WANTED), FINEST), COARSEST);
-    if (scene->source_count > 0)
-        return fmax(k, SOURCES);
     return k * k * FEWEST > particles ? sqrt(particles / FEWEST) : k;
 }
 
@@ -48,35 +65,71 @@ static sph2d_block *coarsen(sph2d_scene *scene, double k)
     return blocks;
 }
 
-static cli_pilot follow(sph2d_sim *sim, double until)
+/** Steps as points (particles, seconds), summed for a straight line through them. */
+typedef struct line_fit {
+    double steps, n, nn, t, nt;
+} line_fit;
+
+static void fit_add(line_fit *f, double n, double t)
+{
+    f->steps += 1;
+    f->n += n;
+    f->nn += n * n;
+    f->t += t;
+    f->nt += n * t;
+}
+
+/** What a step takes: so much, and so much for each particle. Where their number hardly changes all is put down to the
+ *  particles. */
+static void fit_end(const line_fit *f, double *of_step, double *of_particle)
+{
+    const double spread = f->steps * f->nn - f->n * f->n;
+    *of_particle = spread > 0.01 * f->n * f->n ? (f->steps * f->nt - f->n * f->t) / spread : 0;
+    *of_step = f->steps > 0 ? (f->t - *of_particle * f->n) / f->steps : 0;
+    if (*of_particle > 0 && *of_step >= 0)
+        return;
+    *of_particle = f->n > 0 ? f->t / f->n : 0;
+    *of_step = 0;
+}
+
+static cli_pilot follow(sph2d_sim *sim, double until, double longest)
 {
     const double begun = clock_cpu(), first_step = sph2d_sim_time_step(sim);
-    double start = (double)sph2d_sim_fluid(sim).count, particle_steps = 0;
+    double start = (double)sph2d_sim_fluid(sim).count, before = begun, count_time = 0;
     double first_cost = 0;
+    line_fit fit = {0};
     sph2d_report report = {0};
     sph2d_status status = SPH2D_OK;
-    while (status == SPH2D_OK && sph2d_sim_time(sim) < until && clock_cpu() - begun < LONGEST) {
+    while (status == SPH2D_OK && sph2d_sim_time(sim) < until && before - begun < longest) {
+        const double time = sph2d_sim_time(sim);
         status = sph2d_sim_step(sim, &report);
-        particle_steps += (double)sph2d_sim_fluid(sim).count;
-        if (sph2d_sim_steps(sim) == FIRST && particle_steps > 0)
-            first_cost = (clock_cpu() - begun) / particle_steps;
+        const double now = clock_cpu(), n = (double)sph2d_sim_fluid(sim).count;
+        fit_add(&fit, n, now - before);
+        count_time += n * (sph2d_sim_time(sim) - time);
+        before = now;
+        if (sph2d_sim_steps(sim) == FIRST && fit.n > 0)
+            first_cost = (now - begun) / fit.n;
     }
     sph2d_report_clear(&report);
     const double steps = (double)sph2d_sim_steps(sim), time = sph2d_sim_time(sim);
-    const double cost = particle_steps > 0 ? (clock_cpu() - begun) / particle_steps : 0;
-    if (!(steps > 0 && time > 0 && cost > 0))
+    if (!(steps > 0 && time > 0 && before > begun && fit.n > 0))
         return NOTHING_KNOWN;
-    return (cli_pilot){.steps = steps * first_step / time,
-                       .particles = start > 0 ? particle_steps / steps / start : 1,
+    /* what is left is taken to gain, or lose, as many particles in a second as came so far */
+    const double end = (double)sph2d_sim_fluid(sim).count, left = fmax(until - time, 0);
+    const double mean = (count_time + left * fmax(end + (end - start) / time * left / 2, 0)) / (time + left);
+    const double cost = (before - begun) / fit.n;
+    cli_pilot pilot = {.steps = steps * first_step / time,
+                       .particles = start > 0 ? mean / start : 1,
                        .cost = start > 0 && first_cost > 0 ? cost / first_cost : 1,
-                       .cpu_of_particle = cost,
-                       .mean = particle_steps / steps};
+                       .mean = mean};
+    fit_end(&fit, &pilot.cpu_of_step, &pilot.cpu_of_particle);
+    return pilot;
 }
 
-cli_pilot pilot_run(const sph2d_scene *scene, double seconds, double particles)
+cli_pilot pilot_run(const sph2d_scene *scene, double steps, double seconds, double particles)
 {
     cli_pilot pilot = NOTHING_KNOWN;
-    const double k = choose_coarsening(scene, seconds, particles);
+    const double k = choose_coarsening(scene, steps, seconds, particles);
     if (!(k >= FINEST))
         return pilot;
     sph2d_scene coarse = *scene;
@@ -88,7 +141,7 @@ cli_pilot pilot_run(const sph2d_scene *scene, double seconds, double particles)
     sph2d_sim *sim = NULL;
     sph2d_report report = {0};
     if (sph2d_sim_create(&coarse, &options, &sim, &report) == SPH2D_OK)
-        pilot = follow(sim, coarse.run.until);
+        pilot = follow(sim, coarse.run.until, scene->source_count > 0 ? LONGEST_WITH_SOURCES : LONGEST);
     pilot.mean *= k * k;
     sph2d_sim_destroy(sim);
     sph2d_report_clear(&report);

@@ -43,6 +43,7 @@
     X(invariance)                                                                                                      \
     X(walls)                                                                                                           \
     X(layers)                                                                                                          \
+    X(sides)                                                                                                           \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \
@@ -52,6 +53,8 @@
     X(scene_file)                                                                                                      \
     X(scene_text)                                                                                                      \
     X(plan)                                                                                                            \
+    X(basin)                                                                                                           \
+    X(packing)                                                                                                         \
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \

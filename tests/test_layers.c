@@ -110,6 +110,25 @@ START_TEST(a_thin_solid_is_filled_once)
 }
 END_TEST
 
+START_TEST(a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness)
+{
+    static const double thickness[] = {0.4, 1, 1.5, 2, 2.9, 3, 3.1, 4.4, 5, 5.7}; /* spacings */
+    double t = thickness[_i] * DX;
+    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
+    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.2 + t, 0.6}};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__store *w = &sim->system.walls;
+    double moment = 0;
+    for (size_t i = 0; i < w->count; ++i) {
+        moment += w->mass[i] / scene.fluid.density * (w->x[i] - 0.2 - t / 2);
+        ck_assert(w->x[i] > 0.2 && w->x[i] < 0.2 + t);
+    }
+    ck_assert_double_eq_tol(area_of(sim), t * 0.4, 1.001 * DX * DX); /* mitres round off the ends of the plate */
+    ck_assert_double_eq_tol(moment, 0, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_circle_has_rings_of_its_area)
 {
     obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
@@ -231,6 +250,7 @@ Suite *suite_layers(void)
     tcase_add_test(tests, walls_beside_open_sides_go_on_and_beside_periodic_ones_close_the_period);
     tcase_add_test(tests, a_solid_box_has_layers_inside);
     tcase_add_test(tests, a_thin_solid_is_filled_once);
+    tcase_add_loop_test(tests, a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness, 0, 10);
     tcase_add_test(tests, a_circle_has_rings_of_its_area);
     tcase_add_test(tests, a_polyline_has_mitred_layers_on_its_right);
     tcase_add_test(tests, a_swinging_wall_is_where_its_law_says);

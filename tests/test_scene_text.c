@@ -71,7 +71,8 @@ static const char *const goldens[] = {
     "  - line: [[0, 0.75], [0.5, 0.75]]\n    form: reflect\n    restitution: 0.9\n    motion:\n"
     "      path: [[0, 0, 0], [1, 0.25, 0], [2.5, 0, -0.25]]\n      amplitude: [0.1, 0]\n      frequency: 2\n"
     "      phase: -1.5708\n"
-    "  - polyline: [[2, 0.5], [2.2, 0.6], [2.4, 0.5]]\n"
+    "  - polyline: [[2, 0.5], [2.2, 0.6], [2.4, 0.5]]\n    liquid: right\n"
+    "  - polygon: [[0, 1.6], [0.5, 1.6], [0.25, 1.8]]\n"
     "  - circle:\n      center: [1, 1]\n      radius: 0.2\n"
     "  - box:\n      min: [0.75, 0.25]\n      max: [1.25, 0.5]\n    form: heavy\n"
     "interactions:\n"
@@ -107,6 +108,7 @@ static const char *const goldens[] = {
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  material: honey\n  density: 1000\n" /* 1000 is the default, but not honey's */
     "method:\n  name: pcisph\n  criterion: mean\n  min_iterations: 2\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",

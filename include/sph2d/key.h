@@ -48,6 +48,9 @@ typedef struct sph2d_key {
     const char *unit;              /**< "m", "Pa s"; "" for none */
     const char *standard;          /**< the default, in words; NULL for none */
     const char *text;              /**< one sentence */
+    bool stands_alone;             /**< of a WORD: in a file it may stand for the whole group, `method: wcsph` */
+    void (*preset)(void *owner);   /**< of a WORD that stands for values of other keys: sets them in the struct, once it
+                                        has its own; those that are given replace them */
 } sph2d_key;
 
 /** The keys of one struct. */

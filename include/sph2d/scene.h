@@ -158,7 +158,8 @@ typedef enum sph2d_outline_kind {
     SPH2D_OUTLINE_LINE,     /**< two points */
     SPH2D_OUTLINE_POLYLINE, /**< two points or more, open */
     SPH2D_OUTLINE_CIRCLE,
-    SPH2D_OUTLINE_BOX
+    SPH2D_OUTLINE_BOX,
+    SPH2D_OUTLINE_POLYGON /**< closed by itself, 3 to 10000 points either way round, without self-crossing: a solid */
 } sph2d_outline_kind;
 
 typedef struct sph2d_outline {
@@ -167,7 +168,18 @@ typedef struct sph2d_outline {
     sph2d_points polyline;
     sph2d_disc circle;
     sph2d_box box;
+    sph2d_points polygon;
 } sph2d_outline;
+
+/** On which side of a line or polyline with layers the liquid is, looking from its first point to its last. */
+typedef enum sph2d_liquid_side {
+    SPH2D_LIQUID_AUTO = 0, /**< where blocks or sources lie: next to the line, or else nearest to it; left without any.
+                                Refused where blocks lie on both sides within the thickness of the layers */
+    SPH2D_LIQUID_LEFT = 1,
+    SPH2D_LIQUID_RIGHT = 2,
+    SPH2D_LIQUID_BOTH = 3 /**< the line becomes a solid as thick as its layers, half of it on either side; blocks leave
+                               that room free */
+} sph2d_liquid_side;
 
 /** What closes the four sides of the domain. */
 typedef struct sph2d_boundary {
@@ -186,8 +198,29 @@ typedef struct sph2d_central_force {
     double rate;       /**< B [1/s], >= 0; default 0: none */
 } sph2d_central_force;
 
+/** Liquids that are known by name, at 20 C and the pressure of the air. */
+typedef enum sph2d_material {
+    SPH2D_MATERIAL_NONE = 0, /**< the liquid of the numbers */
+    SPH2D_MATERIAL_WATER = 1,
+    SPH2D_MATERIAL_OIL = 2, /**< olive oil */
+    SPH2D_MATERIAL_GLYCERINE = 3,
+    SPH2D_MATERIAL_HONEY = 4, /**< with 16 % water */
+    SPH2D_MATERIAL_MERCURY = 5
+} sph2d_material;
+
+/** The numbers of a material. */
+typedef struct sph2d_material_data {
+    const char *name;
+    double density;           /**< [kg/m^3] */
+    double dynamic_viscosity; /**< [Pa s] */
+    double surface_tension;   /**< against air [N/m]; 0: no sure value */
+    const char *source;
+} sph2d_material_data;
+
 /** The liquid. */
 typedef struct sph2d_fluid {
+    sph2d_material material;  /**< which material's numbers a file asked for; they are in the fields below, where
+                                 sph2d_fluid_of() puts them too. Default none */
     double density;           /**< rest density [kg/m^3], > 0; default 1000 */
     double dynamic_viscosity; /**< [Pa s], >= 0; default 0.001 (water) */
     double surface_tension;   /**< of the free surface [N/m], >= 0; default 0: none. All methods but wcsph with
@@ -218,10 +251,11 @@ typedef struct sph2d_method_options {
                                        round-off; default on */
     double max_compression; /**< wanted rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1,
                                  the others 0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) /
-                                 max_compression with h the height of the liquid above the lowest side, U its fastest
-                                 start or source, pull the strongest interaction's acceleration * radius / 2, and 2 for
-                                 the swing after a release. pcisph keeps it in every step, and its sound speed is for a
-                                 tenth of it; constraint corrects particles beyond it one by one */
+                                 max_compression with h the height of the liquid above the lowest place that walls and
+                                 obstacles that stand let it get to, U its fastest start or source, pull the strongest
+                                 interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
+                                 keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
+                                 particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
@@ -247,11 +281,16 @@ typedef struct sph2d_perturb {
 
 /** How a block's particles lie. */
 typedef enum sph2d_arrangement {
-    SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice: boxes fit whole columns, other shapes are cut out of it */
-    SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, for a smooth edge */
+    SPH2D_ARRANGEMENT_LATTICE = 0, /**< a square lattice where it fits, else packed (see sph2d_block) */
+    SPH2D_ARRANGEMENT_RINGS        /**< a disc of rings one spacing apart, as many as fit, for a smooth edge */
 } sph2d_arrangement;
 
-/** A piece of liquid at the start. Places inside or too close to an obstacle stay free. */
+/** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a
+ *  square lattice of boxes and what is cut out of it, where that has the area and loses no place beside a wall with
+ *  layers; by a lattice of a box that is stretched by 2 % at most, or of another shape in the air that is shifted; or
+ *  else packed: as many particles as the area holds
+ *  move away from edges and walls until equal pressure would push none of them. Beside obstacles without layers
+ *  lattices stay as they are, and places inside or closer than 0.7 spacings stay free. */
 typedef struct sph2d_block {
     sph2d_shape shape;   /**< box, disc or polygon */
     sph2d_vec2 velocity; /**< at the start [m/s]; default (0, 0) */
@@ -319,10 +358,12 @@ typedef struct sph2d_motion {
 } sph2d_motion;
 
 /** A wall of boundary particles. Nothing passes it, at any speed. Heavy and reflecting ones are one particle thick and
- *  work on both sides. Generalised ones have layers: closed outlines are solids, with layers inside; lines and
- * polylines have the liquid on the left of the way from the first point to the last, and layers on the right. */
+ *  work on both sides. Generalised ones have layers of boundary particles, together as thick as the support radius:
+ * closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the layers on the
+ * other, where nothing enters them from behind either. */
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
+    sph2d_liquid_side liquid; /**< lines and polylines with layers: where the liquid is; default auto */
     sph2d_motion motion;  /**< default: none, it stands */
     sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; the others: all
                                three; default: the method's */
@@ -446,6 +487,12 @@ SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
 
+/** The table of materials, by sph2d_material; static storage. */
+SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
+/** A liquid with the density and viscosity of a material, and no surface tension: name that where drops and jets are so
+ *  small that it matters. The default liquid for none. */
+SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
+
 /** Finds every fault that the structs alone show: ranges, conflicts, places outside the domain. Overlaps of blocks are
  *  found when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */
 SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report);
@@ -459,7 +506,9 @@ SPH2D_API double sph2d_rate_due(sph2d_rate rate, uint64_t n);
 typedef struct sph2d_plan {
     size_t fluid_particles; /**< at the start */
     size_t wall_particles;
-    size_t places_left_free;       /**< lattice places inside or too close to an obstacle */
+    size_t places_left_free;       /**< lattice places inside an obstacle, or too close to one without layers */
+    double area_asked;             /**< of all blocks without the solids in them [m^2] */
+    double area_placed;            /**< dx^2 of each of their particles, by the block's own spacing [m^2] */
     double particle_mass;          /**< [kg/m] */
     double support_radius;         /**< H [m]: kernels are zero beyond it */
     double sound_speed;            /**< c0 [m/s] */

@@ -152,6 +152,50 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
     store_list(key, items, index, out);
 }
 
+/** The key that stands for others of its group; the count when none does. */
+static size_t preset_index(const sph2d_keys *keys)
+{
+    size_t i = 0;
+    while (i < key_count(keys) && !keys->items[i].preset)
+        ++i;
+    return i;
+}
+
+/** The key whose word stands for its whole group; NULL when none does. */
+static const sph2d_key *word_of(const sph2d_keys *keys, const char *name)
+{
+    size_t index = key_index(keys, name);
+    const sph2d_keys *inner = index < key_count(keys) ? keys->items[index].keys : NULL;
+    if (!inner || keys->items[index].kind != SPH2D_KEY_GROUP)
+        return NULL;
+    for (size_t i = 0; i < key_count(inner); ++i)
+        if (inner->items[i].stands_alone)
+            return &inner->items[i];
+    return NULL;
+}
+
+void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
+{
+    for (sph2d__node *child = mapping->first; child; child = child->next) {
+        const sph2d_key *key = word_of(keys, child->key);
+        if (!key || child->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(child))
+            continue;
+        sph2d__node *word = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, child->place);
+        faults->short_of_memory |= !word;
+        if (!word)
+            return;
+        *word = *child;
+        word->next = NULL;
+        word->key = key->name;
+        *child = (sph2d__node){.kind = SPH2D__NODE_MAPPING,
+                               .key = child->key,
+                               .place = child->place,
+                               .key_place = child->key_place,
+                               .next = child->next};
+        sph2d__node_append(child, word);
+    }
+}
+
 static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path, void *out)
 {
     if (key->choice)
@@ -188,12 +232,24 @@ void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys,
                             const char *path, void *out)
 {
     level m = {.keys = keys, .node = mapping, .path = path};
+    size_t preset = preset_index(keys); /* first, since the others replace what it sets */
+    const char *word = preset < key_count(keys) ? keys->items[preset].name : NULL;
+    const sph2d__node *chosen = word ? sph2d__node_find(mapping, word, strlen(word)) : NULL;
+    if (chosen) {
+        char child_path[SPH2D__PATH_SIZE];
+        join(child_path, path, word);
+        convert_key(converter, &keys->items[preset], chosen, child_path, out);
+        keys->items[preset].preset(out);
+        m.given[preset] = chosen;
+    }
     for (const sph2d__node *child = mapping->first; child; child = child->next) {
         char child_path[SPH2D__PATH_SIZE];
         join(child_path, path, child->key);
         size_t index = key_index(keys, child->key);
         if (index == key_count(keys)) {
             report_unknown(converter, &m, child, child_path);
+        } else if (m.given[index] == child) {
+            continue;
         } else if (m.given[index]) {
             report_twice(converter, child, m.given[index], child_path);
         } else if (!excluded(converter, &m, index, child, child_path)) {

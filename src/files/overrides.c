@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "files/convert.h"
 #include "files/yaml.h"
 
 /** One override on its way into the tree. */
@@ -128,6 +129,7 @@ sph2d_status sph2d__overrides_apply(const sph2d_override *overrides, size_t coun
         sph2d_status status = apply(&overrides[i], root, faults);
         if (status != SPH2D_OK)
             return status;
+        sph2d__convert_words(root, sph2d_scene_keys(), faults);
     }
     return SPH2D_OK;
 }

@@ -139,6 +139,7 @@ static sph2d_status read_scene(sph2d_scene_file *file, bool with_files, sph2d__f
         return status;
     if (!has_keys(file, faults))
         return SPH2D_SCENE;
+    sph2d__convert_words(file->root, sph2d_scene_keys(), faults);
     status = sph2d__overrides_apply(file->overrides, file->override_count, file->root, faults);
     if (status != SPH2D_OK)
         return status;

@@ -6,12 +6,16 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "files/c_locale.h"
 #include "sph2d/io.h"
 #include "sph2d/key.h"
+
+/** Bytes of the largest group with a preset. */
+enum { MOST_PRESET = 256 };
 
 /** Text that is written as far as there is room, and counted. */
 typedef struct pen {
@@ -187,6 +191,22 @@ static size_t size_of(sph2d_key_kind kind)
     }
 }
 
+/** What a group has by default, with what a word in it presets: room for it in `out`, of `size` bytes; NULL when that
+ *  is no other. */
+static const char *preset_of(const sph2d_keys *keys, const char *owner, const char *standard, char *out, size_t size)
+{
+    for (size_t i = 0; i < keys->count && keys->size <= size; ++i) {
+        const sph2d_key *key = &keys->items[i];
+        if (!key->preset || memcmp(owner + key->offset, standard + key->offset, sizeof(int)) == 0)
+            continue;
+        memcpy(out, standard, keys->size);
+        memcpy(out + key->offset, owner + key->offset, sizeof(int));
+        key->preset(out);
+        return out;
+    }
+    return NULL;
+}
+
 static bool differs(const sph2d_key *key, const char *owner, const char *standard);
 
 static bool group_differs(const sph2d_key *group, const char *owner, const char *standard)
@@ -258,10 +278,12 @@ static void put_items(pen *p, const sph2d_key *key, const char *owner, int inden
 
 static void put_struct(pen *p, const sph2d_keys *keys, const char *owner, const char *standard, margin m)
 {
+    _Alignas(max_align_t) char room[MOST_PRESET];
+    const char *preset = preset_of(keys, owner, standard, room, sizeof room);
     for (size_t i = 0; i < keys->count; ++i) {
         const sph2d_key *key = &keys->items[i];
-        bool needed = key->required && !is_passed_over(key, owner);
-        if (!needed && !differs(key, owner, standard))
+        bool needed = (key->required && !is_passed_over(key, owner)) || (preset && key->preset);
+        if (!needed && !differs(key, owner, preset ? preset : standard))
             continue;
         int inside = m.indent + (int)strlen(m.lead) + 2;
         put(p, "%*s%s%s:", m.indent, "", m.lead, key->name);

@@ -30,7 +30,7 @@ const char *sph2d__check_path(char path[PATH_SIZE], const char *list, size_t ind
     return path;
 }
 
-static bool check_box(checker *c, sph2d_box box, const char *path)
+bool sph2d__check_box(checker *c, sph2d_box box, const char *path)
 {
     if (box.min.x < box.max.x && box.min.y < box.max.y)
         return true;
@@ -69,13 +69,29 @@ void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p)
     sph2d_diagnostic_hint(d, "the domain reaches from (%g, %g) to (%g, %g)", b.min.x, b.min.y, b.max.x, b.max.y);
 }
 
+bool sph2d__check_polygon(checker *c, sph2d_points corners, const char *path)
+{
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = corners};
+    if (corners.count < 3 || !(sph2d__shape_area(&shape) > 0)) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                           "a polygon needs 3 corners or more that are not on one line");
+        return false;
+    }
+    if (corners.count > MAX_CORNERS || sph2d__polygon_crosses_itself(corners)) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                           "a polygon must not cross or touch itself, and has 10000 corners at most");
+        return false;
+    }
+    return true;
+}
+
 /** A shape is given, sound, and (if wanted) inside the domain. */
 static void check_shape(checker *c, const sph2d_shape *shape, const char *list, size_t index, bool inside)
 {
     char path[PATH_SIZE];
     switch (shape->kind) {
     case SPH2D_SHAPE_BOX:
-        if (!check_box(c, shape->box, sph2d__check_path(path, list, index, ".box")))
+        if (!sph2d__check_box(c, shape->box, sph2d__check_path(path, list, index, ".box")))
             return;
         break;
     case SPH2D_SHAPE_DISC:
@@ -83,16 +99,8 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
         break;
     case SPH2D_SHAPE_POLYGON:
         sph2d__check_path(path, list, index, ".polygon");
-        if (shape->polygon.count < 3 || !(sph2d__shape_area(shape) > 0)) {
-            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                               "a polygon needs 3 corners or more that are not on one line");
+        if (!sph2d__check_polygon(c, shape->polygon, path))
             return;
-        }
-        if (shape->polygon.count > MAX_CORNERS || sph2d__polygon_crosses_itself(shape->polygon)) {
-            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                               "a polygon must not cross or touch itself, and has 10000 corners at most");
-            return;
-        }
         break;
     case SPH2D_SHAPE_NONE:
     default: {
@@ -173,88 +181,13 @@ static void check_source(checker *c, size_t i)
     check_times(c, "sources", i, source->start, source->stop);
 }
 
-static void check_outline_points(checker *c, sph2d_points points, bool two, const char *path)
-{
-    if (two ? points.count != 2 : points.count < 2) {
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                           two ? "a line has two points" : "a polyline has two points or more");
-        return;
-    }
-    for (size_t i = 0; i < points.count; ++i) {
-        sph2d_vec2 p = points.items[i];
-        if (!sph2d__check_in_domain(c->scene, p))
-            sph2d__check_outside(c, path, p);
-        if (i > 0 && p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
-            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
-    }
-}
-
-static double domain_diagonal(const sph2d_scene *scene)
-{
-    return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
-}
-
-static void check_way(checker *c, sph2d_path way, const char *path)
-{
-    for (size_t k = 1; k < way.count; ++k)
-        if (!(way.items[k].t > way.items[k - 1].t)) {
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
-            break;
-        }
-}
-
-static void check_obstacle(checker *c, size_t i)
-{
-    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
-    const sph2d_outline *outline = &obstacle->outline;
-    char path[PATH_SIZE];
-    check_way(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
-    if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
-        sph2d_diagnostic *d =
-            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
-                               "springs are for the sides of the domain only");
-        sph2d_diagnostic_hint(d, "use heavy or reflect");
-    }
-    switch (outline->kind) {
-    case SPH2D_OUTLINE_LINE:
-        check_outline_points(c, outline->line, true, sph2d__check_path(path, "obstacles", i, ".line"));
-        break;
-    case SPH2D_OUTLINE_POLYLINE:
-        check_outline_points(c, outline->polyline, false, sph2d__check_path(path, "obstacles", i, ".polyline"));
-        break;
-    case SPH2D_OUTLINE_CIRCLE:
-        if (!sph2d__check_in_domain(c->scene, outline->circle.center))
-            sph2d__check_outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
-        if (outline->circle.radius > domain_diagonal(c->scene))
-            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
-                               "is larger than the whole domain");
-        break;
-    case SPH2D_OUTLINE_BOX:
-        sph2d__check_path(path, "obstacles", i, ".box");
-        if (check_box(c, outline->box, path)) {
-            if (!sph2d__check_in_domain(c->scene, outline->box.min))
-                sph2d__check_outside(c, path, outline->box.min);
-            if (!sph2d__check_in_domain(c->scene, outline->box.max))
-                sph2d__check_outside(c, path, outline->box.max);
-        }
-        break;
-    case SPH2D_OUTLINE_NONE:
-    default: {
-        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "obstacles", i, ""),
-                                                 "has no outline");
-        sph2d_diagnostic_hint(d, "give one of line, polyline, circle, box");
-        break;
-    }
-    }
-}
-
 static void check_interaction(checker *c, size_t i)
 {
     char path[PATH_SIZE];
     sph2d__check_path(path, "interactions", i, ".path");
     if (c->scene->interactions[i].path.count == 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
-    check_way(c, c->scene->interactions[i].path, path);
+    sph2d__check_way(c, c->scene->interactions[i].path, path);
 }
 
 static bool name_is_sound(const char *name)
@@ -347,7 +280,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         return SPH2D_SCENE;
     }
     sph2d__check_ranges(&c);
-    if (!check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_frame(&c))
+    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_frame(&c))
         return SPH2D_SCENE; /* what follows measures against these */
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(&c, i);
@@ -358,8 +291,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         check_shape(&c, &scene->drains[i].shape, "drains", i, false);
         check_times(&c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
     }
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        check_obstacle(&c, i);
+    sph2d__check_obstacles(&c);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         check_interaction(&c, i);
     for (size_t i = 0; i < scene->probe_count; ++i)

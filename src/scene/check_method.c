@@ -146,7 +146,7 @@ static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a periodic side needs a periodic side opposite");
         return;
     }
-    double reach = sph2d__scene_derive(c->scene).reach;
+    double reach = sph2d__scene_reach(c->scene);
     if (solver_of(&c->scene->method) == FITTED)
         reach += c->scene->spacing; /* as far as boundary particles are looked for */
     if (!periodic || length >= 3.001 * reach)

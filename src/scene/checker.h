@@ -28,6 +28,18 @@ bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p);
 /** Counts and reports that a place is not. */
 void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p);
 
+/** Whether a rectangle is one; otherwise that is counted and reported. */
+bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path);
+
+/** Whether a polygon is one; otherwise that is counted and reported. */
+bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path);
+
+/** The times of a path grow. */
+void sph2d__check_way(sph2d__checker *c, sph2d_path way, const char *path);
+
+/** Every obstacle, and where it has its liquid. */
+void sph2d__check_obstacles(sph2d__checker *c);
+
 /** Ranges, words and lists, by the key table. */
 void sph2d__check_ranges(sph2d__checker *c);
 

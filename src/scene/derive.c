@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "scene/basin.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -13,32 +14,6 @@
 static const double OVERSHOOT = 2;
 /* The part of max_compression that liquid of method pcisph may have by its sound speed; the loop keeps the whole. */
 static const double SOFT_PART = 0.1;
-
-/** Height of a place above the lowest corner of the domain, measured against gravity. */
-static double height_of(const sph2d_scene *scene, double g, sph2d_vec2 p)
-{
-    double ux = -scene->gravity.x / g, uy = -scene->gravity.y / g;
-    sph2d_box d = scene->domain;
-    double lowest = fmin(d.min.x * ux, d.max.x * ux) + fmin(d.min.y * uy, d.max.y * uy);
-    return p.x * ux + p.y * uy - lowest;
-}
-
-static double highest_liquid(const sph2d_scene *scene, double g)
-{
-    double height = 0;
-    for (size_t i = 0; i < scene->block_count; ++i) {
-        sph2d_box b = sph2d__shape_bounds(&scene->blocks[i].shape);
-        sph2d_vec2 corners[4] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
-        for (int k = 0; k < 4; ++k)
-            height = fmax(height, height_of(scene, g, corners[k]));
-    }
-    for (size_t i = 0; i < scene->source_count; ++i)
-        height = fmax(height, height_of(scene, g, scene->sources[i].at));
-    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
-        height =
-            fmax(height, height_of(scene, g, (sph2d_vec2){scene->particles.items[i].x, scene->particles.items[i].y}));
-    return height;
-}
 
 /** Largest distance of a block's corners from the centre of the central force. */
 static double farthest_liquid(const sph2d_scene *scene)
@@ -70,17 +45,20 @@ static double wall_speed(const sph2d_scene *scene)
     return speed;
 }
 
+double sph2d__scene_reach(const sph2d_scene *scene)
+{
+    double support = sph2d__method_resolve(scene->method).support_ratio;
+    return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__DISC_RADIUS : 0) * scene->spacing;
+}
+
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
 {
     sph2d__derived d = {0};
     sph2d_method_options method = sph2d__method_resolve(scene->method);
     d.support_radius = method.support_ratio * scene->spacing;
-    d.reach = d.support_radius;
-    if (scene->fluid.surface_tension > 0)
-        d.reach = fmax(d.reach, 2 * SPH2D__DISC_RADIUS * scene->spacing);
+    d.reach = sph2d__scene_reach(scene);
     d.mass = scene->fluid.density * scene->spacing * scene->spacing;
     double g = hypot(scene->gravity.x, scene->gravity.y);
-    d.height = g > 0 ? highest_liquid(scene, g) : 0;
     for (size_t i = 0; i < scene->block_count; ++i)
         d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y) +
                                     fabs(scene->blocks[i].start.speed));
@@ -93,6 +71,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     double swing = scene->central_force.rate * farthest_liquid(scene);
     d.pull += swing * swing / 2;
+    d.height = g > 0 ? sph2d__basin_height(scene, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
     d.soft_compression = (method.name == SPH2D_METHOD_PCISPH ? SOFT_PART : 1) * method.max_compression;

@@ -15,7 +15,7 @@ typedef struct sph2d__derived {
     double support_radius; /**< H = support_ratio * spacing [m] */
     double reach;          /**< how far off particles must be found: H, under surface tension two discs at least [m] */
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
-    double height;         /**< of the highest liquid above the lowest side, along gravity [m] */
+    double height;         /**< of liquid above the lowest place that it can get to, along gravity, at most [m] */
     double speed;          /**< fastest start or source [m/s] */
     double pull; /**< depth of the potentials that pull [m^2/s^2]: strongest interaction's acceleration * radius / 2,
                     and that of the central force at the farthest liquid */
@@ -24,6 +24,9 @@ typedef struct sph2d__derived {
     double soft_compression; /**< what the sound speed is for: max_compression, of method pcisph a tenth */
     double sound_speed;      /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
+
+/** How far off particles must be found: H, under surface tension two discs at least [m]. */
+double sph2d__scene_reach(const sph2d_scene *scene);
 
 /** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is
  *  head / c0^2, and twice that in the swing that follows a release at rest density: c0^2 = 2 head / max_compression, of

@@ -50,6 +50,8 @@ static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     NULL};
+static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
+static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
 static const sph2d_key box_items[] = {
@@ -174,6 +176,13 @@ static const sph2d_key obstacle_items[] = {
     {"box", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.box),
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_BOX), .keys = &box_keys, .unit = "",
      .text = "the four sides of a rectangle"},
+    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
+     .text = "a solid: corners, 3 or more, closed by itself"},
+    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
+     .standard = "auto",
+     .text = "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
+             "sources lie; both: a solid of the layers' thickness, centred on the line"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .standard = "the method's",
      .text =
@@ -286,11 +295,21 @@ static const sph2d_key central_force_items[] = {
 };
 KEYS(central_force, sph2d_central_force, NULL);
 
+static void set_material(void *fluid)
+{
+    sph2d_fluid *f = fluid;
+    *f = sph2d_fluid_of(f->material);
+}
+
 static const sph2d_key fluid_items[] = {
+    {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
+     .standard = "none", .stands_alone = true, .preset = set_material,
+     .text = "density and viscosity at 20 C, unless they are given; `fluid: water` does, `help materials` has the "
+             "numbers"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
-     .standard = "0.001", .text = "water 0.001, oil 0.1, honey 10"},
+     .standard = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
     {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
      .standard = "0", .text = "of the free surface"},
 };
@@ -298,7 +317,7 @@ KEYS(fluid, sph2d_fluid, NULL);
 
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
-     .standard = "muller", .text = "the solver"},
+     .standard = "muller", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .standard = "symmetric",
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "

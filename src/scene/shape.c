@@ -42,8 +42,8 @@ sph2d_box sph2d__shape_bounds(const sph2d_shape *shape)
     return (sph2d_box){{0, 0}, {0, 0}};
 }
 
-/** Shoelace formula. */
-static double polygon_area(sph2d_points points)
+/** Shoelace formula: positive for corners that go round anticlockwise. */
+static double signed_area(sph2d_points points)
 {
     double twice = 0;
     for (size_t i = 0; i < points.count; ++i) {
@@ -51,7 +51,7 @@ static double polygon_area(sph2d_points points)
         sph2d_vec2 b = points.items[(i + 1) % points.count];
         twice += a.x * b.y - b.x * a.y;
     }
-    return fabs(twice) / 2;
+    return twice / 2;
 }
 
 double sph2d__shape_area(const sph2d_shape *shape)
@@ -62,7 +62,7 @@ double sph2d__shape_area(const sph2d_shape *shape)
     case SPH2D_SHAPE_DISC:
         return SPH2D__PI * shape->disc.radius * shape->disc.radius;
     case SPH2D_SHAPE_POLYGON:
-        return polygon_area(shape->polygon);
+        return fabs(signed_area(shape->polygon));
     case SPH2D_SHAPE_NONE:
         break;
     }
@@ -144,6 +144,8 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
     }
     case SPH2D_OUTLINE_BOX:
         return 4;
+    case SPH2D_OUTLINE_POLYGON:
+        return outline->polygon.count;
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -173,6 +175,9 @@ sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing
         sph2d_vec2 corners[5] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}, b.min};
         return (sph2d__segment){corners[index % 4], corners[index % 4 + 1]};
     }
+    case SPH2D_OUTLINE_POLYGON:
+        return (sph2d__segment){outline->polygon.items[index],
+                                outline->polygon.items[(index + 1) % outline->polygon.count]};
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -181,9 +186,34 @@ sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing
 
 bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point)
 {
-    if (outline->kind == SPH2D_OUTLINE_CIRCLE)
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_CIRCLE:
         return disc_contains(outline->circle, point);
-    return outline->kind == SPH2D_OUTLINE_BOX && box_contains(outline->box, point);
+    case SPH2D_OUTLINE_BOX:
+        return box_contains(outline->box, point);
+    case SPH2D_OUTLINE_POLYGON:
+        return polygon_contains(outline->polygon, point);
+    case SPH2D_OUTLINE_LINE:
+    case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return false;
+}
+
+bool sph2d__outline_is_open(const sph2d_outline *outline)
+{
+    return outline->kind == SPH2D_OUTLINE_LINE || outline->kind == SPH2D_OUTLINE_POLYLINE;
+}
+
+bool sph2d__polygon_is_clockwise(sph2d_points points)
+{
+    return signed_area(points) < 0;
+}
+
+double sph2d__segment_side(const sph2d__segment *segment, sph2d_vec2 point)
+{
+    return turn(segment->a, segment->b, point);
 }
 
 double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point)

@@ -27,8 +27,14 @@ typedef struct sph2d__segment {
 size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing);
 /** Piece `index` of so many. */
 sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index);
-/** Whether a point lies inside a closed outline (circle, box); never for lines. */
+/** Whether an outline is a line or polyline. */
+bool sph2d__outline_is_open(const sph2d_outline *outline);
+/** Whether the corners of a polygon go round clockwise. */
+bool sph2d__polygon_is_clockwise(sph2d_points points);
+/** Whether a point lies inside a closed outline (circle, box, polygon); never for lines. */
 bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
+/** Positive for a point on the left of the way from a to b, negative on the right. */
+double sph2d__segment_side(const sph2d__segment *segment, sph2d_vec2 point);
 /** Distance of a point from a straight piece [m]. */
 double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point);
 

@@ -6,6 +6,7 @@
 #include "methods/isa.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
+#include "scene/liquid_side.h"
 #include "scene/resolve.h"
 #include "sim/integrators.h"
 
@@ -111,7 +112,9 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
-    return sim->points && sim->moving && sim->source_rows && sim->output_counts ? SPH2D_OK : SPH2D_NOMEM;
+    sim->wall_ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof(uint64_t));
+    bool ok = sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts;
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 /** First forces and extremes of a new simulation. */
@@ -173,6 +176,9 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
     sim->scene.walls = sph2d__side_form(&sim->scene);
+    status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
+    if (status != SPH2D_OK)
+        return status;
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
     status = gather_team(sim, options->threads);

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_fluid.c
- *  The particles of a scene's blocks: square lattices or rings, kept free of obstacles, refused where they overlap; and
- * single particles. */
+ *  The particles of a scene: those of its blocks, kept free of obstacles, and single ones. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "base/pi.h"
 #include "base/random.h"
 #include "scene/resolve.h"
 #include "sim/simulation.h"
@@ -19,33 +17,12 @@ static const double FREE_DISTANCE = 0.7, FREE_DISTANCE_OF_LAYERS = 0.49;
 /* Cells name particles by 32 bits. */
 static const double MOST_PARTICLES = 4e9;
 
-/** The lattice of a block: first place, number of places. */
-typedef struct lattice {
-    sph2d_vec2 first;
-    double spacing;
-    double nx, ny; /**< whole numbers, as doubles because a wrong scene may ask for too many */
-} lattice;
-
-static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
-{
-    lattice l = {.spacing = block->spacing > 0 ? block->spacing : sim->scene.spacing};
-    sph2d_box b = sph2d__shape_bounds(&block->shape);
-    double half = block->shape.kind == SPH2D_SHAPE_BOX ? 0.5 : 0.0; /* boxes fit whole columns, others are cut out */
-    l.nx = fmax(floor((b.max.x - b.min.x) / l.spacing + half), 1);
-    l.ny = fmax(floor((b.max.y - b.min.y) / l.spacing + half), 1);
-    l.first.x = (b.min.x + b.max.x) / 2 - (l.nx - 1) / 2 * l.spacing;
-    l.first.y = (b.min.y + b.max.y) / 2 - (l.ny - 1) / 2 * l.spacing;
-    return l;
-}
-
-/** Whether a place is inside an obstacle or too close to it. */
-static bool taken_by(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
+/** Whether a piece of an outline is nearer to a place than a distance. */
+static bool is_beside(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
 {
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
         return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) <
                outline->circle.radius + distance;
-    if (sph2d__outline_encloses(outline, p))
-        return true;
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
@@ -55,25 +32,31 @@ static bool taken_by(const sph2d_outline *outline, double spacing, double distan
     return false;
 }
 
-/** Whether an obstacle takes a place, or one of its images beyond periodic sides, and `part` of the distance that it
- * keeps free. */
-static bool taken_by_obstacle(const sph2d_sim *sim, sph2d_vec2 p, double part)
+static sph2d__taken taken_by(const sph2d_sim *sim, const sph2d_obstacle *obstacle, double part, sph2d_vec2 p)
+{
+    bool layers = sph2d__obstacle_form(&sim->scene, obstacle) == SPH2D_WALL_GENERALISED;
+    double distance = part * (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * sim->scene.spacing;
+    if (sph2d__outline_encloses(&obstacle->outline, p))
+        return layers ? SPH2D__ENCLOSED : SPH2D__BESIDE_LINE;
+    if (!is_beside(&obstacle->outline, sim->scene.spacing, distance, p))
+        return SPH2D__FREE;
+    return layers ? SPH2D__BESIDE_LAYERS : SPH2D__BESIDE_LINE;
+}
+
+sph2d__taken sph2d__sim_taken(const sph2d_sim *sim, sph2d_vec2 p, double part)
 {
     const sph2d_scene *scene = &sim->scene;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     int across = period->length_x > 0, along = period->length_y > 0;
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        const sph2d_obstacle *obstacle = &scene->obstacles[i];
-        bool layers = sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
-        double distance = part * (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * scene->spacing;
+    sph2d__taken taken = SPH2D__FREE;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
         for (int image_x = -across; image_x <= across; ++image_x)
             for (int image_y = -along; image_y <= along; ++image_y) {
                 sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
-                if (taken_by(&obstacle->outline, scene->spacing, distance, image))
-                    return true;
+                sph2d__taken now = taken_by(sim, &scene->obstacles[i], part, image);
+                taken = now > taken ? now : taken;
             }
-    }
-    return false;
+    return taken;
 }
 
 bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report)
@@ -89,113 +72,6 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
     if (strcmp(path, "particles") != 0)
         sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
     return true;
-}
-
-/** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
-static void place(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
-{
-    if (taken_by_obstacle(sim, p, 1)) {
-        ++sim->plan.places_left_free;
-        return;
-    }
-    sph2d__store *fluid = &sim->system.fluid;
-    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
-    fluid->vx[i] = block->velocity.x;
-    fluid->vy[i] = block->velocity.y;
-    fluid->density[i] = sim->scene.fluid.density;
-}
-
-static void place_lattice(sph2d_sim *sim, const sph2d_block *block, const lattice *l)
-{
-    for (size_t row = 0; row < (size_t)l->ny; ++row)
-        for (size_t column = 0; column < (size_t)l->nx; ++column) {
-            sph2d_vec2 p = {l->first.x + (double)column * l->spacing, l->first.y + (double)row * l->spacing};
-            if (block->shape.kind == SPH2D_SHAPE_BOX || sph2d__shape_contains(&block->shape, p))
-                place(sim, block, p);
-        }
-}
-
-/** Particles of the k-th ring from the middle. */
-static double ring_count(size_t k)
-{
-    return round(2 * SPH2D__PI * ((double)k + 0.5));
-}
-
-/** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first keep a spacing from each other,
- *  without which they collapse. Rings are turned against each other by the golden angle, which repeats no pattern. */
-static void place_rings(sph2d_sim *sim, const sph2d_block *block, double spacing, size_t rings)
-{
-    const double golden = SPH2D__PI * (3 - sqrt(5));
-    for (size_t k = 0; k < rings; ++k) {
-        double radius = (k > 0 ? (double)k + 0.5 : 1 / sqrt(3)) * spacing, count = ring_count(k);
-        for (size_t i = 0; i < (size_t)count; ++i) {
-            double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
-            place(sim, block,
-                  (sph2d_vec2){block->shape.disc.center.x + radius * cos(angle),
-                               block->shape.disc.center.y + radius * sin(angle)});
-        }
-    }
-}
-
-static sph2d_status place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
-{
-    const sph2d_block *block = &sim->scene.blocks[index];
-    sph2d__store *fluid = &sim->system.fluid;
-    lattice l = lattice_of(sim, block);
-    double count = l.nx * l.ny, rings = 0;
-    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
-        rings = fmax(round(block->shape.disc.radius / l.spacing), 1);
-        count = 2 * SPH2D__PI * rings * rings; /* more than ring_count adds up to */
-    }
-    char path[64];
-    snprintf(path, sizeof path, "blocks[%zu]", index);
-    if (sph2d__sim_too_many(sim, (double)fluid->count + count, path, report))
-        return SPH2D_SCENE;
-    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + (size_t)ceil(count)))
-        return SPH2D_NOMEM;
-    if (rings > 0)
-        place_rings(sim, block, l.spacing, (size_t)rings);
-    else
-        place_lattice(sim, block, &l);
-    return SPH2D_OK;
-}
-
-/** The earlier block that shares a place with block `index`, whose particles start at `first`; `index` for none. */
-static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *place)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d_block *blocks = sim->scene.blocks;
-    for (size_t other = 0; other < index; ++other)
-        for (size_t i = 0; i < f->count; ++i) {
-            *place = (sph2d_vec2){f->x[i], f->y[i]};
-            if (sph2d__shape_contains(&blocks[other].shape, *place) &&
-                (i >= first || sph2d__shape_contains(&blocks[index].shape, *place)))
-                return other;
-        }
-    return index;
-}
-
-static sph2d_status check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
-{
-    sph2d_vec2 place;
-    size_t other = find_overlap(sim, index, first, &place);
-    if (other == index)
-        return SPH2D_OK;
-    char path[64];
-    snprintf(path, sizeof path, "blocks[%zu]", index);
-    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
-                                           "overlaps blocks[%zu] near (%g, %g)", other, place.x, place.y);
-    sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
-    return SPH2D_SCENE;
-}
-
-/** Reports that single particle k cannot be where it is. */
-static sph2d_status refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report)
-{
-    char path[64];
-    snprintf(path, sizeof path, "particles[%zu]", k);
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path, "(%g, %g) lies %s", p.x, p.y, what);
-    return SPH2D_SCENE;
 }
 
 static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
@@ -221,33 +97,13 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
         sph2d_vec2 at = {sph2d__period_wrap(p->x, period->low_x, period->length_x),
                          sph2d__period_wrap(p->y, period->low_y, period->length_y)};
         if (in_block(&sim->scene, at))
-            return refuse_particle(k, "inside a block", at, report);
-        if (taken_by_obstacle(sim, at, 0))
-            return refuse_particle(k, "inside an obstacle", at, report);
+            return sph2d__sim_refuse_particle(k, "inside a block", at, report);
+        if (sph2d__sim_taken(sim, at, 0) != SPH2D__FREE)
+            return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
         size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
         f->density[i] = p->density;
-    }
-    return SPH2D_OK;
-}
-
-/** Two particles in one place never part. Refuses a single particle that is less than a thousandth of a spacing from
- *  another. The cells are built; ids from `first` on are those of single particles. */
-static sph2d_status check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    double near = 1e-3 * sim->scene.spacing;
-    for (size_t i = 0; i < f->count; ++i) {
-        uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
-        if (f->id[i] < first || cell == UINT32_MAX)
-            continue;
-        sph2d__ranges ranges;
-        sph2d__cells_ranges(&sim->system.fluid_cells, cell, &ranges);
-        SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
-            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
-                return refuse_particle((size_t)(f->id[i] - first), "where another particle is",
-                                       (sph2d_vec2){f->x[i], f->y[i]}, report);
     }
     return SPH2D_OK;
 }
@@ -273,9 +129,9 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
     sph2d__store *fluid = &sim->system.fluid;
     for (size_t i = 0; i < scene->block_count; ++i) {
         size_t first = fluid->count;
-        sph2d_status status = place_block(sim, i, report);
+        sph2d_status status = sph2d__sim_place_block(sim, i, report);
         if (status == SPH2D_OK)
-            status = check_overlap(sim, i, first, report);
+            status = sph2d__sim_check_overlap(sim, i, first, report);
         if (status != SPH2D_OK)
             return status;
         perturb_block(sim, i, first);
@@ -295,5 +151,6 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
         !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.team))
         return SPH2D_NOMEM;
-    return check_distances(sim, first_single, report);
+    status = sph2d__sim_check_distances(sim, first_single, report);
+    return status == SPH2D_OK ? sph2d__sim_check_layers(sim, report) : status;
 }

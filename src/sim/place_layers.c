@@ -3,9 +3,9 @@
  *  Generalised walls: layers of boundary particles behind a surface, half a spacing, one and a half ... away from it,
  * as many as a support radius reaches. Each stands for the area of its piece of its layer.
  *
- *  Closed outlines are solids, with layers inside. Lines and polylines are walls with the liquid on the left of the way
- *  from the first point to the last, and layers on the right. Sides of the domain have them outside, on the continued
- *  lattice of the spacing. */
+ *  Closed outlines are solids, with layers inside. Lines and polylines are walls with the liquid on one side, layers on
+ *  the other, and a back that nothing passes. Sides of the domain have layers outside, on the continued lattice of the
+ *  spacing. */
 #include <math.h>
 
 #include "kernels/kernel.h"
@@ -72,11 +72,16 @@ typedef struct contour {
     double side; /**< +1: layers on the left, -1: on the right */
 } contour;
 
-static contour contour_of(const sph2d_sim *sim, const sph2d_outline *outline)
+static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
-    bool closed = outline->kind == SPH2D_OUTLINE_CIRCLE || outline->kind == SPH2D_OUTLINE_BOX;
+    const sph2d_outline *outline = &obstacle->outline;
+    bool closed = !sph2d__outline_is_open(outline), left = closed;
+    if (outline->kind == SPH2D_OUTLINE_POLYGON)
+        left = !sph2d__polygon_is_clockwise(outline->polygon);
+    else if (!closed)
+        left = obstacle->liquid == SPH2D_LIQUID_RIGHT;
     double dx = sim->scene.spacing;
-    return (contour){outline, dx, sph2d__outline_pieces(outline, dx), closed, closed ? 1 : -1};
+    return (contour){outline, dx, sph2d__outline_pieces(outline, dx), closed, left ? 1 : -1};
 }
 
 static sph2d_vec2 direction_of(sph2d__segment s)
@@ -115,17 +120,58 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d)
     return layer;
 }
 
+/** Whether a piece of a solid is on the other side of it, as of a plate. */
+static bool is_opposite(const contour *c, size_t index, size_t other)
+{
+    size_t apart = index > other ? index - other : other - index;
+    if (!c->closed || c->outline->kind == SPH2D_OUTLINE_CIRCLE || apart < 2 || apart + 1 == c->pieces)
+        return false;
+    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+    sph2d_vec2 v = direction_of(sph2d__outline_piece(c->outline, c->spacing, other));
+    return u.x * v.x + u.y * v.y < 0;
+}
+
 /** Whether a place at distance d from its own piece is nearer to another one. A circle's layers never are. */
-static bool belongs_elsewhere(const contour *c, sph2d_vec2 p, double d)
+static bool belongs_elsewhere(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     if (c->outline->kind == SPH2D_OUTLINE_CIRCLE)
         return d >= c->outline->circle.radius;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
-        if (sph2d__segment_distance(&piece, p) < 0.999 * d)
+        if (sph2d__segment_distance(&piece, p) < 0.999 * d && !is_opposite(c, index, k))
             return true;
     }
-    return false;
+    return c->outline->kind == SPH2D_OUTLINE_POLYGON && !sph2d__outline_encloses(c->outline, p);
+}
+
+/** How much of a layer's thickness, d - 1/2 to d + 1/2 spacings deep, is on this side of the middle of a solid: 1 but
+ *  in thin ones, whose layers meet there. */
+static double share_of(const contour *c, size_t index, sph2d_vec2 p, double d)
+{
+    double other = INFINITY;
+    for (size_t k = 0; k < c->pieces; ++k) {
+        sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
+        double distance = c->closed ? sph2d__segment_distance(&piece, p) : INFINITY;
+        if (c->side * sph2d__segment_side(&piece, p) < 0) /* beyond it */
+            distance = -distance;
+        if (distance < fmin(other, d + c->spacing) && is_opposite(c, index, k))
+            other = distance;
+    }
+    return fmin(fmax(((other - d) / c->spacing + 1) / 2, 0), 1);
+}
+
+/** A boundary particle of a layer whose place is p; false where it has none. */
+static bool fit_particle(const contour *c, size_t index, sph2d_vec2 p, double d, place *here)
+{
+    if (belongs_elsewhere(c, index, p, d))
+        return false;
+    double share = share_of(c, index, p, d), out = (1 - share) / 2 * c->spacing; /* to the middle of what is left */
+    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+    here->normal = (sph2d_vec2){u.y * c->side, -u.x * c->side};
+    here->at = (sph2d_vec2){p.x + out * here->normal.x, p.y + out * here->normal.y};
+    here->area *= share;
+    here->depth = d - out;
+    return share > 0.01;
 }
 
 static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size_t first, sph2d_report *report)
@@ -141,10 +187,9 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
         for (double k = 0; k < count; ++k) {
             double t = (k + 0.5) / count;
             sph2d_vec2 p = {layer.a.x + t * (layer.b.x - layer.a.x), layer.a.y + t * (layer.b.y - layer.a.y)};
-            if (belongs_elsewhere(c, p, d) || is_crowded(sim, first, p))
+            place here = {.area = length / count * c->spacing};
+            if (!fit_particle(c, index, p, d, &here) || is_crowded(sim, first, here.at))
                 continue;
-            sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
-            place here = {p, length / count * c->spacing, {u.y * c->side, -u.x * c->side}, d};
             sph2d_status status = add_particle(sim, &here, report);
             if (status != SPH2D_OK)
                 return status;
@@ -153,10 +198,34 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
     return SPH2D_OK;
 }
 
-sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_outline *outline, sph2d_report *report)
+/** Adds the back of the layers behind an open line to its barrier, with the two ends: what comes round the line from
+ *  behind must not get between the layers. Where the line turns so sharply that they lie in front of another piece
+ *  there is no back. */
+static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
 {
-    contour c = contour_of(sim, outline);
+    double thickness = layer_count(sim) * c->spacing;
+    for (size_t k = 0; k < c->pieces; ++k) {
+        sph2d__segment front = sph2d__outline_piece(c->outline, c->spacing, k), back = layer_piece(c, k, thickness);
+        sph2d_vec2 middle = {(back.a.x + back.b.x) / 2, (back.a.y + back.b.y) / 2};
+        if (hypot(back.b.x - back.a.x, back.b.y - back.a.y) < 0.01 * c->spacing ||
+            belongs_elsewhere(c, k, back.a, thickness) || belongs_elsewhere(c, k, back.b, thickness) ||
+            belongs_elsewhere(c, k, middle, thickness))
+            continue;
+        if (!sph2d__barrier_add(barrier, back, &sim->memory) ||
+            (k == 0 && !sph2d__barrier_add(barrier, (sph2d__segment){front.a, back.a}, &sim->memory)) ||
+            (k + 1 == c->pieces && !sph2d__barrier_add(barrier, (sph2d__segment){front.b, back.b}, &sim->memory)))
+            return false;
+    }
+    return true;
+}
+
+sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
+                                     sph2d_report *report)
+{
+    contour c = contour_of(sim, obstacle);
     size_t first = sim->system.walls.count;
+    if (!c.closed && !add_back(sim, &c, barrier))
+        return SPH2D_NOMEM;
     sph2d_status status = SPH2D_OK;
     for (int k = 0; status == SPH2D_OK && k < layer_count(sim); ++k)
         status = place_layer(sim, &c, (k + 0.5) * c.spacing, first, report);

@@ -62,28 +62,37 @@ static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle
     if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
         return SPH2D_SCENE;
     sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
-    bool open = obstacle->outline.kind == SPH2D_OUTLINE_LINE || obstacle->outline.kind == SPH2D_OUTLINE_POLYLINE;
+    bool open = sph2d__outline_is_open(&obstacle->outline);
     for (size_t k = 0; k < pieces; ++k) {
         wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
                             open && k + 1 == pieces};
-        if (!sph2d__barrier_add(barrier, piece.segment, &sim->memory))
+        sph2d__segment wall = piece.segment;
+        if (obstacle->liquid == SPH2D_LIQUID_RIGHT) /* the backstop keeps what starts on a wall on its left */
+            wall = (sph2d__segment){wall.b, wall.a};
+        if (!sph2d__barrier_add(barrier, wall, &sim->memory))
             return SPH2D_NOMEM;
         sph2d_status status = form == SPH2D_WALL_GENERALISED ? SPH2D_OK : place_piece(sim, &piece, report);
         if (status != SPH2D_OK)
             return status;
     }
-    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, &obstacle->outline, report) : SPH2D_OK;
+    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, obstacle, barrier, report) : SPH2D_OK;
 }
 
-static sph2d_status place_obstacle(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_report *report)
+static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *report)
 {
-    if (!is_moving(&obstacle->motion))
-        return place_outline(sim, obstacle, &sim->barrier, report);
-    sph2d__moving *m = &sim->moving[sim->moving_count++];
-    m->motion = &obstacle->motion;
-    m->first_id = sim->system.walls.count;
-    sph2d_status status = place_outline(sim, obstacle, &m->barrier, report);
-    m->end_id = sim->system.walls.count;
+    const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
+    sph2d__barrier *barrier = &sim->barrier;
+    sph2d__moving *m = NULL;
+    if (is_moving(&obstacle->motion)) {
+        m = &sim->moving[sim->moving_count++];
+        m->motion = &obstacle->motion;
+        m->first_id = sim->system.walls.count;
+        barrier = &m->barrier;
+    }
+    sph2d_status status = place_outline(sim, obstacle, barrier, report);
+    sim->wall_ends[index] = sim->system.walls.count;
+    if (m)
+        m->end_id = sim->system.walls.count;
     return status;
 }
 
@@ -177,7 +186,7 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_status status = place_sides(sim, report);
     for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
-        status = place_obstacle(sim, &sim->scene.obstacles[i], report);
+        status = place_obstacle(sim, i, report);
     if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
         status = sph2d__sim_place_rings(sim, report);
     if (status != SPH2D_OK)

@@ -5,13 +5,13 @@
 
 expect 0 "$SPH2D" check "$TINY"
 silent
-for row in scene active particles 'support radius' 'sound speed' compression 'time step' steps memory snapshots frames \
+for row in scene active particles area 'support radius' 'sound speed' compression 'time step' steps memory snapshots frames \
     time; do
     prints "^$row  *[^ ]"
 done
 prints 'sources: 1, drains: 1, obstacles: 1, interactions: 1, probes: 3'
 expect 0 "$SPH2D" check "$TINY" --json && lines 1
-for key in scene particles wall_particles support_radius sound_speed sound_speed_formula compression \
+for key in scene particles wall_particles area_asked area_placed support_radius sound_speed sound_speed_formula compression \
     impact_compression time_step time_step_limit steps memory_bytes snapshots frames disk_bytes seconds cpu_seconds; do
     prints "\"$key\": "
 done
@@ -29,6 +29,46 @@ if can_draw; then
 else
     expect 69 "$SPH2D" check "$TINY" --preview first.png && absent first.png
 fi
+
+# A wall drawn the wrong way round is turned, liquid on both sides is asked about, liquid in the layers has its place.
+wall() {
+    cat >wall.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.02
+fluid: water
+method: {name: wcsph}
+obstacles:
+  - line: [[0.2, 0], [0.2, 0.5]]
+    liquid: $1
+blocks:
+  - box: {min: [$2, 0], max: [0.6, 0.4]}
+END
+}
+wall auto 0.2
+expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.16 m^2 asked for, 0.16 m^2 placed (+0.00 %)'
+wall auto 0.1
+expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S106\]: obstacles\[0\].line: liquid lies on both'
+says 'hint: `liquid: both` makes it a solid 0.06 m thick'
+wall both 0.1
+expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.176 m^2 asked for, 0.176 m^2 placed (+0.00 %)'
+wall left 0.2
+expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S108\]: obstacles\[0\].line: .* layers of boundary particles'
+says 'try `liquid: right`'
+
+# With a source the number of steps and the time are those of the whole run, not of its beginning: the time within a
+# factor of two, since other jobs disturb the processor.
+cat >jet.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.02
+method: {name: wcsph}
+sources: [{at: [0.3, 0.8], direction: [1, 0], width: 0.1, speed: 1}]
+run: {until: 3}
+END
+expect 0 "$SPH2D" check jet.yaml --json --threads 1
+sed 's/.*"steps": \([0-9.e+]*\).*"cpu_seconds": \([0-9.e+-]*\).*/\1 \2/' out >wanted
+expect 0 "$SPH2D" run jet.yaml -o jet --json --threads 1
+sed 's/.*"step_cpu_seconds": \([0-9.e+-]*\).*"steps": \([0-9]*\).*/\2 \1/' out | paste wanted - >both
+awk '{ exit !($1 > 0.8 * $3 && $1 < 1.2 * $3 && $2 > $4 / 2 && $2 < 2 * $4) }' both || fail "a jet: $(cat both)"
 
 # init: every template passes check; nothing is overwritten without --force.
 "$SPH2D" help init | sed -n '/^templates:/,/^$/s/^  \([a-z_]*\) .*/\1/p' >templates

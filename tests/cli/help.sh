@@ -19,6 +19,14 @@ expect 0 "$SPH2D" help exit && lines 12 && prints '^  75  EX_TEMPFAIL'
 expect 0 "$SPH2D" help codes && prints '^S104  '
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
+expect 0 "$SPH2D" help materials && lines 9 && prints '^water  *998.2  *0.0010016  *0.07275  *IAPWS'
+# every material that a scene may name is in the table
+"$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >materials
+[ "$(wc -l <materials)" = 5 ] || fail 'not five materials'
+while read -r material; do
+    "$SPH2D" help materials | grep -q "^$material  *[0-9]" || fail "no $material"
+done <materials
+
 expect 64 "$SPH2D" && says "Try 'sph2d --help'"
 expect 64 "$SPH2D" rnu && says "unknown command 'rnu'; did you mean 'run'"
 expect 64 "$SPH2D" xyzzy && says "unknown command 'xyzzy'"

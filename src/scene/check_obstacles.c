@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_obstacles.c
+ *  Faults of a scene's obstacles: their lines, their ways, and on which side of them the liquid is. */
+#include <math.h>
+
+#include "scene/checker.h"
+#include "scene/liquid_side.h"
+
+enum { PATH_SIZE = SPH2D__PATH_SIZE };
+typedef sph2d__checker checker;
+
+static void check_points_inside(checker *c, sph2d_points points, const char *path)
+{
+    for (size_t i = 0; i < points.count; ++i)
+        if (!sph2d__check_in_domain(c->scene, points.items[i]))
+            sph2d__check_outside(c, path, points.items[i]);
+}
+
+static void check_outline_points(checker *c, sph2d_points points, bool two, const char *path)
+{
+    if (two ? points.count != 2 : points.count < 2) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                           two ? "a line has two points" : "a polyline has two points or more");
+        return;
+    }
+    check_points_inside(c, points, path);
+    for (size_t i = 1; i < points.count; ++i) {
+        sph2d_vec2 p = points.items[i];
+        if ( p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
+    }
+}
+
+static double domain_diagonal(const sph2d_scene *scene)
+{
+    return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
+}
+
+void sph2d__check_way(checker *c, sph2d_path way, const char *path)
+{
+    for (size_t k = 1; k < way.count; ++k)
+        if (!(way.items[k].t > way.items[k - 1].t)) {
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
+            break;
+        }
+}
+
+static void check_obstacle(checker *c, size_t i)
+{
+    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
+    const sph2d_outline *outline = &obstacle->outline;
+    char path[PATH_SIZE];
+    sph2d__check_way(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
+    if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
+                               "springs are for the sides of the domain only");
+        sph2d_diagnostic_hint(d, "use heavy or reflect");
+    }
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_LINE:
+        check_outline_points(c, outline->line, true, sph2d__check_path(path, "obstacles", i, ".line"));
+        break;
+    case SPH2D_OUTLINE_POLYLINE:
+        check_outline_points(c, outline->polyline, false, sph2d__check_path(path, "obstacles", i, ".polyline"));
+        break;
+    case SPH2D_OUTLINE_CIRCLE:
+        if (!sph2d__check_in_domain(c->scene, outline->circle.center))
+            sph2d__check_outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+        if (outline->circle.radius > domain_diagonal(c->scene))
+            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
+                               "is larger than the whole domain");
+        break;
+    case SPH2D_OUTLINE_BOX:
+        sph2d__check_path(path, "obstacles", i, ".box");
+        if (sph2d__check_box(c, outline->box, path)) {
+            if (!sph2d__check_in_domain(c->scene, outline->box.min))
+                sph2d__check_outside(c, path, outline->box.min);
+            if (!sph2d__check_in_domain(c->scene, outline->box.max))
+                sph2d__check_outside(c, path, outline->box.max);
+        }
+        break;
+    case SPH2D_OUTLINE_POLYGON:
+        sph2d__check_path(path, "obstacles", i, ".polygon");
+        if (sph2d__check_polygon(c, outline->polygon, path))
+            check_points_inside(c, outline->polygon, path);
+        break;
+    case SPH2D_OUTLINE_NONE:
+    default: {
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "obstacles", i, ""),
+                                                 "has no outline");
+        sph2d_diagnostic_hint(d, "give one of line, polyline, circle, box, polygon");
+        break;
+    }
+    }
+}
+
+/** Whether a line can be a solid of the layers' thickness. */
+static bool can_be_solid(const sph2d_scene *scene, sph2d_points line)
+{
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    void *corners = sph2d__alloc(&memory, 2 * line.count, sizeof(sph2d_vec2));
+    bool can = !corners || sph2d__solid_of_line(line, sph2d__layer_thickness(scene), corners);
+    sph2d__release(&memory, &corners, 2 * line.count, sizeof(sph2d_vec2));
+    return can;
+}
+
+/** The side of a line is known, or said; what is said to be wet on both sides can be. All else is sound. */
+static void check_side(checker *c, size_t i)
+{
+    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
+    char path[PATH_SIZE];
+    sph2d_diagnostic *d;
+    if (!sph2d__obstacle_has_side(c->scene, obstacle) ||
+        sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
+        return;
+    bool line = obstacle->outline.kind == SPH2D_OUTLINE_LINE;
+    sph2d__check_path(path, "obstacles", i, line ? ".line" : ".polyline");
+    if (obstacle->liquid == SPH2D_LIQUID_AUTO) {
+        d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
+                               "liquid lies on both sides of it, where the layers of boundary particles must be");
+        sph2d_diagnostic_hint(d, "`liquid: both` makes it a solid %.3g m thick; or leave one side free for %.3g m",
+                              sph2d__layer_thickness(c->scene), sph2d__layer_thickness(c->scene));
+    } else if (!can_be_solid(c->scene, line ? obstacle->outline.line : obstacle->outline.polyline)) {
+        d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
+                               "turns too sharply for a solid of the layers' thickness that has liquid on both sides");
+        sph2d_diagnostic_hint(d, "draw the solid as a `polygon`, %.3g m thick or thicker",
+                              sph2d__layer_thickness(c->scene));
+    }
+}
+
+void sph2d__check_obstacles(checker *c)
+{
+    for (size_t i = 0; i < c->scene->obstacle_count; ++i)
+        check_obstacle(c, i);
+    for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
+        check_side(c, i);
+}

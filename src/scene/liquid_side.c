@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/** @file liquid_side.c
+ *  Which side of an open line is wet, and the solid that a line becomes when both are. */
+#include "scene/liquid_side.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "scene/resolve.h"
+
+/* Places along a piece of wall, and along an edge of a block's bounds, where liquid is looked for at most. */
+static const double MOST_ALONG = 2000, MOST_ACROSS = 40;
+/* A mitre reaches at most this many times as far as the offset: lines that turn by more than 120 degrees have none. */
+static const double LONGEST_MITRE = 2;
+
+double sph2d__layer_thickness(const sph2d_scene *scene)
+{
+    return ceil(sph2d__method_resolve(scene->method).support_ratio - 1e-9) * scene->spacing;
+}
+
+bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+{
+    return sph2d__outline_is_open(&obstacle->outline) &&
+           sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
+}
+
+static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    for (size_t i = 0; i < scene->block_count; ++i)
+        if (sph2d__shape_contains(&scene->blocks[i].shape, p))
+            return true;
+    return false;
+}
+
+/** Distance of a place from a line [m]; *side is positive on its left. Where two pieces are equally near, at a corner,
+ *  both count. */
+static double look_at_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
+{
+    double nearest = INFINITY;
+    size_t pieces = sph2d__outline_pieces(outline, 0);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, 0, k);
+        double distance = sph2d__segment_distance(&s, p), tie = 1e-9 * nearest;
+        double here = sph2d__segment_side(&s, p) / hypot(s.b.x - s.a.x, s.b.y - s.a.y);
+        *side = distance < nearest - tie ? here : distance <= nearest + tie ? *side + here : *side;
+        nearest = fmin(nearest, distance);
+    }
+    return nearest;
+}
+
+/** Whether blocks lie beside a line, within a thickness of it. */
+static void look_beside(const sph2d_scene *scene, const sph2d_outline *outline, double thickness, bool *left,
+                        bool *right)
+{
+    double dx = scene->spacing, side;
+    size_t pieces = sph2d__outline_pieces(outline, dx);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, dx, k);
+        double length = hypot(s.b.x - s.a.x, s.b.y - s.a.y), count = fmin(fmax(floor(length / dx), 1), MOST_ALONG);
+        for (double i = 0.5; i < count; ++i)
+            for (double d = 0.5 * dx - thickness; d < thickness; d += dx) {
+                double t = i / count, way = d / length;
+                sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x) - way * (s.b.y - s.a.y),
+                                s.a.y + t * (s.b.y - s.a.y) + way * (s.b.x - s.a.x)};
+                bool *wet = d > 0 ? left : right;
+                if (!*wet && in_block(scene, p) && look_at_line(outline, p, &side) >= 0.999 * fabs(d))
+                    *wet = true;
+            }
+    }
+    for (size_t i = 0; i < scene->source_count; ++i)
+        if (look_at_line(outline, scene->sources[i].at, &side) < thickness)
+            *(side > 0 ? left : right) = true;
+}
+
+/** The side of the liquid that is nearest to a line; left where there is none. */
+static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_outline *outline)
+{
+    double nearest = INFINITY, side = 1, here = 0;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        const sph2d_shape *shape = &scene->blocks[i].shape;
+        sph2d_box b = sph2d__shape_bounds(shape);
+        double width = b.max.x - b.min.x, height = b.max.y - b.min.y;
+        double nx = fmin(fmax(floor(width / scene->spacing), 1), MOST_ACROSS);
+        double ny = fmin(fmax(floor(height / scene->spacing), 1), MOST_ACROSS);
+        for (double y = 0.5; y < ny; ++y)
+            for (double x = 0.5; x < nx; ++x) {
+                sph2d_vec2 p = {b.min.x + x / nx * width, b.min.y + y / ny * height};
+                double distance = sph2d__shape_contains(shape, p) ? look_at_line(outline, p, &here) : INFINITY;
+                if (distance < nearest) {
+                    nearest = distance;
+                    side = here;
+                }
+            }
+    }
+    for (size_t i = 0; i < scene->source_count; ++i) {
+        double distance = look_at_line(outline, scene->sources[i].at, &here);
+        if (distance < nearest) {
+            nearest = distance;
+            side = here;
+        }
+    }
+    return side < 0 ? SPH2D_LIQUID_RIGHT : SPH2D_LIQUID_LEFT;
+}
+
+sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+{
+    if (obstacle->liquid != SPH2D_LIQUID_AUTO)
+        return obstacle->liquid;
+    bool left = false, right = false;
+    look_beside(scene, &obstacle->outline, sph2d__layer_thickness(scene), &left, &right);
+    if (left || right)
+        return left && right ? SPH2D_LIQUID_BOTH : left ? SPH2D_LIQUID_LEFT : SPH2D_LIQUID_RIGHT;
+    return side_of_nearest(scene, &obstacle->outline);
+}
+
+/** Normal of the way from one point to the next, to its left, of length 1. */
+static sph2d_vec2 normal_of(const sph2d_vec2 *points, size_t k)
+{
+    double x = points[k + 1].x - points[k].x, y = points[k + 1].y - points[k].y, length = hypot(x, y);
+    return (sph2d_vec2){-y / length, x / length};
+}
+
+bool sph2d__solid_of_line(sph2d_points line, double thickness, sph2d_vec2 *corners)
+{
+    size_t n = line.count;
+    for (size_t k = 0; k < n; ++k) {
+        sph2d_vec2 from = normal_of(line.items, k > 0 ? k - 1 : k);
+        sph2d_vec2 to = normal_of(line.items, k + 1 < n ? k : k - 1);
+        double along = 1 + from.x * to.x + from.y * to.y; /* 2 where it goes straight on, 0 where it turns back */
+        if (along < 2 / (LONGEST_MITRE * LONGEST_MITRE))
+            return false;
+        double x = thickness / 2 * (from.x + to.x) / along, y = thickness / 2 * (from.y + to.y) / along;
+        corners[k] = (sph2d_vec2){line.items[k].x + x, line.items[k].y + y};
+        corners[2 * n - 1 - k] = (sph2d_vec2){line.items[k].x - x, line.items[k].y - y};
+    }
+    return !sph2d__polygon_crosses_itself((sph2d_points){corners, 2 * n});
+}
+
+sph2d_status sph2d__resolve_obstacles(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+{
+    if (scene->obstacle_count == 0)
+        return SPH2D_OK;
+    sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, scene->obstacle_count, sizeof *obstacles);
+    if (!obstacles)
+        return SPH2D_NOMEM;
+    memcpy(obstacles, scene->obstacles, scene->obstacle_count * sizeof *obstacles);
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        sph2d_outline *outline = &obstacles[i].outline;
+        if (!sph2d__obstacle_has_side(scene, &obstacles[i]))
+            continue;
+        obstacles[i].liquid = sph2d__liquid_side(scene, &scene->obstacles[i]);
+        if (obstacles[i].liquid != SPH2D_LIQUID_BOTH)
+            continue;
+        sph2d_points line = outline->kind == SPH2D_OUTLINE_LINE ? outline->line : outline->polyline;
+        sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 2 * line.count, sizeof *corners);
+        if (!corners)
+            return SPH2D_NOMEM;
+        sph2d__solid_of_line(line, sph2d__layer_thickness(scene), corners);
+        outline->kind = SPH2D_OUTLINE_POLYGON;
+        outline->polygon = (sph2d_points){corners, 2 * line.count};
+    }
+    scene->obstacles = obstacles;
+    return SPH2D_OK;
+}

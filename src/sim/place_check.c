@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/** @file place_check.c
+ *  Faults that only the placed particles show: overlapping blocks, particles in one place, liquid in the layers of a
+ *  wall. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scene/liquid_side.h"
+#include "scene/resolve.h"
+#include "sim/simulation.h"
+
+/* Liquid begins half a spacing in front of a wall, its layers half a spacing behind. Nearer than this many spacings to
+ * a boundary particle, liquid is in the wall or starts compressed against it. */
+static const double APART = 0.6;
+
+/** The earlier block that shares a place with block `index`, whose particles start at `first`; `index` for none. */
+static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *place)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d_block *blocks = sim->scene.blocks;
+    for (size_t other = 0; other < index; ++other)
+        for (size_t i = 0; i < f->count; ++i) {
+            *place = (sph2d_vec2){f->x[i], f->y[i]};
+            if (sph2d__shape_contains(&blocks[other].shape, *place) &&
+                (i >= first || sph2d__shape_contains(&blocks[index].shape, *place)))
+                return other;
+        }
+    return index;
+}
+
+sph2d_status sph2d__sim_check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
+{
+    sph2d_vec2 place;
+    size_t other = find_overlap(sim, index, first, &place);
+    if (other == index)
+        return SPH2D_OK;
+    char path[64];
+    snprintf(path, sizeof path, "blocks[%zu]", index);
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
+                                           "overlaps blocks[%zu] near (%g, %g)", other, place.x, place.y);
+    sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
+    return SPH2D_SCENE;
+}
+
+sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report)
+{
+    char path[64];
+    snprintf(path, sizeof path, "particles[%zu]", k);
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path, "(%g, %g) lies %s", p.x, p.y, what);
+    return SPH2D_SCENE;
+}
+
+sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double near = 1e-3 * sim->scene.spacing;
+    for (size_t i = 0; i < f->count; ++i) {
+        uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
+        if (f->id[i] < first || cell == UINT32_MAX)
+            continue;
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&sim->system.fluid_cells, cell, &ranges);
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
+            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
+                return sph2d__sim_refuse_particle((size_t)(f->id[i] - first), "where another particle is",
+                                       (sph2d_vec2){f->x[i], f->y[i]}, report);
+    }
+    return SPH2D_OK;
+}
+
+/** The obstacle that a boundary particle belongs to; their count for a side of the domain. */
+static size_t obstacle_of(const sph2d_sim *sim, uint64_t wall_id)
+{
+    size_t i = 0;
+    while (i < sim->scene.obstacle_count && wall_id >= sim->wall_ends[i])
+        ++i;
+    return i;
+}
+
+/** An obstacle with layers that a particle of the liquid lies in, or within APART spacings of; their count for none. */
+static size_t layers_around(const sph2d_sim *sim, size_t i)
+{
+    const sph2d__store *f = &sim->system.fluid, *w = &sim->system.walls;
+    size_t count = sim->scene.obstacle_count, found = count;
+    uint32_t cell = sph2d__cells_find(&sim->system.wall_cells, f->x[i], f->y[i]);
+    if (cell == UINT32_MAX)
+        return count;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+        double x = f->x[i] + ranges.x[r] - w->x[j], y = f->y[i] + ranges.y[r] - w->y[j];
+        size_t k = hypot(x, y) < APART * sim->scene.spacing ? obstacle_of(sim, w->id[j]) : count;
+        if (k < found && sph2d__obstacle_form(&sim->scene, &sim->scene.obstacles[k]) == SPH2D_WALL_GENERALISED)
+            found = k;
+    }
+    return found;
+}
+
+/** "obstacles[2].line" */
+static void name_outline(const sph2d_sim *sim, size_t k, char path[64])
+{
+    static const char *const keys[] = {"", ".line", ".polyline", ".circle", ".box", ".polygon"};
+    snprintf(path, 64, "obstacles[%zu]%s", k, keys[sim->scene.obstacles[k].outline.kind]);
+}
+
+static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)
+{
+    const sph2d_obstacle *obstacle = &sim->scene.obstacles[k];
+    bool right = obstacle->liquid == SPH2D_LIQUID_RIGHT;
+    const char *wet = right ? "right" : "left", *dry = right ? "left" : "right";
+    char path[64];
+    name_outline(sim, k, path);
+    sph2d_diagnostic *d = sph2d_report_add(
+        report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
+        "%zu particles of the liquid lie in its layers of boundary particles, or less than %g spacings from them, near "
+        "(%g, %g)",
+        count, APART, at.x, at.y);
+    if (!sph2d__outline_is_open(&obstacle->outline))
+        sph2d_diagnostic_hint(d, "move the liquid or the obstacle; a solid with liquid around it must be %.3g m thick",
+                              sph2d__layer_thickness(&sim->scene));
+    else
+        sph2d_diagnostic_hint(
+            d, "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on "
+            "the %s, try `liquid: %s` or `both`, or join lines that meet to one polyline or polygon",
+            sph2d__layer_thickness(&sim->scene), dry, wet, dry);
+    return SPH2D_SCENE;
+}
+
+sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    size_t obstacles = sim->scene.obstacle_count, first = obstacles, count = 0;
+    sph2d_vec2 at = {0, 0};
+    if (obstacles == 0 || sim->system.walls.count == 0)
+        return SPH2D_OK;
+    for (size_t i = 0; i < f->count; ++i) {
+        size_t k = layers_around(sim, i);
+        if (k < first) {
+            first = k;
+            count = 0;
+            at = (sph2d_vec2){f->x[i], f->y[i]};
+        }
+        count += k < obstacles && k == first;
+    }
+    return first < obstacles ? refuse_obstacle(sim, first, at, count, report) : SPH2D_OK;
+}
