@@ -142,6 +142,8 @@ CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
 buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
 BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
+# Random scenes and their judge, which know the public headers alone.
+STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 # Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
@@ -155,7 +157,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(SHADERS))
+    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) \
@@ -167,6 +169,7 @@ RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shade
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
+STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
@@ -195,7 +198,7 @@ $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ): PART = -Iinclude
+$(BENCH_OBJ) $(STRANGERS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
@@ -243,6 +246,8 @@ $(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/var
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
+$(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
@@ -284,7 +289,7 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(VARIANTS_OBJ) \
-    $(EXAMPLE_OBJ))
+    $(STRANGERS_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
