@@ -43,7 +43,7 @@ static void become(const char *const *arguments, const char *out, const char *er
     _exit(127);
 }
 
-static void perform(const judge_paths *p, const char *name, const char *const *arguments, ending *e)
+static void perform(const judge_request *p, const char *name, const char *const *arguments, ending *e)
 {
     char out[PATH_SIZE], err[PATH_SIZE];
     snprintf(out, sizeof out, "%s/%s.out", p->folder, name);
@@ -58,6 +58,16 @@ static void perform(const judge_paths *p, const char *name, const char *const *a
     e->code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     read_text(out, e->out);
     read_text(err, e->err);
+}
+
+/** What an earlier judgement left must not be taken for this one's. */
+static void clear(const judge_request *p)
+{
+    char whole[PATH_SIZE], parts[PATH_SIZE];
+    static ending e;
+    snprintf(whole, sizeof whole, "%s/whole", p->folder);
+    snprintf(parts, sizeof parts, "%s/parts", p->folder);
+    perform(p, "clear", (const char *const[]){"/bin/rm", "-rf", whole, parts, NULL}, &e);
 }
 
 /** The first number with that key in a text of JSON; NaN without one. */
@@ -161,7 +171,7 @@ static const char *difference(const sph2d_state *a, const sph2d_state *b, bool l
 }
 
 /** The last state of a run that came to its end. */
-static sph2d_snapshot *last_state(const judge_paths *p, const char *name)
+static sph2d_snapshot *last_state(const judge_request *p, const char *name)
 {
     static const char *const files[] = {"checkpoint.h5", "snapshot_000001.h5"};
     sph2d_snapshot *snapshot = NULL;
@@ -174,7 +184,7 @@ static sph2d_snapshot *last_state(const judge_paths *p, const char *name)
     return snapshot;
 }
 
-static void judge_bits(const judge_paths *p, sph2d_sim *sim, verdict *v)
+static void judge_bits(const judge_request *p, sph2d_sim *sim, verdict *v)
 {
     sph2d_snapshot *whole = last_state(p, "whole"), *parts = last_state(p, "parts");
     if (whole == NULL || parts == NULL)
@@ -194,29 +204,67 @@ static void judge_bits(const judge_paths *p, sph2d_sim *sim, verdict *v)
 
 // ---- the whole ------------------------------------------------------------------------------------------------------
 
-static void run_whole(const judge_paths *p, const char *snapshots, ending *e)
+bool read_scene(const judge_request *p, sph2d_scene_file **file)
 {
-    char folder[PATH_SIZE];
-    snprintf(folder, sizeof folder, "%s/whole", p->folder);
-    perform(p, "whole", (const char *const[]){p->command, "run", p->scene, "-o", folder, "-f", "--json", "-j", "1",
-                                              "--isa", "baseline", "--no-frames", "-s", snapshots, NULL}, e);
+    static char paths[MOST_CHANGES][CHANGE_SIZE];
+    sph2d_override changes[MOST_CHANGES];
+    for (size_t i = 0; i < p->change_count; ++i) {
+        snprintf(paths[i], CHANGE_SIZE, "%s", p->changes[i]);
+        paths[i][strcspn(paths[i], "=")] = '\0';
+        changes[i] = (sph2d_override){paths[i], p->changes[i] + strcspn(p->changes[i], "=") + 1};
+    }
+    return sph2d_scene_file_read(p->scene, changes, p->change_count, file, NULL) == SPH2D_OK;
 }
 
-static void run_in_parts(const judge_paths *p, const char *snapshots, double until, ending *e)
+/** A list of arguments, closed by NULL. */
+typedef struct arguments {
+    const char *items[24 + 2 * MOST_CHANGES];
+    size_t count;
+} arguments;
+
+static void add(arguments *a, const char *const *items)
+{
+    for (; *items; ++items)
+        a->items[a->count++] = *items;
+    a->items[a->count] = NULL;
+}
+#define ADD(a, ...) add(a, (const char *const[]){__VA_ARGS__, NULL})
+
+static void add_changes(arguments *a, const judge_request *p)
+{
+    for (size_t i = 0; i < p->change_count; ++i)
+        ADD(a, "-s", p->changes[i]);
+}
+
+/** Runs to the end on one thread, or to `until` on two. */
+static void run_by_command(const judge_request *p, const char *snapshots, const char *until, ending *e)
+{
+    char folder[PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s/%s", p->folder, until ? "parts" : "whole");
+    arguments a = {.count = 0};
+    ADD(&a, p->command, "run", p->scene, "-o", folder, "-f", "--json", "--isa", p->isa, "--no-frames");
+    add_changes(&a, p);
+    ADD(&a, "-s", snapshots, "-j", until ? "2" : "1");
+    if (until)
+        ADD(&a, "-s", until);
+    perform(p, until ? "half" : "whole", a.items, e);
+}
+
+static void run_in_parts(const judge_request *p, const char *snapshots, double until, ending *e)
 {
     char folder[PATH_SIZE], half[64], end[64];
     snprintf(folder, sizeof folder, "%s/parts", p->folder);
     snprintf(half, sizeof half, "run.until=%.17g", until / 2);
     snprintf(end, sizeof end, "run.until=%.17g", until);
-    perform(p, "half", (const char *const[]){p->command, "run", p->scene, "-o", folder, "-f", "--json", "-j", "2",
-                                             "--isa", "baseline", "--no-frames", "-s", snapshots, "-s", half, NULL}, e);
+    run_by_command(p, snapshots, half, e);
+    arguments a = {.count = 0};
+    ADD(&a, p->command, "resume", folder, "--json", "-j", "2", "--no-frames", "-s", end);
     if (e->code == 0)
-        perform(p, "parts", (const char *const[]){p->command, "resume", folder, "--json", "-j", "2", "--no-frames",
-                                                  "-s", end, NULL}, e);
+        perform(p, "parts", a.items, e);
 }
 
 /** A scene that check refused: run refuses it, with the same words, and writes nothing. */
-static void judge_refusal(const judge_paths *p, const ending *checked, const ending *run, verdict *v)
+static void judge_refusal(const judge_request *p, const ending *checked, const ending *run, verdict *v)
 {
     char folder[PATH_SIZE];
     struct stat info;
@@ -227,27 +275,27 @@ static void judge_refusal(const judge_paths *p, const ending *checked, const end
         verdict_fail(v, "agree", "run refuses the scene and makes its folder all the same");
 }
 
-static library_run judge_accepted(const judge_paths *p, const ending *checked, verdict *v)
+static library_run judge_accepted(const judge_request *p, const ending *checked, verdict *v)
 {
     static ending run, parts;
     library_run library = {.started = false};
     sph2d_scene_file *file = NULL;
     sph2d_sim *sim = NULL;
     char snapshots[80], message[200];
-    if (sph2d_scene_file_read(p->scene, NULL, 0, &file, NULL) != SPH2D_OK) {
+    if (!read_scene(p, &file)) {
         verdict_fail(v, "agree", "check accepts what the library does not read");
         return library;
     }
     const double until = sph2d_scene_file_scene(file)->run.until;
     snprintf(snapshots, sizeof snapshots, "run.snapshots={every: %.17g}", until);
-    run_whole(p, snapshots, &run);
+    run_by_command(p, snapshots, NULL, &run);
     first_message(&run, message);
     if (!is_honest("run", &run, v))
         ;
     else if (run.code != 0 && run.code != 1)
         verdict_fail(v, "agree", "check accepts the scene, run ends with %d: %s", run.code, message);
     else {
-        library = judge_by_library(sph2d_scene_file_scene(file), v, &sim);
+        library = judge_by_library(p, sph2d_scene_file_scene(file), v, &sim);
         if (run.code == 1)
             verdict_fail(v, "guard", "check accepts the scene, a guard stops it: %s", message);
         if (library.finished != (run.code == 0))
@@ -267,17 +315,20 @@ static library_run judge_accepted(const judge_paths *p, const ending *checked, v
     return library;
 }
 
-library_run judge_scene(const judge_paths *p, verdict *v)
+library_run judge_scene(const judge_request *p, verdict *v)
 {
     static ending checked, run;
-    perform(p, "check", (const char *const[]){p->command, "check", p->scene, "--json", "--isa", "baseline", NULL},
-            &checked);
+    arguments a = {.count = 0};
+    clear(p);
+    ADD(&a, p->command, "check", p->scene, "--json", "--isa", p->isa);
+    add_changes(&a, p);
+    perform(p, "check", a.items, &checked);
     const library_run none = {.started = false};
     if (!is_honest("check", &checked, v))
         return none;
     if (checked.code == 0)
         return judge_accepted(p, &checked, v);
-    run_whole(p, "run.snapshots={}", &run);
+    run_by_command(p, "run.snapshots={}", NULL, &run);
     judge_refusal(p, &checked, &run, v);
     return none;
 }

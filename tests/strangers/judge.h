@@ -25,6 +25,7 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 /** The bounds. */
 #define ENERGY_BOUND 0.001 /* rise above any earlier moment over the scene's scale */
 #define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is told, over rest density */
+#define PACKING_SLACK 0.2  /* and this part of what is told: kernels of other widths see other means where it varies */
 #define DENSITY_LOW 0.25   /* least density over rest density where density is integrated */
 #define DENSITY_HIGH 4.0   /* largest, of liquid that does not start compressed */
 
@@ -47,16 +48,26 @@ double elastic_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sp
 /** Counts particles inside the liquid, at least 20, away from walls and surfaces: fills packing to highest. */
 void measure_packing(const sph2d_scene *scene, const sph2d_sim *sim, library_run *run);
 
+/** A judgement that is asked for. Strings are borrowed. */
+typedef struct judge_request {
+    const char *command;  /**< path of sph2d; NULL: the library alone */
+    const char *scene;    /**< path of the scene file */
+    const char *folder;   /**< for what is written */
+    const char *isa;      /**< instruction set, by its name */
+    const char **changes; /**< `key=value`, on top of the scene */
+    size_t change_count;
+} judge_request;
+enum { MOST_CHANGES = 16, CHANGE_SIZE = 600 };
+
 /** Runs a scene in this process on one thread, and looks at every step. What is left is in *sim, to be destroyed by the
  *  caller; NULL where it did not start. */
-library_run judge_by_library(const sph2d_scene *scene, verdict *v, sph2d_sim **sim);
+library_run judge_by_library(const judge_request *request, const sph2d_scene *scene, verdict *v, sph2d_sim **sim);
 
-/** The files of a judgement. */
-typedef struct judge_paths {
-    const char *command, *scene, *folder;
-} judge_paths;
+/** Reads the scene with its changes; false when it is refused. The caller destroys *file. */
+bool read_scene(const judge_request *request, sph2d_scene_file **file);
+
 /** Checks, runs, stops and resumes a scene by the command, and compares all of that with each other and with a run in
  *  this process. */
-library_run judge_scene(const judge_paths *paths, verdict *v);
+library_run judge_scene(const judge_request *request, verdict *v);
 
 #endif

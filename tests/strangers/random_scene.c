@@ -64,14 +64,14 @@ static bool is(const draft *d, const char *method)
 /** Sides: mostly a tank, sometimes open ones, sometimes a period; rooms that are full are closed, drops fly free. */
 static void write_room(draft *d)
 {
+    d->periodic_x = chance(d, d->full ? 0.7 : 0.15);
+    d->periodic_y = d->full && chance(d, d->periodic_x ? 0.7 : 0.2);
     d->width = decades(d, 0.002, 300);
-    d->height = d->width * decades(d, 0.4, 2.5);
+    d->height = d->width * (d->periodic_x && d->periodic_y ? 1 : decades(d, 0.4, 2.5));
     d->left = chance(d, 0.5) ? 0 : -d->width * between(d, 0, 1);
     d->bottom = chance(d, 0.5) ? 0 : -d->height * between(d, 0, 1);
     fprintf(d->out, "domain: {min: [%.4g, %.4g], max: [%.4g, %.4g]}\n", d->left, d->bottom, d->left + d->width,
             d->bottom + d->height);
-    d->periodic_x = chance(d, d->full ? 0.7 : 0.15);
-    d->periodic_y = d->full && chance(d, d->periodic_x ? 0.7 : 0.2);
     static const char *const names[] = {"left", "right", "bottom", "top"};
     const char *kinds[4];
     for (int side = 0; side < 4; ++side) {

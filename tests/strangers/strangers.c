@@ -14,20 +14,23 @@
 #include "judge.h"
 #include "random_scene.h"
 
-enum { MOST_JOBS = 64, LINE_SIZE = 1000, NAME_SIZE = 40 };
+enum { MOST_JOBS = 64, MOST_SECONDS = 600, LINE_SIZE = 1000, NAME_SIZE = 40 };
 
 static const char usage[] =
-    "strangers [--seeds A..B | --scene FILE]... [--command sph2d] [--dir DIR] [--jobs N] [--known FILE] [--print]\n"
+    "strangers [--seeds A..B | --scene FILE...] [--set KEY=VALUE...] [--command sph2d] [--isa NAME] [--dir DIR]\n"
+    "          [--jobs N] [--known FILE] [--print] [--library]\n"
     "Writes small random scenes, one a seed, and judges them, or the scenes given, by invariants alone.\n"
     "  --known FILE   lines 'seed invariant reason': failures that are known. One that does not fail is an error, too.\n"
-    "  --print        writes the scenes of the seeds to the standard output, and does not run them.\n";
+    "  --print        writes the scenes of the seeds to the standard output, and does not run them.\n"
+    "  --library      runs in this process alone, without the command: for the figures of a long run.\n"
+    "Each scene leaves a folder in DIR with verdict, figures.csv and what the command wrote and said.\n";
 
 typedef struct options {
-    const char *program, *command, *dir, *known;
+    const char *program, *command, *dir, *known, *isa;
     unsigned long first, last;
-    const char **scenes;
-    size_t scene_count, jobs;
-    bool print;
+    const char **scenes, **changes;
+    size_t scene_count, change_count, jobs;
+    bool print, library;
 } options;
 
 /** A scene that is being judged, or was. */
@@ -74,6 +77,23 @@ static void make_folder(const char *path)
 
 // ---- one scene ------------------------------------------------------------------------------------------------------
 
+/** The library alone. */
+static library_run judge_library(const judge_request *request, verdict *v)
+{
+    sph2d_scene_file *file = NULL;
+    sph2d_sim *sim = NULL;
+    library_run run = {.started = false};
+    if (read_scene(request, &file))
+        run = judge_by_library(request, sph2d_scene_file_scene(file), v, &sim);
+    if (!run.started)
+        verdict_fail(v, "start", "the scene is refused");
+    else if (!run.finished)
+        verdict_fail(v, "guard", "stopped at t = %g s", run.summary.time);
+    sph2d_sim_destroy(sim);
+    sph2d_scene_file_destroy(file);
+    return run;
+}
+
 /** In a process of its own: judges, and leaves `verdict` and `figures.csv` in the folder. */
 static void judge(const options *o, const task *t)
 {
@@ -82,10 +102,15 @@ static void judge(const options *o, const task *t)
     verdict v = {.file = fopen(path, "w")};
     if (v.file == NULL)
         _exit(2);
-    const struct rlimit limit = {300, 301};
+    const struct rlimit limit = {MOST_SECONDS, MOST_SECONDS + 1};
     setrlimit(RLIMIT_CPU, &limit);
-    const judge_paths paths = {.command = o->command, .scene = t->scene, .folder = t->folder};
-    const library_run run = judge_scene(&paths, &v);
+    const judge_request request = {.command = o->command,
+                                   .scene = t->scene,
+                                   .folder = t->folder,
+                                   .isa = o->isa,
+                                   .changes = o->changes,
+                                   .change_count = o->change_count};
+    const library_run run = o->library ? judge_library(&request, &v) : judge_scene(&request, &v);
     fclose(v.file);
     snprintf(path, sizeof path, "%s/figures.csv", t->folder);
     FILE *file = fopen(path, "w");
@@ -166,6 +191,16 @@ static bool is_known(known_list *known, const options *o, unsigned long number, 
 
 // ---- what is told ---------------------------------------------------------------------------------------------------
 
+/** The command that judges a scene once more. */
+static void tell_again(const options *o, const task *t)
+{
+    printf("     scene %s; again: %s --command %s --isa %s --%s %s", t->scene, o->program, o->command, o->isa,
+           o->scene_count > 0 ? "scene" : "seeds", o->scene_count > 0 ? t->scene : t->name);
+    for (size_t i = 0; i < o->change_count; ++i)
+        printf(" --set '%s'", o->changes[i]);
+    puts(o->library ? " --library" : "");
+}
+
 /** Prints what failed, each invariant once, and how to see it again; returns how many were not known. */
 static unsigned tell(const options *o, const task *t, unsigned long number, known_list *known)
 {
@@ -197,10 +232,8 @@ static unsigned tell(const options *o, const task *t, unsigned long number, know
         news += !old;
         ++all;
     }
-    if (news > 0 && o->scene_count == 0)
-        printf("     scene %s; again: %s --command %s --seeds %s\n", t->scene, o->program, o->command, t->name);
-    else if (news > 0)
-        printf("     again: %s --command %s --scene %s\n", o->program, o->command, t->scene);
+    if (news > 0)
+        tell_again(o, t);
     if (all == 0 && getenv("SPH2D_STRANGERS_VERBOSE"))
         printf("ok   %s\n", t->name);
     fflush(stdout);
@@ -291,6 +324,11 @@ static void read_option(const char *name, const char *value, options *o)
         read_seeds(value, o);
     else if (strcmp(name, "--scene") == 0)
         o->scenes[o->scene_count++] = value;
+    else if (strcmp(name, "--set") == 0 && strlen(value) < CHANGE_SIZE && strchr(value, '=') &&
+             o->change_count < MOST_CHANGES)
+        o->changes[o->change_count++] = value;
+    else if (strcmp(name, "--isa") == 0)
+        o->isa = value;
     else if (strcmp(name, "--command") == 0)
         o->command = value;
     else if (strcmp(name, "--dir") == 0)
@@ -307,19 +345,23 @@ static void read_option(const char *name, const char *value, options *o)
 
 int main(int argc, char **argv)
 {
-    options o = {.program = argv[0], .command = "build/sph2d", .dir = "build/strangers", .first = 1, .last = 20};
+    options o = {.program = argv[0], .command = "build/sph2d", .dir = "build/strangers", .isa = "baseline"};
+    o.first = o.jobs = 1;
+    o.last = 20;
     o.scenes = calloc((size_t)argc, sizeof *o.scenes);
-    o.jobs = 1;
-    for (int i = 1; i < argc && o.scenes; ++i) {
+    o.changes = calloc((size_t)argc, sizeof *o.changes);
+    for (int i = 1; i < argc && o.scenes && o.changes; ++i) {
         if (strcmp(argv[i], "--print") == 0)
             o.print = true;
+        else if (strcmp(argv[i], "--library") == 0)
+            o.library = true;
         else if (i + 1 < argc) {
             read_option(argv[i], argv[i + 1], &o);
             ++i;
         } else
             read_option("", "", &o);
     }
-    if (o.jobs < 1 || o.jobs > MOST_JOBS || o.scenes == NULL) {
+    if (o.jobs < 1 || o.jobs > MOST_JOBS || o.scenes == NULL || o.changes == NULL) {
         fputs(usage, stderr);
         return 2;
     }
@@ -332,5 +374,6 @@ int main(int argc, char **argv)
         result = judge_all(&o);
     }
     free(o.scenes);
+    free(o.changes);
     return result;
 }
