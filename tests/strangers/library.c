@@ -45,11 +45,13 @@ static void look_at_particles(watch *w, library_run *run)
 
 static void look_at_energy(watch *w, library_run *run)
 {
+    const sph2d_summary s = sph2d_sim_summary(w->sim);
+    // What leaves takes its energy along, but a surface under tension is nobody's: it closes behind what left.
+    for (int side = 0; side < 4 && w->scene->fluid.surface_tension > 0; ++side)
+        w->energy = w->energy && s.left_open[side] == 0;
     if (!w->energy)
         return;
-    const sph2d_summary s = sph2d_sim_summary(w->sim);
     const sph2d_view fluid = sph2d_sim_fluid(w->sim);
-    // What left through an open side took its energy along.
     const double energy =
         s.kinetic + s.potential - s.energy_fed + elastic_energy(w->scene, sph2d_sim_plan(w->sim), &fluid);
     w->lowest = fmin(w->lowest, energy);
