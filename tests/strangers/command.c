@@ -79,7 +79,7 @@ static double number(const char *json, const char *key)
     return at ? strtod(at + strlen(quoted), NULL) : (double)NAN;
 }
 
-// ---- what is said ---------------------------------------------------------------------------------------------------
+// ---- what is said --------------------------------------------------------------------------------------------------
 
 /** Ends that are allowed: 0, and with a message that says why 1 (a guard), 65 or 66 (the input). */
 static bool is_honest(const char *what, const ending *e, verdict *v)
@@ -92,7 +92,7 @@ static bool is_honest(const char *what, const ending *e, verdict *v)
     else if (e->code != 0 && e->code != 1 && e->code != EXIT_REJECTED && e->code != EXIT_NO_INPUT)
         verdict_fail(v, "status", "%s ended with %d", what, e->code);
     else if ((e->code == 0) == error)
-        verdict_fail(v, "status", "%s ended with %d and %s", what, e->code, error ? "tells an error" : "tells no error");
+        verdict_fail(v, "status", "%s ended with %d and tells %s", what, e->code, error ? "an error" : "no error");
     else if (e->code == 1 && !guard)
         verdict_fail(v, "status", "%s ended with 1, and no guard says why", what);
     else
@@ -140,7 +140,7 @@ static void judge_summary(const ending *checked, const ending *run, const librar
     //     if (!(fabs(number(run->out, "KEY")) <= KEY_BOUND)) verdict_fail(v, "KEY", ...
 }
 
-// ---- the same bits --------------------------------------------------------------------------------------------------
+// ---- the same bits -------------------------------------------------------------------------------------------------
 
 static bool same_array(const sph2d_array *a, const sph2d_array *b)
 {
@@ -202,7 +202,7 @@ static void judge_bits(const judge_request *p, sph2d_sim *sim, verdict *v)
     sph2d_snapshot_destroy(parts);
 }
 
-// ---- the whole ------------------------------------------------------------------------------------------------------
+// ---- the whole -----------------------------------------------------------------------------------------------------
 
 bool read_scene(const judge_request *p, sph2d_scene_file **file)
 {

@@ -62,7 +62,7 @@ static void look_at_energy(watch *w, library_run *run)
     }
 }
 
-// ---- walls ----------------------------------------------------------------------------------------------------------
+// ---- walls ---------------------------------------------------------------------------------------------------------
 
 static sph2d_vec2 displacement(const sph2d_motion *m, double t)
 {
@@ -123,12 +123,12 @@ static void look_behind_walls(const watch *w, size_t inside_at_start)
     if (w->scene->source_count == 0) {
         const size_t inside = count_inside(w->scene, w->sim);
         if (inside > inside_at_start)
-            verdict_fail(w->verdict, "walls", "%zu particles are inside closed obstacles, %zu were at the start", inside,
-                         inside_at_start);
+            verdict_fail(w->verdict, "walls", "%zu particles are inside closed obstacles, %zu were at the start",
+                         inside, inside_at_start);
     }
 }
 
-// ---- the whole ------------------------------------------------------------------------------------------------------
+// ---- the whole -----------------------------------------------------------------------------------------------------
 
 static void judge_end(const watch *w, library_run *run, size_t inside_at_start)
 {

@@ -20,7 +20,7 @@ static const char usage[] =
     "strangers [--seeds A..B | --scene FILE...] [--set KEY=VALUE...] [--command sph2d] [--isa NAME] [--dir DIR]\n"
     "          [--jobs N] [--known FILE] [--print] [--library]\n"
     "Writes small random scenes, one a seed, and judges them, or the scenes given, by invariants alone.\n"
-    "  --known FILE   lines 'seed invariant reason': failures that are known. One that does not fail is an error, too.\n"
+    "  --known FILE   lines 'seed invariant reason': failures that are known. One that holds is an error, too.\n"
     "  --print        writes the scenes of the seeds to the standard output, and does not run them.\n"
     "  --library      runs in this process alone, without the command: for the figures of a long run.\n"
     "Each scene leaves a folder in DIR with verdict, figures.csv and what the command wrote and said.\n";
@@ -75,7 +75,7 @@ static void make_folder(const char *path)
         give_up("cannot make", path);
 }
 
-// ---- one scene ------------------------------------------------------------------------------------------------------
+// ---- one scene -----------------------------------------------------------------------------------------------------
 
 /** The library alone. */
 static library_run judge_library(const judge_request *request, verdict *v)
@@ -157,7 +157,7 @@ static void start(const options *o, task *t, unsigned long number)
         give_up("cannot start", t->name);
 }
 
-// ---- what is known --------------------------------------------------------------------------------------------------
+// ---- what is known -------------------------------------------------------------------------------------------------
 
 static known_list read_known(const char *path)
 {
@@ -189,7 +189,7 @@ static bool is_known(known_list *known, const options *o, unsigned long number, 
     return false;
 }
 
-// ---- what is told ---------------------------------------------------------------------------------------------------
+// ---- what is told --------------------------------------------------------------------------------------------------
 
 /** The command that judges a scene once more. */
 static void tell_again(const options *o, const task *t)
@@ -254,7 +254,7 @@ static unsigned tell_cured(const options *o, const known_list *known)
     return cured;
 }
 
-// ---- all scenes -----------------------------------------------------------------------------------------------------
+// ---- all scenes ----------------------------------------------------------------------------------------------------
 
 /** Waits for one of the scenes that are being judged. */
 static void wait_for_one(task *tasks, size_t started)
