@@ -142,11 +142,14 @@ CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
 buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
 BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
+# Random scenes and their judge, which know the public headers alone.
+STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 # Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh examples/*.sh))
+SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
+    tests/strangers/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -155,7 +158,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(SHADERS))
+    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) \
@@ -167,6 +170,7 @@ RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shade
 CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
+STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
@@ -195,7 +199,7 @@ $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ): PART = -Iinclude
+$(BENCH_OBJ) $(STRANGERS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
@@ -243,6 +247,8 @@ $(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/var
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
+$(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
@@ -284,7 +290,7 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(VARIANTS_OBJ) \
-    $(EXAMPLE_OBJ))
+    $(STRANGERS_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -294,6 +300,7 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
+test: $(BUILD)/tests/strangers
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
@@ -301,6 +308,9 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
+	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
+	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
+	    --seeds 1..$(if $(SPH2D_TEST_FULL),200,20)
 	$(hush)$(BUILD)/tests/check_all
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
@@ -318,6 +328,13 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
 	$(hush)$(MAKE) test-sanitize
 	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+
+STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
+strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
+	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
+
+strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
+	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
 
 bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
 	$(hush)$(BUILD)/tests/bench $(BENCH)
@@ -387,10 +404,10 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(IO_SRC) $(CLI_SRC) \
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(IO_SRC) $(CLI_SRC) \
     $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
-    tests/bench/variants/*.h))
+    tests/bench/variants/*.h tests/strangers/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -453,6 +470,6 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
-    bench-command bench-instructions bench-variants report report-full report-readme \
+    bench-command strangers strangers-dozen bench-instructions bench-variants report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* The energy of a closed scene: it cannot rise. Everything here follows from the scene's documented meaning.
+ *
+ * The scale that a rise is measured by is the energy that the scene has to spend, for liquid of mass M:
+ *
+ *     kinetic energy at the start
+ *   + M g D     D: how far the centre of mass is, along gravity, above the lowest corner of the domain; beyond an
+ *               open side that gravity points to, liquid is followed for one more domain, and D reaches as far
+ *   + M B^2 <(x - centre)^2>/2     of the central force
+ *   + sigma 2 sqrt(pi A)           of the surface of a round drop of the liquid's area A
+ *   + elastic energy at the start
+ *
+ * but at least M (0.01 c0)^2/2, so that liquid at rest without any force has a scale, too. */
+#include <math.h>
+
+#include "judge.h"
+
+static const double pi = 3.14159265358979323846;
+
+static bool moves(const sph2d_motion *motion)
+{
+    return motion->path.count > 0 || (motion->frequency > 0 && hypot(motion->amplitude.x, motion->amplitude.y) > 0);
+}
+
+bool scene_is_closed(const sph2d_scene *s)
+{
+    const bool period_x = s->boundary.left == SPH2D_SIDE_PERIODIC, period_y = s->boundary.bottom == SPH2D_SIDE_PERIODIC;
+    bool drive = s->source_count > 0 || s->drain_count > 0 || s->interaction_count > 0;
+    for (size_t i = 0; i < s->obstacle_count; ++i)
+        drive = drive || moves(&s->obstacles[i].motion);
+    drive = drive || s->wall_speeds.left != 0 || s->wall_speeds.right != 0 || s->wall_speeds.bottom != 0 ||
+            s->wall_speeds.top != 0;
+    // Forces along a period have no potential.
+    drive = drive || (period_x && s->gravity.x != 0) || (period_y && s->gravity.y != 0) ||
+            (s->central_force.rate > 0 && (period_x || period_y));
+    // Where a solver starts with compressed liquid, nothing tells the energy that it sets free.
+    if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
+        for (size_t i = 0; i < s->block_count; ++i)
+            drive = drive || s->blocks[i].spacing > 0 || s->blocks[i].perturb.amplitude > 0;
+    return !drive;
+}
+
+/** Integral of p/rho^2 over density from rest density to r rho0 [J/kg]. */
+static double elastic(sph2d_state_equation equation, double c0, double r)
+{
+    if (equation == SPH2D_STATE_TAIT)
+        return c0 * c0 / 7 * ((pow(r, 6) - 1) / 6 + 1 / r - 1);
+    return c0 * c0 * (log(r) + 1 / r - 1);
+}
+
+double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid)
+{
+    if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
+        return 0;
+    const sph2d_state_equation equation =
+        s->method.name == SPH2D_METHOD_WCSPH ? s->method.state_equation : SPH2D_STATE_LINEAR;
+    double sum = 0;
+    for (size_t i = 0; i < fluid->count; ++i) {
+        const double r = fluid->density[i] / s->fluid.density;
+        if (fluid->pressure[i] * (r - 1) > 0) // where a method has no tension, nothing is stretched
+            sum += elastic(equation, plan->sound_speed, r);
+    }
+    return plan->particle_mass * sum;
+}
+
+/** How far a point is above the lowest place along gravity, times g [m^2/s^2]. */
+static double fall(const sph2d_scene *s, double x, double y)
+{
+    const sph2d_box *box = &s->domain;
+    const double width = box->max.x - box->min.x, height = box->max.y - box->min.y;
+    const bool open_x = (s->gravity.x < 0 ? s->boundary.left : s->boundary.right) == SPH2D_SIDE_OPEN;
+    const bool open_y = (s->gravity.y < 0 ? s->boundary.bottom : s->boundary.top) == SPH2D_SIDE_OPEN;
+    const double down_x = s->gravity.x < 0 ? x - box->min.x : box->max.x - x;
+    const double down_y = s->gravity.y < 0 ? y - box->min.y : box->max.y - y;
+    return fabs(s->gravity.x) * (down_x + (open_x ? width : 0)) + fabs(s->gravity.y) * (down_y + (open_y ? height : 0));
+}
+
+double energy_scale(const sph2d_scene *s, const sph2d_sim *sim)
+{
+    const sph2d_view fluid = sph2d_sim_fluid(sim);
+    const sph2d_plan *plan = sph2d_sim_plan(sim);
+    const double m = plan->particle_mass, total = m * (double)fluid.count;
+    double sum = 0;
+    for (size_t i = 0; i < fluid.count; ++i) {
+        const double x = fluid.x[i] - s->central_force.center.x, y = fluid.y[i] - s->central_force.center.y;
+        sum += 0.5 * (fluid.vx[i] * fluid.vx[i] + fluid.vy[i] * fluid.vy[i]) + fall(s, fluid.x[i], fluid.y[i]) +
+               0.5 * s->central_force.rate * s->central_force.rate * (x * x + y * y);
+    }
+    const double surface = s->fluid.surface_tension * 2 * sqrt(pi * total / s->fluid.density);
+    const double least = 0.5 * total * 1e-4 * plan->sound_speed * plan->sound_speed;
+    return fmax(m * sum + surface + elastic_energy(s, plan, &fluid), least);
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/** @file judge.h
+ *  Invariants of a scene, whatever it is. The program is known as a stranger knows it: by the public headers and by the
+ *  command. */
+#ifndef SPH2D_STRANGERS_JUDGE_H
+#define SPH2D_STRANGERS_JUDGE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include <sph2d/io.h>
+
+/** What was found, written down at once, so that it outlives a crash: "invariant<TAB>sentence" a line. */
+typedef struct verdict {
+    FILE *file;
+} verdict;
+
+/** Notes that an invariant does not hold, in a sentence with the numbers. */
+void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/** The bounds. */
+#define ENERGY_BOUND 0.001 /* rise above any earlier moment over the scene's scale */
+#define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is told, over rest density */
+#define PACKING_SLACK 0.2  /* and this part of what is told: kernels of other widths see other means where it varies */
+#define DENSITY_LOW 0.25   /* least density over rest density where density is integrated */
+#define DENSITY_HIGH 4.0   /* largest, of liquid that does not start compressed */
+
+/** What a run by the library found. Numbers that were not judged are NaN. */
+typedef struct library_run {
+    bool started, finished;
+    double compression_max;    /**< largest rho/rho0 - 1 over all particles and steps */
+    double scale, rise, since; /**< energy scale [J/m]; largest rise over it; when that was reached [s] */
+    double packing, density;   /**< mean density over rest density inside the liquid, by counting and as told */
+    double p99, highest;       /**< of the compression by counting */
+    sph2d_summary summary;
+} library_run;
+
+/** Whether the scene has no drive, so that its energy cannot rise. */
+bool scene_is_closed(const sph2d_scene *scene);
+/** The energy that a scene has to spend at its start [J/m], by which a rise is measured; see energy.c. */
+double energy_scale(const sph2d_scene *scene, const sph2d_sim *sim);
+/** Elastic energy [J/m] of liquid with a state equation; 0 for the others. */
+double elastic_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sph2d_view *fluid);
+/** Counts particles inside the liquid, at least 20, away from walls and surfaces: fills packing to highest. */
+void measure_packing(const sph2d_scene *scene, const sph2d_sim *sim, library_run *run);
+
+/** A judgement that is asked for. Strings are borrowed. */
+typedef struct judge_request {
+    const char *command;  /**< path of sph2d; NULL: the library alone */
+    const char *scene;    /**< path of the scene file */
+    const char *folder;   /**< for what is written */
+    const char *isa;      /**< instruction set, by its name */
+    const char **changes; /**< `key=value`, on top of the scene */
+    size_t change_count;
+} judge_request;
+enum { MOST_CHANGES = 16, CHANGE_SIZE = 600 };
+
+/** Runs a scene in this process on one thread, and looks at every step. What is left is in *sim, to be destroyed by the
+ *  caller; NULL where it did not start. */
+library_run judge_by_library(const judge_request *request, const sph2d_scene *scene, verdict *v, sph2d_sim **sim);
+
+/** Reads the scene with its changes; false when it is refused. The caller destroys *file. */
+bool read_scene(const judge_request *request, sph2d_scene_file **file);
+
+/** Checks, runs, stops and resumes a scene by the command, and compares all of that with each other and with a run in
+ *  this process. */
+library_run judge_scene(const judge_request *request, verdict *v);
+
+#endif

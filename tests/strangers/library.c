@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+/* A run in this process, with a look at every step. */
+#include <math.h>
+#include <string.h>
+
+#include "judge.h"
+
+static const double pi = 3.14159265358979323846;
+
+/** What is watched while a scene runs. */
+typedef struct watch {
+    const sph2d_scene *scene;
+    const sph2d_sim *sim;
+    verdict *verdict;
+    bool energy, ruined;
+    double lowest;
+} watch;
+
+/** Finite, and of a density that a liquid can have. */
+static void look_at_particles(watch *w, library_run *run)
+{
+    const sph2d_view f = sph2d_sim_fluid(w->sim);
+    const bool integrated = w->scene->method.name == SPH2D_METHOD_WCSPH;
+    bool compressed = false;
+    for (size_t i = 0; i < w->scene->block_count; ++i)
+        compressed = compressed || w->scene->blocks[i].spacing > 0;
+    for (size_t i = 0; i < f.count && !w->ruined; ++i) {
+        const double r = f.density[i] / w->scene->fluid.density;
+        run->compression_max = fmax(run->compression_max, r - 1);
+        if (!isfinite(f.x[i] + f.y[i] + f.vx[i] + f.vy[i] + f.ax[i] + f.ay[i] + f.pressure[i] + r)) {
+            verdict_fail(w->verdict, "finite", "particle %llu has a value that is not finite at t = %g s, step %llu",
+                         (unsigned long long)f.id[i], sph2d_sim_time(w->sim),
+                         (unsigned long long)sph2d_sim_steps(w->sim));
+            w->ruined = true;
+        } else if (r <= 0 || (integrated && r < DENSITY_LOW) || (!compressed && r > DENSITY_HIGH)) {
+            verdict_fail(w->verdict, "density",
+                         "particle %llu at (%g, %g) has %g times the rest density at t = %g s, step %llu, and the run "
+                         "goes on",
+                         (unsigned long long)f.id[i], f.x[i], f.y[i], r, sph2d_sim_time(w->sim),
+                         (unsigned long long)sph2d_sim_steps(w->sim));
+            w->ruined = true;
+        }
+    }
+}
+
+static void look_at_energy(watch *w, library_run *run)
+{
+    const sph2d_summary s = sph2d_sim_summary(w->sim);
+    // What leaves takes its energy along, but a surface under tension is nobody's: it closes behind what left.
+    for (int side = 0; side < 4 && w->scene->fluid.surface_tension > 0; ++side)
+        w->energy = w->energy && s.left_open[side] == 0;
+    if (!w->energy)
+        return;
+    const sph2d_view fluid = sph2d_sim_fluid(w->sim);
+    const double energy =
+        s.kinetic + s.potential - s.energy_fed + elastic_energy(w->scene, sph2d_sim_plan(w->sim), &fluid);
+    w->lowest = fmin(w->lowest, energy);
+    const double rise = (energy - w->lowest) / run->scale;
+    if (rise > run->rise) {
+        run->rise = rise;
+        run->since = s.time;
+    }
+}
+
+// ---- walls ---------------------------------------------------------------------------------------------------------
+
+static sph2d_vec2 displacement(const sph2d_motion *m, double t)
+{
+    sph2d_vec2 at = {0, 0};
+    const sph2d_path *path = &m->path;
+    for (size_t i = 0; i < path->count; ++i) {
+        const sph2d_path_point *b = &path->items[i], *a = i > 0 ? b - 1 : b;
+        if (i > 0 && t < b->t) {
+            const double part = fmax(0, (t - a->t) / (b->t - a->t));
+            at = (sph2d_vec2){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y)};
+            break;
+        }
+        at = (sph2d_vec2){b->x, b->y};
+    }
+    const double swing = sin(2 * pi * m->frequency * t + m->phase) - sin(m->phase);
+    return (sph2d_vec2){at.x + m->amplitude.x * swing, at.y + m->amplitude.y * swing};
+}
+
+/** Particles inside closed obstacles, deeper than a fifth of a spacing: circles are chains of boundary particles. */
+static size_t count_inside(const sph2d_scene *s, const sph2d_sim *sim)
+{
+    const sph2d_view f = sph2d_sim_fluid(sim);
+    const double skin = 0.2 * s->spacing;
+    size_t count = 0;
+    for (size_t k = 0; k < s->obstacle_count; ++k) {
+        const sph2d_outline *o = &s->obstacles[k].outline;
+        const sph2d_vec2 moved = displacement(&s->obstacles[k].motion, sph2d_sim_time(sim));
+        for (size_t i = 0; i < f.count; ++i) {
+            const double x = f.x[i] - moved.x, y = f.y[i] - moved.y;
+            if (o->kind == SPH2D_OUTLINE_CIRCLE)
+                count += hypot(x - o->circle.center.x, y - o->circle.center.y) < o->circle.radius - skin;
+            else if (o->kind == SPH2D_OUTLINE_BOX)
+                count += x > o->box.min.x + skin && x < o->box.max.x - skin && y > o->box.min.y + skin &&
+                         y < o->box.max.y - skin;
+        }
+    }
+    return count;
+}
+
+/** Nothing passes a wall: neither a side of the domain nor a closed obstacle. */
+static void look_behind_walls(const watch *w, size_t inside_at_start)
+{
+    const sph2d_view f = sph2d_sim_fluid(w->sim);
+    const sph2d_boundary *side = &w->scene->boundary;
+    const sph2d_box *box = &w->scene->domain;
+    const double skin = 1e-3 * w->scene->spacing;
+    for (size_t i = 0; i < f.count; ++i) {
+        // Beside an open side walls go on for one domain more; beyond that liquid is removed.
+        if ((side->left == SPH2D_SIDE_WALL && f.x[i] < box->min.x - skin) ||
+            (side->right == SPH2D_SIDE_WALL && f.x[i] > box->max.x + skin) ||
+            (side->bottom == SPH2D_SIDE_WALL && f.y[i] < box->min.y - skin) ||
+            (side->top == SPH2D_SIDE_WALL && f.y[i] > box->max.y + skin)) {
+            verdict_fail(w->verdict, "walls", "particle %llu is at (%g, %g), behind a side that is a wall",
+                         (unsigned long long)f.id[i], f.x[i], f.y[i]);
+            break;
+        }
+    }
+    if (w->scene->source_count == 0) {
+        const size_t inside = count_inside(w->scene, w->sim);
+        if (inside > inside_at_start)
+            verdict_fail(w->verdict, "walls", "%zu particles are inside closed obstacles, %zu were at the start",
+                         inside, inside_at_start);
+    }
+}
+
+// ---- the whole -----------------------------------------------------------------------------------------------------
+
+static void judge_end(const watch *w, library_run *run, size_t inside_at_start)
+{
+    look_behind_walls(w, inside_at_start);
+    if (isfinite(run->rise) && run->rise > ENERGY_BOUND)
+        verdict_fail(w->verdict, "energy", "kinetic + potential + elastic rises by %.3g %% of %.4g J/m until t = %g s",
+                     100 * run->rise, run->scale, run->since);
+    measure_packing(w->scene, w->sim, run);
+    if (fabs(run->packing - run->density) > PACKING_BOUND + PACKING_SLACK * fabs(run->density - 1))
+        verdict_fail(w->verdict, "packing", "mean density inside is %.4f of rest density by counting, %.4f as told",
+                     run->packing, run->density);
+    if (run->summary.compression_max < run->compression_max * (1 - 1e-6) - 1e-9)
+        verdict_fail(w->verdict, "compression", "the summary tells a maximum of %g %%, a particle had %g %%",
+                     100 * run->summary.compression_max, 100 * run->compression_max);
+}
+
+static sph2d_isa isa_of_name(const char *name)
+{
+    for (sph2d_isa isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa)
+        if (strcmp(name, sph2d_isa_name(isa)) == 0)
+            return isa;
+    return SPH2D_ISA_AUTO;
+}
+
+library_run judge_by_library(const judge_request *request, const sph2d_scene *scene, verdict *v, sph2d_sim **sim)
+{
+    library_run run = {.rise = NAN, .packing = NAN, .density = NAN, .p99 = NAN, .highest = NAN};
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = 1;
+    options.isa = isa_of_name(request->isa);
+    *sim = NULL;
+    if (sph2d_sim_create(scene, &options, sim, NULL) != SPH2D_OK)
+        return run;
+    run.started = true;
+    run.scale = energy_scale(scene, *sim);
+    watch w = {.scene = scene, .sim = *sim, .verdict = v, .energy = scene_is_closed(scene), .lowest = INFINITY};
+    if (w.energy)
+        run.rise = 0;
+    const size_t inside = count_inside(scene, *sim);
+    look_at_particles(&w, &run);
+    look_at_energy(&w, &run);
+    sph2d_status status = SPH2D_OK;
+    while (status == SPH2D_OK && sph2d_sim_time(*sim) < scene->run.until) {
+        status = sph2d_sim_step(*sim, NULL);
+        look_at_particles(&w, &run);
+        look_at_energy(&w, &run);
+    }
+    run.finished = status == SPH2D_OK;
+    run.summary = sph2d_sim_summary(*sim);
+    judge_end(&w, &run, inside);
+    return run;
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/* Random numbers, and the method of a random scene with what depends on it. */
+#include <math.h>
+#include <string.h>
+
+#include "draft.h"
+
+/* SplitMix64 (Steele, Lea & Flood 2014). */
+uint64_t draft_next(draft *d)
+{
+    uint64_t z = d->random += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+double between(draft *d, double low, double high)
+{
+    return low + (high - low) * (double)(draft_next(d) >> 11) * 0x1p-53;
+}
+
+/** Evenly spread over decades. */
+double decades(draft *d, double low, double high)
+{
+    return pow(10, between(d, log10(low), log10(high)));
+}
+
+bool chance(draft *d, double p)
+{
+    return between(d, 0, 1) < p;
+}
+
+const char *one_of(draft *d, const char *const *names, unsigned count)
+{
+    return names[draft_next(d) % count];
+}
+
+bool is(const draft *d, const char *method)
+{
+    return strcmp(d->method, method) == 0;
+}
+
+static void write_wcsph(draft *d)
+{
+    d->fitted = d->full ? chance(d, 0.6) : chance(d, 0.02);
+    if (d->fitted)
+        fputs(", operators: fitted", d->out);
+    if (chance(d, 0.25))
+        fputs(", precision: mixed", d->out);
+    if (chance(d, 0.25))
+        fputs(", state_equation: tait", d->out);
+    if (chance(d, 0.2))
+        fprintf(d->out, ", density_diffusion: %.2g", between(d, 0.02, 0.3));
+    if (d->fitted)
+        return;
+    if (chance(d, 0.35))
+        fprintf(d->out, ", kernel: %s",
+                ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
+    if (chance(d, 0.25))
+        fputs(", viscosity_form: monaghan", d->out);
+    if (chance(d, 0.4))
+        fprintf(d->out, ", artificial_viscosity: %.2g", decades(d, 0.005, 0.3));
+    if (chance(d, 0.15))
+        fputs(", diffusion_form: fourtakas, shifting: 0, tensile_control: off", d->out);
+    else {
+        if (chance(d, 0.25))
+            fprintf(d->out, ", shifting: %s", ONE_OF(d, "0", "0.5", "2"));
+        if (chance(d, 0.15))
+            fputs(", tensile_control: off", d->out);
+    }
+}
+
+static void write_solver(draft *d)
+{
+    if (chance(d, 0.3))
+        fprintf(d->out, ", kernel: %s",
+                ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
+    if (chance(d, 0.2))
+        fprintf(d->out, ", max_iterations: %s", ONE_OF(d, "50", "200", "3000"));
+    if (is(d, "pcisph")) {
+        if (chance(d, 0.3))
+            fputs(", criterion: mean", d->out);
+        if (chance(d, 0.15))
+            fputs(", min_iterations: 5", d->out);
+    } else {
+        if (chance(d, 0.2))
+            fprintf(d->out, ", damping: %s", ONE_OF(d, "1", "3", "8"));
+        if (chance(d, 0.15))
+            fprintf(d->out, ", tolerance: %.2g", decades(d, 1e-6, 1e-3));
+    }
+}
+
+void write_method(draft *d)
+{
+    const bool named = !chance(d, 0.15);
+    strcpy(d->method, !named                        ? "muller"
+                      : d->full && chance(d, 0.7) ? "wcsph"
+                                                    : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
+    const bool soft = is(d, "muller");
+    d->max_compression = soft ? 0.1 : 0.01;
+    d->support = soft ? 2 : is(d, "wcsph") ? 3 : 2.4;
+    d->cfl = soft ? 0.4 : is(d, "wcsph") ? 0.25 : 0.4 / d->support;
+    if (!named)
+        return;
+    fprintf(d->out, "method: {name: %s", d->method);
+    if (is(d, "wcsph"))
+        write_wcsph(d);
+    else if (!soft)
+        write_solver(d);
+    if (chance(d, 0.3))
+        fprintf(d->out, ", max_compression: %.2g",
+                d->max_compression = soft ? decades(d, 0.02, 0.3) : decades(d, 0.003, 0.1));
+    if (chance(d, 0.25))
+        fprintf(d->out, ", support_ratio: %.2g",
+                d->support = is(d, "wcsph") ? between(d, 2.4, 4) : between(d, 1.6, 3));
+    if (chance(d, 0.15))
+        fprintf(d->out, ", cfl: %.2g", d->cfl = between(d, 0.08, is(d, "wcsph") && !d->fitted ? 0.5 : 0.3));
+    fputs("}\n", d->out);
+}
+
+void write_walls(draft *d)
+{
+    const bool soft = is(d, "muller");
+    d->layered = !soft;
+    if (chance(d, 0.2)) {
+        const char *form = is(d, "wcsph") ? "generalised"
+                           : soft         ? ONE_OF(d, "spring", "heavy")
+                                          : ONE_OF(d, "heavy", "generalised");
+        fprintf(d->out, "walls: %s\n", form);
+        d->layered = strcmp(form, "generalised") == 0;
+        if (soft && form[0] == 's' && chance(d, 0.5))
+            fprintf(d->out, "wall_damping: %.2g\n", between(d, 0, 1));
+    }
+    if (is(d, "wcsph") && chance(d, 0.25)) {
+        fputs("wall_slip: none\n", d->out);
+        if (chance(d, 0.3) && !d->periodic_y)
+            fprintf(d->out, "wall_speeds: {bottom: %.3g}\n", d->speed = between(d, 0.2, 1) * sqrt(d->fall * 9.81));
+    }
+}
