@@ -152,6 +152,13 @@ START_TEST(pressure_follows_the_equation_of_state)
         close_to(s->fluid.pressure[i], p, b, "pressure", i);
         close_to(sph2d__density_of(s, p), s->fluid.density[i], RHO0, "density", i);
     }
+    for (double rho = 0.95 * RHO0; rho < 1.06 * RHO0; rho += 11) { /* p/rho^2, also beyond what liquid bears */
+        s->tension = 0.02 * RHO0 * C0 * C0;
+        double drho = 0.01, e = sph2d__elastic_of(s, rho + drho) - sph2d__elastic_of(s, rho - drho);
+        ck_assert_double_eq_tol(e / (2 * drho), sph2d__pressure_of(s, rho) / (rho * rho), 1e-8);
+    }
+    ck_assert_double_eq_tol(sph2d__elastic_of(s, RHO0), 0, 1e-15);
+    ck_assert(sph2d__pressure_of(s, 0.9 * RHO0) == -0.02 * RHO0 * C0 * C0);
     double step = 1e-4, low = sph2d__pressure_of(s, 1010 - step), high = sph2d__pressure_of(s, 1010 + step);
     double rise = (high - low) / (2 * step);
     ck_assert_double_eq_tol(sph2d__sound_speed2_at(s, 1010), rise, 1e-5 * rise);

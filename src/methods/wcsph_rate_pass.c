@@ -16,9 +16,12 @@ static const double BULK = 0.75;
 /* Time in which density comes to what places say, over H/c0: many periods of what sounds within H, so that the noise of
  * the sum over places does not sound, and few beside what liquid takes to flow by. */
 static const double PACKING_TIME = 60;
-/* The filling by others, 1 in a lattice, up to which a particle is by itself, and from which on it is in liquid. A pair
- * has 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38 to 0.46. */
+/* The filling by other liquid, 1 in a lattice, over the room that walls leave for it, up to which a particle is by
+ * itself, and from which on it is in liquid. A pair has 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38
+ * to 0.46; liquid that ends in the tip of a wedge of 10 degrees, one particle wide there, 0.5. */
 static const double ALONE = 0.2, JOINED = 0.35;
+/* Walls that overlap can fill more than there is. */
+static const double ROOM = 0.1;
 
 /** What diffuses. */
 typedef enum diffusion {
@@ -109,11 +112,17 @@ SPH2D__INLINE void finish_packing(sph2d__system *s, size_t i)
         f->density_rate[i] += (f->packing[i] - f->density[i]) * s->sound_speed / (PACKING_TIME * s->support);
 }
 
+/** What boundary particles do: m_b v_ib . r_ib g, and m_b f times their wall_rate. */
+typedef struct wall_sums {
+    sph2d__lanes flux, returned, filling; /* the last: m_b g */
+} wall_sums;
+
 /** Whether a particle is in liquid: from 0 to 1, smooth. */
-SPH2D__INLINE void finish_connection(sph2d__system *s, size_t i, const rate_sums *sums, int l)
+SPH2D__INLINE void finish_connection(sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
 {
-    double filling = ((double)sums->filling[l] - sph2d__kernel_slope_at(s->method.kernel, 0)) / s->lattice_slopes;
-    double t = (filling - ALONE) / (JOINED - ALONE);
+    double others = (double)sums->filling[l] - sph2d__kernel_slope_at(s->method.kernel, 0);
+    double room = s->lattice_slopes - (double)walls->filling[l] / s->mass; /* both are negative */
+    double filling = others / fmin(room, ROOM * s->lattice_slopes), t = (filling - ALONE) / (JOINED - ALONE);
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     s->fluid.connection[i] = t * t * (3 - 2 * t);
 }
@@ -126,11 +135,6 @@ SPH2D__INLINE void finish_surface(sph2d__system *s, size_t i, const rate_sums *s
     double surface = far ? s->support : sqrt(sums->nearest2[l]);
     f->surface[i] = f->fullness[i] < SURFACE ? 0 : surface;
 }
-
-/** What boundary particles do: m_b v_ib . r_ib g, and m_b f times their wall_rate. */
-typedef struct wall_sums {
-    sph2d__lanes flux, returned;
-} wall_sums;
 
 SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
                                   const sph2d__group *g, const receiver *me, const sph2d__packed *walls)
@@ -147,6 +151,7 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
             sums.flux += approach_of(&p, me, walls, j) * p.g * walls->mass[j];
+            sums.filling += p.g * walls->mass[j];
             sums.returned += sph2d__kernel_value(kernel, p.q) * (walls->mass[j] * walls->wall_rate[j]);
         }
     }
@@ -211,7 +216,7 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
         SPH2D__FOR_LANES (g, l) {
             const size_t i = g.first + (size_t)l;
             f->density_rate[i] = total_rate(s, i, &beside, &done, l);
-            finish_connection(s, i, &done, l);
+            finish_connection(s, i, &beside, &done, l);
             if (layout >= SPH2D__LAYOUT_CROWDED) {
                 finish_shift(s, i);
                 finish_strain(f, i, &done, l);
