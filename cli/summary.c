@@ -60,6 +60,9 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
     text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
              s->kinetic + s->potential + s->elastic,
              s->energy_fed);
+    if (s->energy_scale > 0)
+        text_row("energy from nothing", "%.3g %% of the scene's %.4g J/m at most", 100 * s->energy_rise / s->energy_scale,
+                 s->energy_scale);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }
@@ -169,6 +172,8 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "energy_potential", s->potential);
     json_number(line, "energy_elastic", s->elastic);
     json_number(line, "energy_fed", s->energy_fed);
+    json_number(line, "energy_rise", s->energy_rise);
+    json_number(line, "energy_scale", s->energy_scale);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);
     json_close_object(line);

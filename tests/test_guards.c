@@ -25,6 +25,7 @@ static bool all_finite(const sph2d_sim *sim)
 static sph2d_scene dam(sph2d_block *block)
 {
     sph2d_scene scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.spacing = 0.02;
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     *block = test_block(0, 0, 0.3, 0.4);
@@ -241,6 +242,31 @@ START_TEST(a_burst_survives_and_keeps_its_momentum)
 }
 END_TEST
 
+/* A density that falls or rises beyond any liquid's, and energy that somebody put in unseen, stop a run. */
+START_TEST(densities_and_energies_of_no_liquid_are_stopped)
+{
+    static const double factors[] = {0.02, 40};
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_int_eq(step_until_stopped(sim, 30), SPH2D_OK);
+    sph2d_summary sum = sph2d_sim_summary(sim);
+    double head = 9.81 * 0.4, n = (double)sum.particles, mass = 1000 * 0.02 * 0.02;
+    ck_assert_double_eq_tol(sum.energy_scale, n * mass * head / 2, 1e-9 * n * mass * head);
+    ck_assert_double_lt(sum.energy_rise, 0.001 * sum.energy_scale);
+    sph2d__store *f = &sim->system.fluid;
+    if (_i < 2)
+        f->density[7] = factors[_i] * 1000;
+    else
+        for (size_t i = 0; i < f->count; ++i)
+            f->vx[i] += 0.5 * sqrt(head); /* m v^2/2 is a quarter of the scale */
+    ck_assert_int_eq(step_until_stopped(sim, 20), SPH2D_GUARD);
+    check_stopped(sim, _i < 2 ? SPH2D_CODE_DENSITY : SPH2D_CODE_ENERGY, _i < 2 ? "density" : "from nothing");
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /** Scenes at the edge of what numbers can hold: each is refused, stopped, or right. 0 leaves a number as it is; `scale`
  *  is of all lengths, `block_spacing` over the scene's. */
 static const struct {
@@ -284,7 +310,9 @@ START_TEST(extreme_scenes_are_refused_or_right)
 {
     sph2d_block block;
     sph2d_scene scene = dam(&block);
-    make_extreme(_i, &scene, &block);
+    make_extreme(_i % EXTREMES, &scene, &block);
+    if (_i >= EXTREMES)
+        scene.method.name = SPH2D_METHOD_WCSPH;
     sph2d_sim *sim = NULL;
     sph2d_report_clear(&report);
     sph2d_status status = sph2d_sim_create(&scene, NULL, &sim, &report);
@@ -344,7 +372,8 @@ Suite *suite_guards(void)
     suite_add_tcase(suite, tests);
     TCase *survivors = tcase_create("survivors");
     tcase_add_loop_test(survivors, a_burst_survives_and_keeps_its_momentum, 0, 2);
-    tcase_add_loop_test(survivors, extreme_scenes_are_refused_or_right, 0, EXTREMES);
+    tcase_add_loop_test(survivors, densities_and_energies_of_no_liquid_are_stopped, 0, 3);
+    tcase_add_loop_test(survivors, extreme_scenes_are_refused_or_right, 0, 2 * EXTREMES);
     tcase_add_test(survivors, nothing_is_no_fault);
     suite_add_tcase(suite, survivors);
     return suite;

@@ -38,6 +38,7 @@ static sph2d_sim *dam_in(units u)
 {
     double l = u.length, dx = 0.02 * l, velocity = l / u.time, force = l / (u.time * u.time);
     sph2d_scene scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, 0}, {l, 0.8 * l}};
     scene.spacing = dx;
     scene.gravity.y = -9.81 * force;

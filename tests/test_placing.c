@@ -19,6 +19,7 @@ static void start(void)
 {
     blocks[0] = test_block(0.2, 0.1, 0.3, 0.2); /* 100 particles */
     scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, -0.1}, {1, 0.9}};
     scene.spacing = DX;
     scene.blocks = blocks;
@@ -271,6 +272,7 @@ START_TEST(obstacles_take_places_across_periodic_sides)
         room.boundary =
             (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
         room.method = sph2d_scene_default().method;
+        room.method.name = SPH2D_METHOD_MULLER;
         room.method.name = SPH2D_METHOD_WCSPH;
         room.method.sound_speed = 10;
         sph2d_obstacle obstacle = sph2d_obstacle_default();

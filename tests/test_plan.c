@@ -20,6 +20,7 @@ static void start(void)
 {
     blocks[0] = test_block(0.2, 0.1, 0.3, 0.2); /* 100 particles, up to 0.3 above the bottom */
     scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, -0.1}, {1, 0.9}};
     scene.spacing = DX;
     scene.blocks = blocks;
@@ -69,6 +70,7 @@ START_TEST(the_sound_speed_comes_from_height_speed_and_pull)
     scene.interaction_count = 1;
     check_speed(0.7, 7, 30 * 0.4 / 2);
     scene = sph2d_scene_default(); /* the lists above end here */
+    scene.method.name = SPH2D_METHOD_MULLER;
 }
 END_TEST
 

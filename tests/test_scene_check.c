@@ -72,6 +72,7 @@ static void start(void)
     probes[1].at = (sph2d_vec2){0.2, 0.2};
     probes[1].rate.per_second = 10;
     scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     scene.spacing = 0.02;
     scene.fluid.dynamic_viscosity = 20; /* calm enough for any warning */

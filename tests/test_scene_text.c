@@ -50,7 +50,7 @@ static const char *const goldens[] = {
     "wall_damping: 0.5\ngravity: [0.5, -9.81]\n"
     "central_force:\n  center: [1, 1]\n  rate: 0.25\nspacing: 0.05\n"
     "fluid:\n  density: 900\n  dynamic_viscosity: 200\n  surface_tension: 0.0728\n"
-    "method:\n  max_compression: 0.2\n  stiffness: 300\n  support_ratio: 2.5\n  cfl: 0.2\n"
+    "method:\n  name: muller\n  max_compression: 0.2\n  stiffness: 300\n  support_ratio: 2.5\n  cfl: 0.2\n"
     "  time_step: 0.0001\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [0.5, 0.5]\n"
@@ -87,7 +87,7 @@ static const char *const goldens[] = {
     "name: belts\n"
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nwalls: reflect\nwall_slip: none\n"
     "wall_speeds:\n  left: 1\n  right: -1\n  bottom: 0.5\n  top: -0.5\ngravity: [0, 0]\nspacing: 0.05\n"
-    "method:\n  name: wcsph\n  precision: mixed\n  kernel: quintic\n  state_equation: tait\n  viscosity_form: "
+    "method:\n  precision: mixed\n  kernel: quintic\n  state_equation: tait\n  viscosity_form: "
     "monaghan\n"
     "  density_diffusion: 0.05\n  diffusion_form: fourtakas\n  artificial_viscosity: 0.02\n  shifting: 0\n"
     "  tensile_control: off\n"
@@ -98,7 +98,7 @@ static const char *const goldens[] = {
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\n"
     "boundary:\n  top: wall\nwall_slip: none\nspacing: 0.05\n"
-    "method:\n  name: wcsph\n  operators: fitted\n"
+    "method:\n  operators: fitted\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 

@@ -124,6 +124,7 @@ END_TEST
 START_TEST(lines_of_one_particle_have_no_side)
 {
     scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_MULLER;
     blocks[0] = test_block(0.1, 0, 0.6, 0.4);
     sph2d_plan plan;
     ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_OK);

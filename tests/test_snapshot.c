@@ -71,7 +71,7 @@ START_TEST(it_says_what_it_is)
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
     ck_assert_str_eq(info.scene_name, "small");
     ck_assert_str_eq(info.code_version, sph2d_version());
-    ck_assert_str_eq(info.method, "muller");
+    ck_assert_str_eq(info.method, "wcsph");
     ck_assert_str_eq(info.isa, sph2d_isa_name(sph2d_sim_isa(fixture.sim)));
     ck_assert_str_eq(info.scene_text, fixture.text);
     ck_assert(info.time == sph2d_sim_time(fixture.sim) && info.time_step == sph2d_sim_time_step(fixture.sim) &&

@@ -65,6 +65,7 @@ static sph2d_sim *jet(int target, sph2d_wall_form form, int angle, double step, 
     static const double degrees[ANGLES] = {0, 25, -40, 60, -55};
     double a = degrees[angle] * TEST_PI / 180, steep = target == CORNER ? 0.3 : 1;
     sph2d_scene scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     scene.spacing = DX;
     scene.method.time_step = step;
@@ -231,6 +232,7 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
     sph2d_scene scene = test_open_scene(DX, 0, 0, 2, 1);
     if (_i == 1) {
         scene.method = sph2d_scene_default().method;
+        scene.method.name = SPH2D_METHOD_MULLER;
         scene.method.name = SPH2D_METHOD_WCSPH;
         scene.method.sound_speed = 10;
     }

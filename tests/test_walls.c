@@ -210,6 +210,7 @@ static sph2d_sim *drop(int index, double height, double viscosity)
     int form = index / PLACES;
     double floor = form < HEAVY_LINE ? 0 : LEVEL;
     sph2d_scene scene = sph2d_scene_default();
+    scene.method.name = SPH2D_METHOD_MULLER;
     scene.spacing = DX;
     scene.domain = (sph2d_box){{0, 0}, {40 * DX, 60 * DX}};
     scene.fluid.dynamic_viscosity = viscosity;

@@ -233,7 +233,7 @@ typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_sw
 
 /** The solver and its numbers. A method refuses what it does not have, but for the default. */
 typedef struct sph2d_method_options {
-    sph2d_method name;                   /**< default muller */
+    sph2d_method name;                   /**< default wcsph */
     sph2d_operators operators;           /**< wcsph; default symmetric */
     sph2d_precision precision;           /**< wcsph; default double */
     sph2d_kernel kernel;                 /**< wcsph with symmetric operators, pcisph, constraint; default wendland_c2 */

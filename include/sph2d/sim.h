@@ -158,6 +158,9 @@ typedef struct sph2d_summary {
                                   min, of the central force and of the surface under tension */
     double elastic;            /**< that of compression, by the equation of state of method wcsph; 0 for others [J/m] */
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
+    double energy_rise;        /**< how far energy ever rose above an earlier moment, less energy_fed, while nothing drove
+                                  the liquid (a moving wall, an interaction) and without surface tension [J/m] */
+    double energy_scale;       /**< what a rise is measured by: n m (g h + U^2/2 + pull)/2 of the scene [J/m] */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */

@@ -66,6 +66,8 @@ typedef enum sph2d_status {
     X(STEP_COLLAPSE, "R303", "guard: the time step collapsed")                                                         \
     X(STEP_TOO_LARGE, "R304", "guard: a particle moves farther than its support radius in one fixed step")             \
     X(NOT_CONVERGED, "R305", "guard: the pressure solver did not come to an end for many steps")                       \
+    X(DENSITY, "R306", "guard: the density of a particle is none that a liquid has")                                   \
+    X(ENERGY, "R307", "guard: energy came from nothing")                                                               \
     X(GL_MISSING, "P401", "no OpenGL context of the wanted kind")                                                      \
     X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
     X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")

@@ -317,7 +317,7 @@ KEYS(fluid, sph2d_fluid, NULL);
 
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
-     .standard = "muller", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
+     .standard = "wcsph", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .standard = "symmetric",
      .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "

@@ -134,7 +134,7 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
         return SPH2D_NOMEM;
     sph2d_summary start;
     sph2d__sim_sum_energy(sim, &start);
-    sim->record.energy_start = start.kinetic + start.potential + start.elastic;
+    sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic;
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 

@@ -131,6 +131,8 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .compression_max = r->compression_max,
         .energy_start = r->energy_start,
         .energy_fed = r->energy_fed,
+        .energy_rise = r->energy_rise,
+        .energy_scale = sph2d__sim_energy_scale(sim),
         .fed = r->fed,
         .blocked = r->blocked,
         .drained = r->drained,

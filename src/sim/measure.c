@@ -11,10 +11,14 @@ static const double STEP_GROWTH = 1.2;
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
 
+/* Densities over rest density that integrated ones never have in a sound run. */
+static const double THINNEST = 0.2, DENSEST = 5;
+
 typedef struct extremes {
     double speed2, acceleration2, density, pressure;
     size_t bad;     /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
     size_t escaped; /**< and of the first beyond a side that is a wall */
+    size_t strange; /**< and of the first with a density that no liquid has */
 } extremes;
 
 /** The domain as far as its sides are walls. */
@@ -31,6 +35,7 @@ static sph2d_box walled_box(const sph2d_scene *scene)
 typedef struct search {
     const sph2d_sim *sim;
     sph2d_box box;
+    double low, high; /**< densities that liquid may have [kg/m^3] */
     extremes found;
 } search;
 
@@ -40,7 +45,7 @@ static void find_some_extremes(void *with, size_t first, size_t last)
     const sph2d__store *f = &s->sim->system.fluid;
     const sph2d_box box = s->box;
     double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
-    size_t bad = SIZE_MAX, escaped = SIZE_MAX;
+    size_t bad = SIZE_MAX, escaped = SIZE_MAX, strange = SIZE_MAX;
     for (size_t i = first; i < last; ++i) {
         double x = f->x[i], y = f->y[i];
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
@@ -53,18 +58,24 @@ static void find_some_extremes(void *with, size_t first, size_t last)
             bad = i;
         if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)
             escaped = i;
+        if (!(f->density[i] >= s->low && f->density[i] <= s->high) && i < strange)
+            strange = i;
     }
     sph2d__team_lock(s->sim->system.team);
     extremes *e = &s->found;
     *e = (extremes){fmax(e->speed2, speed2),   fmax(e->acceleration2, acceleration2),
                     fmax(e->density, density), fmax(e->pressure, pressure),
-                    bad < e->bad ? bad : e->bad, escaped < e->escaped ? escaped : e->escaped};
+                    bad < e->bad ? bad : e->bad, escaped < e->escaped ? escaped : e->escaped,
+                    strange < e->strange ? strange : e->strange};
     sph2d__team_unlock(s->sim->system.team);
 }
 
 static extremes find_extremes(const sph2d_sim *sim)
 {
-    search s = {sim, walled_box(&sim->scene), {.bad = SIZE_MAX, .escaped = SIZE_MAX}};
+    bool integrated = sim->scene.method.name == SPH2D_METHOD_WCSPH; /* sums over places have no such bounds */
+    double rho0 = sim->system.rest_density;
+    search s = {sim, walled_box(&sim->scene), integrated ? THINNEST * rho0 : -INFINITY,
+                integrated ? DENSEST * rho0 : INFINITY, {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
     sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
     return s.found;
 }
@@ -85,6 +96,17 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
     if (e->bad != SIZE_MAX) {
         report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->bad, "a value is not finite",
                         "lower method.time_step or method.cfl");
+        return false;
+    }
+    if (e->strange != SIZE_MAX) {
+        sph2d_diagnostic *d = sph2d_report_add(
+            report, SPH2D_ERROR, SPH2D_CODE_DENSITY, NULL,
+            "a density is none that a liquid has: %g kg/m^3, particle %llu at (%g, %g), step %llu, time %g s",
+            sim->system.fluid.density[e->strange], (unsigned long long)sim->system.fluid.id[e->strange],
+            sim->system.fluid.x[e->strange], sim->system.fluid.y[e->strange], (unsigned long long)sim->record.steps,
+            sim->record.time);
+        sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there; method.shifting: 1 and "
+                                 "method.tensile_control: on keep particles apart");
         return false;
     }
     if (e->escaped != SIZE_MAX) {

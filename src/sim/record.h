@@ -23,6 +23,8 @@
     X(pointer_radius, "PointerRadius", 1, 0, 0, "reach of the steering pointer")                                       \
     X(pointer_acceleration, "PointerAcceleration", 1, 0, -2, "strength of the steering pointer; 0 for none")           \
     X(energy_start, "EnergyStart", 1, 1, -2, "kinetic, potential and elastic energy at the start, per metre")           \
+    X(energy_low, "EnergyLow", 1, 1, -2, "least energy so far, less what particles brought and took, per metre")       \
+    X(energy_rise, "EnergyRise", 1, 1, -2, "largest rise of energy above an earlier moment, per metre")                \
     X(energy_fed, "EnergyFed", 1, 1, -2, "energy that particles brought and took, per metre")                          \
     X(compression_max, "CompressionMax", 0, 0, 0, "largest compression so far")                                        \
     X(compression_p99, "CompressionP99Integral", 0, 0, 1, "99th percentile of compression, summed over time")          \

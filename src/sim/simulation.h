@@ -57,6 +57,15 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
 /** What a known flow needs to know of the scene. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 
+/** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is told [J/m]. */
+double sph2d__sim_energy_scale(const sph2d_sim *sim);
+
+/** Notes how far energy rises above an earlier moment (energy.c). */
+void sph2d__sim_watch_energy(sph2d_sim *sim);
+
+/** False, reported, when energy came from nothing. */
+bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
+
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
 

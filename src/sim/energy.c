@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/** @file energy.c
+ *  Energy that comes from nothing: what a run sums up of it, and the guard that stops one.
+ *
+ *  Liquid to which nobody gives energy can only lose some. What is watched is kinetic, potential and elastic energy less
+ *  what particles brought and took: how far it ever rises above an earlier moment, over the energy scale of the scene,
+ *
+ *      m n (g h + U^2/2 + pull)/2,
+ *
+ *  the potential energy of a column as high as liquid can fall (sph2d__system.head). While something drives the liquid,
+ *  a wall or obstacle that moves, an interaction, the pointer, its work is not known and nothing is watched; nor is
+ *  it with surface tension, whose energy jumps where the surface finds other neighbours. */
+#include <math.h>
+
+#include "sim/simulation.h"
+
+/* Energy is looked at every so many steps. */
+enum { WATCH_STEPS = 10 };
+/* The part of the scene's energy scale by which energy may rise: a hundred times what scenes do that are sound. */
+static const double MOST = 0.1;
+
+static bool is_driven(const sph2d_sim *sim)
+{
+    const sph2d_side_speeds *v = &sim->scene.wall_speeds;
+    return sim->moving_count > 0 || sim->system.body.point_count > 0 || v->left != 0 || v->right != 0 ||
+           v->bottom != 0 || v->top != 0;
+}
+
+double sph2d__sim_energy_scale(const sph2d_sim *sim)
+{
+    const sph2d__system *s = &sim->system;
+    return s->mass * (double)s->fluid.count * s->head / 2;
+}
+
+void sph2d__sim_watch_energy(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    if (r->steps % WATCH_STEPS != 0 || sim->system.surface_tension > 0)
+        return;
+    sph2d_summary now;
+    sph2d__sim_sum_energy(sim, &now);
+    double energy = now.kinetic + now.potential + now.elastic - r->energy_fed;
+    r->energy_low = is_driven(sim) ? energy : fmin(r->energy_low, energy);
+    r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
+}
+
+/** The particle that moves fastest. */
+static size_t fastest_of(const sph2d__store *f)
+{
+    size_t fastest = 0;
+    double most = -1;
+    for (size_t i = 0; i < f->count; ++i) {
+        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
+        if (v2 > most) {
+            most = v2;
+            fastest = i;
+        }
+    }
+    return fastest;
+}
+
+bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
+{
+    const sph2d__record *r = &sim->record;
+    const sph2d__store *f = &sim->system.fluid;
+    double scale = sph2d__sim_energy_scale(sim);
+    /* What compresses the start of the other methods is energy that no sum over their particles tells. */
+    if (sim->scene.method.name != SPH2D_METHOD_WCSPH || !(scale > 0) || !(r->energy_rise > MOST * scale))
+        return true;
+    size_t i = fastest_of(f);
+    sph2d_diagnostic *d = sph2d_report_add(
+        report, SPH2D_ERROR, SPH2D_CODE_ENERGY, NULL,
+        "energy came from nothing: %.3g J/m, %.3g %% of the scene's %.3g J/m, by step %llu, time %g s; the fastest "
+        "particle %llu is at (%g, %g) with velocity (%g, %g)",
+        r->energy_rise, 100 * r->energy_rise / scale, scale, (unsigned long long)r->steps, r->time,
+        (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i]);
+    sph2d_diagnostic_hint(d, "look at the walls there; method.artificial_viscosity: 0.05 or a smaller spacing calms liquid");
+    return false;
+}
