@@ -17,7 +17,6 @@ static const template_value dam_break[] = {
     {"gravity", "[0, -9.81]"},
     {"fluid.density", "1000"},
     {"fluid.dynamic_viscosity", "2"},
-    {"method.name", "muller"},
     {"method.max_compression", "0.1"},
     {"blocks[0].box.min", "[0, 0]"},
     {"blocks[0].box.max", "[0.4, 0.8]"},
@@ -58,7 +57,6 @@ static const template_value sprinkler[] = {
     {"drains[0].box.max", "[0.1, 0.02]"},
     {"obstacles[0].circle.center", "[0.8, 0.45]"},
     {"obstacles[0].circle.radius", "0.1"},
-    {"obstacles[0].form", "heavy"},
     {"run.until", "3"},
     OUTPUTS,
 };

@@ -89,6 +89,13 @@ void close_to(double value, double expect, double size, const char *what, size_t
     ck_assert_msg(fabs(value - expect) <= FINE * size, "%s of particle %zu: %.15g, not %.15g", what, i, value, expect);
 }
 
+/** The unit vector along a smooth wall at boundary particle b; 0 at rough ones and in corners. */
+sph2d_vec2 wall_direction(const sph2d__system *s, size_t b)
+{
+    bool smooth = s->wall_slip == SPH2D_SLIP_FREE;
+    return smooth ? (sph2d_vec2){-s->walls.normal_y[b], s->walls.normal_x[b]} : (sph2d_vec2){0, 0};
+}
+
 /** Pair by pair: pressure and the three viscosities. */
 static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from, double a[2], double *size)
 {
@@ -102,13 +109,13 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
             continue;
         double push = -o.mass * (f->pressure[i] / (rho * rho) + o.pressure / (o.density * o.density)) * o.slope;
         double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
-        double along = 8 * (artificial + (morris ? 0 : mu)) / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
+        double damp = 8 * (artificial + (morris ? 0 : mu)) / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
                        (o.r * o.r) * o.slope;
         if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
-            drag = along = 0;
-        a[0] += push * o.dx + drag * o.vx + along * o.dx;
-        a[1] += push * o.dy + drag * o.vy + along * o.dy;
-        *size += fabs(push) * o.r + fabs(drag) * hypot(o.vx, o.vy) + fabs(along) * o.r;
+            drag = damp = 0;
+        a[0] += push * o.dx + drag * o.vx + damp * o.dx;
+        a[1] += push * o.dy + drag * o.vy + damp * o.dy;
+        *size += fabs(push) * o.r + fabs(drag) * hypot(o.vx, o.vy) + fabs(damp) * o.r;
     }
 }
 

@@ -38,6 +38,9 @@ typedef struct other {
     double slope, weight;                              /* grad W = slope r_ij */
 } other;
 
+/** The unit vector along a smooth wall at boundary particle b; 0 at rough ones and in corners. */
+sph2d_vec2 wall_direction(const sph2d__system *s, size_t b);
+
 other other_of(const sph2d__system *s, size_t i, const sph2d__store *from, size_t j);
 
 /** That a value of particle i is as expected, to round-off of sums of this size. */

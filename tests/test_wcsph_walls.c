@@ -65,12 +65,18 @@ static double rate_of(const sph2d__system *s, size_t i, double *size)
     *size = fabs(rate);
     for (size_t b = 0; b < w->count; ++b) {
         other o = other_of(s, i, w, b);
-        double across = (f->vx[i] - w->vx[b]) * o.dx + (f->vy[i] - w->vy[b]) * o.dy, sum = 0, back = 0;
+        sph2d_vec2 t = wall_direction(s, b);
+        double sum = 0, back = 0, mean = 0;
         for (size_t j = 0; j < f->count; ++j) {
             other p = other_of(s, j, w, b);
+            double vx = f->vx[j] - w->vx[b], vy = f->vy[j] - w->vy[b], slip = vx * t.x + vy * t.y;
             sum += p.weight;
-            back += ((f->vx[j] - w->vx[b]) * p.dx + (f->vy[j] - w->vy[b]) * p.dy) * p.slope;
+            mean += p.weight * slip;
+            back += (vx * p.dx + vy * p.dy - slip * (p.dx * t.x + p.dy * t.y)) * p.slope;
         }
+        mean = sum > 1e-9 ? mean / sum : 0;
+        double vx = f->vx[i] - w->vx[b] - mean * t.x, vy = f->vy[i] - w->vy[b] - mean * t.y;
+        double across = vx * o.dx + vy * o.dy;
         double ratio = f->density[i] / w->density[b];
         rate += w->mass[b] * across * o.slope;
         if (sum > 1e-9)
@@ -100,6 +106,7 @@ END_TEST
 START_TEST(walls_make_no_energy)
 {
     scene.gravity = (sph2d_vec2){0, 0};
+    scene.wall_slip = SPH2D_SLIP_NONE; /* along smooth walls liquid slides, in the rate alone */
     scene.method.state_equation = _i & 1 ? SPH2D_STATE_TAIT : SPH2D_STATE_LINEAR;
     scene.method.support_ratio = _i & 2 ? 2.3 : 3;
     scene.domain = (sph2d_box){{0, 0}, {SIDE * DX, 1}};
@@ -194,7 +201,10 @@ START_TEST(a_moving_wall_adds_its_own_velocity)
     ck_assert_double_eq_tol(w->image_vy[b], before_y + (rough ? 2 * 0.25 : 0), 1e-12);
     ck_assert(w->pressure[b] == before_p);
     sph2d__wcsph.density_rate(s);
-    ck_assert(w->image_vx[b] == 0.5 && w->image_vy[b] == 0.25);
+    if (rough)
+        ck_assert(w->image_vx[b] == 0.5 && w->image_vy[b] == 0.25);
+    else
+        ck_assert(left ? w->image_vx[b] == 0.5 : w->image_vy[b] == 0.25);
     *(left ? &w->ax[b] : &w->ay[b]) = 3; /* it is pushed into the liquid */
     sph2d__wcsph.evaluate(s);
     ck_assert_double_gt(w->pressure[b], before_p + 3 * 0.9 * RHO0 * 0.4 * DX);

@@ -36,14 +36,25 @@ SPH2D__INLINE void finish_image(sph2d__store *w, size_t b, const wall_sums *sums
     w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] : w->vy[b];
 }
 
-/** wall_rate; and the wall's own velocity, which the rate of density sees. */
+/** The part of a vector along a smooth wall; nothing at a rough one and in corners, which have no normal. */
+static sph2d_vec2 along_wall(const sph2d__system *s, size_t b, double x, double y)
+{
+    double nx = s->walls.normal_x[b], ny = s->walls.normal_y[b], across = x * nx + y * ny;
+    bool smooth = s->wall_slip != SPH2D_SLIP_NONE && (nx != 0 || ny != 0);
+    return smooth ? (sph2d_vec2){x - across * nx, y - across * ny} : (sph2d_vec2){0, 0};
+}
+
+/** wall_rate; and the velocity that the rate of density sees: the wall's own, along a smooth one the liquid's. */
 SPH2D__INLINE void finish_rate(const sph2d__system *s, sph2d__store *w, size_t b, const wall_sums *sums, int l,
                                double share)
 {
     double ratio = s->rest_density / w->density[b];
-    w->wall_rate[b] = share > 0 ? share * ratio * ratio * (double)sums->flux[l] : 0;
-    w->image_vx[b] = w->vx[b];
-    w->image_vy[b] = w->vy[b];
+    sph2d_vec2 slip = {0, 0};
+    if (share > 0)
+        slip = along_wall(s, b, share * (double)sums->vx[l] - w->vx[b], share * (double)sums->vy[l] - w->vy[b]);
+    w->wall_rate[b] = share * ratio * ratio * (double)sums->flux[l];
+    w->image_vx[b] = w->vx[b] + slip.x;
+    w->image_vy[b] = w->vy[b] + slip.y;
 }
 
 /** What is wanted of the walls. */
@@ -62,21 +73,34 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums
         finish_image(w, b, sums, l, share);
 }
 
-/** The velocities of boundary particles. */
-SPH2D__INLINE void own_velocities(const sph2d__store *w, size_t first, sph2d__lanes *vx, sph2d__lanes *vy)
+/** The boundary particles of a group: their velocities, and the direction along a smooth wall. */
+typedef struct walled {
+    sph2d__lanes vx, vy, along_x, along_y;
+} walled;
+
+SPH2D__INLINE walled walled_of(const sph2d__system *s, size_t first)
 {
-    *vx = sph2d__group_lanes(w->vx + first, 0);
-    *vy = sph2d__group_lanes(w->vy + first, 0);
+    const sph2d__store *w = &s->walls;
+    const sph2d__real smooth = s->wall_slip != SPH2D_SLIP_NONE;
+    return (walled){.vx = sph2d__group_lanes(w->vx + first, 0),
+                    .vy = sph2d__group_lanes(w->vy + first, 0),
+                    .along_x = -smooth * sph2d__group_lanes(w->normal_y + first, 0),
+                    .along_y = smooth * sph2d__group_lanes(w->normal_x + first, 0)};
 }
 
 /** Adds a candidate to the sums. */
 SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const sph2d__packed *f, size_t j,
-                                 sph2d_kernel kernel, wanted what, const pair *p, sph2d__lanes vx, sph2d__lanes vy)
+                                 sph2d_kernel kernel, wanted what, const pair *p, const walled *me)
 {
     sph2d__lanes weight = sph2d__kernel_value(kernel, p->q);
     sums->weight += weight;
     if (what == RATES) {
-        sums->flux += ((vx - f->vx[j]) * p->dx + (vy - f->vy[j]) * p->dy) * p->g;
+        sph2d__lanes gx = p->g * p->dx, gy = p->g * p->dy;
+        sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
+        sums->flux += dvx * gx + dvy * gy -
+                      (me->along_x * dvx + me->along_y * dvy) * (me->along_x * gx + me->along_y * gy);
+        sums->vx += weight * f->vx[j];
+        sums->vy += weight * f->vy[j];
         return;
     }
     sph2d__lanes heavy = weight * ((sph2d__real)s->mass / f->volume[j] * (sph2d__real)s->fluid.connection[j]);
@@ -98,15 +122,14 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
         wall_sums sums = {0};
         sph2d__sieve sieve;
         sph2d__ranges ranges = {0};
-        sph2d__lanes vx, vy;
-        own_velocities(&s->walls, g.first, &vx, &vy);
+        const walled me = walled_of(s, g.first);
         sph2d__group_near(&by, &g, &ranges);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
             place at = place_of(&s->walls, &g, sieve.way_x, sieve.way_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &f, j);
-                add_candidate(&sums, s, &f, j, kernel, what, &p, vx, vy);
+                add_candidate(&sums, s, &f, j, kernel, what, &p, &me);
             }
         }
         const wall_sums done = sums; /* the sums themselves can then stay in registers */
