@@ -7,8 +7,9 @@
  *
  *      m n (g h + U^2/2 + pull)/2,
  *
- *  the potential energy of a column as high as liquid can fall (sph2d__system.head). While something drives the liquid,
- *  a wall or obstacle that moves, an interaction, the pointer, its work is not known and nothing is watched; nor is
+ *  the potential energy of a column as high as liquid can fall (sph2d__system.head), with n all particles that ever
+ *  were. While something drives the liquid,
+ *  a wall or obstacle that moves, an interaction, the pointer, gravity along a period, its work is not known and nothing is watched; nor is
  *  it with surface tension, whose energy jumps where the surface finds other neighbours. */
 #include <math.h>
 
@@ -22,14 +23,19 @@ static const double MOST = 0.1;
 static bool is_driven(const sph2d_sim *sim)
 {
     const sph2d_side_speeds *v = &sim->scene.wall_speeds;
-    return sim->moving_count > 0 || sim->system.body.point_count > 0 || v->left != 0 || v->right != 0 ||
+    const sph2d__period *p = &sim->system.fluid_cells.period; /* gravity along a period never comes to an end */
+    bool falling = (p->length_x > 0 && sim->system.body.gravity_x != 0) ||
+                   (p->length_y > 0 && sim->system.body.gravity_y != 0);
+    return falling || sim->moving_count > 0 || sim->system.body.point_count > 0 || v->left != 0 || v->right != 0 ||
            v->bottom != 0 || v->top != 0;
 }
 
 double sph2d__sim_energy_scale(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
-    return s->mass * (double)s->fluid.count * s->head / 2;
+    const sph2d__record *r = &sim->record;
+    uint64_t all = s->fluid.count + r->drained + r->left_left + r->left_right + r->left_bottom + r->left_top;
+    return s->mass * (double)all * s->head / 2;
 }
 
 void sph2d__sim_watch_energy(sph2d_sim *sim)
