@@ -162,7 +162,7 @@ START_TEST(a_shift_meets_the_density_on_its_way)
 }
 END_TEST
 
-/* Density comes to what places say, inside alone: c0/(60 H) of the difference each second. */
+/* Density comes to what places say, inside alone: c0/(400 H) of the difference each second. */
 START_TEST(density_follows_the_packing_inside)
 {
     block.perturb.amplitude = 0.1;
@@ -180,7 +180,7 @@ START_TEST(density_follows_the_packing_inside)
         close_to(f->packing[i], RHO0 * sum / own, RHO0, "packing", i);
         bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support;
         inside += deep;
-        double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (60 * s->support) : 0;
+        double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (400 * s->support) : 0;
         close_to(f->density_rate[i], rate, RHO0, "rate", i);
     }
     ck_assert_uint_gt(inside, 10);

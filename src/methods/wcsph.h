@@ -40,9 +40,9 @@
  *
  *  The rate of density knows nothing of surfaces that meet or part: without more, the number of particles on an area and
  *  their density part by per cents in a dam break, and the level at its end is wrong by as much. Inside the liquid,
- *  farther than H from its surface, density therefore also comes to what places say, in 60 H/c0:
+ *  farther than H from its surface, density therefore also comes to what places say, in 400 H/c0:
  *
- *      drho_i/dt = ... + c0/(60 H) (rho0 sum (m_j/m) W / sum over a lattice W - rho_i)
+ *      drho_i/dt = ... + c0/(400 H) (rho0 sum (m_j/m) W / sum over a lattice W - rho_i)
  *
  *  The second psi vanishes at rest in gravity g and a central force, where d rho = rho0/c0^2 of the work they do; not
  *  along periodic directions, in which no liquid rests on another.

@@ -13,9 +13,10 @@
 static const double SURFACE = 0.6;
 /* Less full than this, the slope of density is that of few; nor do places say there what density is. */
 static const double BULK = 0.75;
-/* Time in which density comes to what places say, over H/c0: many periods of what sounds within H, so that the noise of
- * the sum over places does not sound, and few beside what liquid takes to flow by. */
-static const double PACKING_TIME = 60;
+/* Time in which density comes to what places say, over H/c0. The sum over places is off by some 1e-3 where liquid is
+ * stretched, which must not sound: with 60 the pressure of a rotating patch was off by half as much again. Beside what
+ * liquid takes to flow by it is short: a dam break is done with it in t sqrt(g/H) = 3 at H/dx = 40. */
+static const double PACKING_TIME = 400;
 /* The filling by other liquid, 1 in a lattice, over the room that walls leave for it, up to which a particle is by
  * itself, and from which on it is in liquid. A pair has 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38
  * to 0.46; liquid that ends in the tip of a wedge of 10 degrees, one particle wide there, 0.5. */
