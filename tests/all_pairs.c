@@ -89,11 +89,23 @@ void close_to(double value, double expect, double size, const char *what, size_t
     ck_assert_msg(fabs(value - expect) <= FINE * size, "%s of particle %zu: %.15g, not %.15g", what, i, value, expect);
 }
 
-/** The unit vector along a smooth wall at boundary particle b; 0 at rough ones and in corners. */
-sph2d_vec2 wall_direction(const sph2d__system *s, size_t b)
+double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
 {
-    bool smooth = s->wall_slip == SPH2D_SLIP_FREE;
-    return smooth ? (sph2d_vec2){-s->walls.normal_y[b], s->walls.normal_x[b]} : (sph2d_vec2){0, 0};
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    double weights = 0, room = 0;
+    for (size_t j = 0; j < f->count; ++j)
+        weights += other_of(s, j, w, b).weight;
+    for (int k = 0; k < 21 * 21; ++k)
+        room += weight(s->method.kernel, s->support, DX * hypot(k % 21 - 10, k / 21 - 10));
+    const sph2d__period *period = &s->fluid_cells.period;
+    for (size_t j = 0; j < w->count; ++j)
+        room -= w->mass[j] / s->mass *
+                weight(s->method.kernel, s->support,
+                       hypot(sph2d__period_nearest(w->x[b] - w->x[j], period->length_x),
+                             sph2d__period_nearest(w->y[b] - w->y[j], period->length_y)));
+    double t = fmin(fmax((0.9 - weights / fmax(room, weight(s->method.kernel, s->support, 0))) / 0.3, 0), 1);
+    *along = (sph2d_vec2){-w->normal_y[b], w->normal_x[b]};
+    return s->wall_slip == SPH2D_SLIP_FREE && w->bounce[b] < 0 ? t * t * (3 - 2 * t) : 0;
 }
 
 /** Pair by pair: pressure and the three viscosities. */
@@ -119,12 +131,36 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
     }
 }
 
+/** Where liquid slides, a wall's pressure has no part along it, but what pressure of the liquid pushes there. */
+static void slide_of(const sph2d__system *s, size_t i, double a[2], double *size)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    for (size_t b = 0; b < w->count; ++b) {
+        sph2d_vec2 along;
+        other o = other_of(s, i, w, b);
+        double part = o.r < s->support ? slides(s, b, &along) : 0, weights = 0, push = 0;
+        if (part == 0)
+            continue;
+        for (size_t j = 0; j < f->count; ++j) {
+            other p = other_of(s, j, w, b);
+            weights += p.weight;
+            push += f->pressure[j] / (f->density[j] * f->density[j]) * p.slope * (p.dx * along.x + p.dy * along.y);
+        }
+        double wall = o.pressure / (o.density * o.density) * o.slope * (o.dx * along.x + o.dy * along.y);
+        double sum = part * o.mass * (wall + o.weight * push / weights);
+        a[0] += sum * along.x;
+        a[1] += sum * along.y;
+        *size += part * o.mass * (fabs(wall) + fabs(o.weight * push / weights));
+    }
+}
+
 void check_forces(sph2d__system *s)
 {
     for (size_t i = 0; i < s->fluid.count; ++i) {
         double a[2] = {s->body.gravity_x, s->body.gravity_y}, size = 0;
         force_of(s, i, &s->fluid, a, &size);
         force_of(s, i, &s->walls, a, &size);
+        slide_of(s, i, a, &size);
         close_to(s->fluid.ax[i], a[0], size, "ax", i);
         close_to(s->fluid.ay[i], a[1], size, "ay", i);
     }

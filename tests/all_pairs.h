@@ -38,8 +38,8 @@ typedef struct other {
     double slope, weight;                              /* grad W = slope r_ij */
 } other;
 
-/** The unit vector along a smooth wall at boundary particle b; 0 at rough ones and in corners. */
-sph2d_vec2 wall_direction(const sph2d__system *s, size_t b);
+/** How far liquid slides along the wall of boundary particle b, from 0 to 1, and the unit vector along it. */
+double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along);
 
 other other_of(const sph2d__system *s, size_t i, const sph2d__store *from, size_t j);
 

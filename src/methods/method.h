@@ -35,6 +35,9 @@ typedef struct sph2d__method {
     sph2d__set (*unused)(const sph2d_method_options *options);
     /** Sets what follows from the scene's numbers and the walls. */
     void (*prepare)(sph2d__system *system);
+    /** Sets what follows from the places of the boundary particles, whose cells are up to date: called when some have
+     *  moved. NULL: nothing does. */
+    void (*walls_placed)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The
      *  cells are up to date. SPH2D__PROJECTED: acceleration without that of pressure. False when memory is short. */
     bool (*evaluate)(sph2d__system *system);

@@ -55,6 +55,9 @@ static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
     pack_some_wall_rates(s, first, last);
     pack(sph2d__packed_volume(w), w->volume, 0, first, last);
     pack(sph2d__packed_pressure(w), w->pressure, 0, first, last);
+    pack(sph2d__floats(w, w->packed_density, 0), w->slide, 0, first, last);
+    pack(sph2d__floats(w, w->packed_slope, 0), w->along_x, 0, first, last);
+    pack(sph2d__floats(w, w->packed_slope, 1), w->along_y, 0, first, last);
 }
 
 void sph2d__pack_fluid(sph2d__system *s)

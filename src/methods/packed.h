@@ -11,14 +11,14 @@
 #include "base/lanes.h"
 #include "methods/system.h"
 
-/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for
- * the rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term reads them, beside the
- * fullness of liquid or the mass of walls; slopes. */
+/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
+ * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term reads
+ * them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along walls. */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
-        *wall_rate;
+        *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -56,6 +56,9 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .excess = sph2d__packed_excess(t),
                            .wall_rate = sph2d__packed_excess(t),
                            .density = sph2d__floats(t, t->packed_density, 0),
+                           .slide = sph2d__floats(t, t->packed_density, 0),
+                           .along_x = sph2d__floats(t, t->packed_slope, 0),
+                           .along_y = sph2d__floats(t, t->packed_slope, 1),
                            .fullness = sph2d__floats(t, t->packed_density, 1),
                            .mass = sph2d__floats(t, t->packed_density, 1),
                            .slope_x = sph2d__floats(t, t->packed_slope, 0),
@@ -79,6 +82,9 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->fullness,
                            t->excess,
                            t->wall_rate,
+                           t->slide,
+                           t->along_x,
+                           t->along_y,
                            0};
 }
 #endif

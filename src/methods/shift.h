@@ -2,11 +2,14 @@
 /** @file shift.h
  *  The shift velocity of the symmetric operators,
  *
- *      w = -D grad C,   D = gain |S| H^2,   grad C = sum V (1 + 0.2 (W/W(dx))^4) grad W   (Sun et al. 2017, eqs. 7, 8)
+ *      w = -D grad C,   grad C = sum V (1 + 0.2 (W/W(dx))^4) grad W                   (Sun et al. 2017, eqs. 7, 8)
+ *      D = gain H^2 |S|^2/(|S| + S0)
  *
  *  with the rate of strain |S| = sqrt(2 S:S) of the liquid around, without that of volume, in place of the largest speed
  *  over H: what disorders a lattice is that neighbours pass each other. Liquid that rests, flies or turns as a whole is
- *  not shifted, and no moving frame changes anything. Particles carry H grad C and |S|. */
+ *  not shifted, and no moving frame changes anything. Below S0 = 0.001 c0/H strain is the noise of sound in liquid at
+ *  rest, which shifts by it would feed: a tank at rest kept a speed of 0.02 sqrt(gH), with S0 it falls below 0.001.
+ *  Particles carry H grad C and |S|. */
 #ifndef SPH2D_METHODS_SHIFT_H
 #define SPH2D_METHODS_SHIFT_H
 
@@ -14,9 +17,11 @@
 
 #include "methods/system.h"
 
-/* D over |S| H^2, for shifting: 1. With 3, a block that was thrown at a wall gained 1.9 % of its energy, with 1 less than
- * 0.2 %. */
-static const double SPH2D__SHIFT_GAIN = 1;
+/* D over |S| H^2, for shifting: 1. With 1 a patch that turns was under too little tension, by 0.015 of rho w^2 L^2, with
+ * 2 and 3 by 0.004. */
+static const double SPH2D__SHIFT_GAIN = 2;
+/* S0 H/c0. */
+static const double SPH2D__SHIFT_NOISE = 0.001;
 /* D dt/H^2 that is stable, half of what it may be at H/dx = 2 to 4. */
 static const double SPH2D__SHIFT_LIMIT = 0.1;
 /* H |grad C| beyond which shifts grow no more. */
@@ -27,7 +32,9 @@ static inline sph2d_vec2 sph2d__shift_velocity(const sph2d__system *s, size_t i)
 {
     double cx = s->fluid.crowd_x[i], cy = s->fluid.crowd_y[i], crowd = sqrt(cx * cx + cy * cy);
     double most = SPH2D__SHIFT_LIMIT * s->support / s->step;
-    double speed = fmin(s->method.shifting * SPH2D__SHIFT_GAIN * s->fluid.strain[i] * s->support, most);
+    double strain = s->fluid.strain[i], noise = SPH2D__SHIFT_NOISE * s->sound_speed / s->support;
+    double gain = s->method.shifting * SPH2D__SHIFT_GAIN;
+    double speed = fmin(gain * strain * strain / (strain + noise) * s->support, most);
     double factor = crowd > SPH2D__SHIFT_CROWD ? -speed * SPH2D__SHIFT_CROWD / crowd : -speed;
     return (sph2d_vec2){factor * cx, factor * cy};
 }

@@ -46,6 +46,32 @@ static const double FORCE = 0.25;
 /* Lattice places on either side of a particle that the widest support reaches. */
 enum { REACH = 8 };
 
+/** Sum of f over the boundary particles around a place, each as much as it has mass. */
+static double wall_values(const sph2d__system *s, double x, double y)
+{
+    const sph2d__store *w = &s->walls;
+    uint32_t cell = sph2d__cells_find(&s->wall_cells, x, y);
+    double sum = 0;
+    if (cell == UINT32_MAX)
+        return 0;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    for (int r = 0; r < ranges.count; ++r)
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+            double q = hypot(x + ranges.x[r] - w->x[j], y + ranges.y[r] - w->y[j]) / s->support;
+            sum += sph2d__kernel_value_at(s->method.kernel, q) * w->mass[j] / s->mass;
+        }
+    return sum;
+}
+
+static void walls_placed(sph2d__system *s)
+{
+    sph2d__store *w = &s->walls;
+    double all = s->lattice_values * sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
+    for (size_t b = 0; b < w->count; ++b)
+        w->room[b] = all - wall_values(s, w->x[b], w->y[b]);
+}
+
 static void prepare(sph2d__system *s)
 {
     double q = s->spacing / s->support, unit = sph2d__kernel_value_at(s->method.kernel, q);
@@ -57,6 +83,7 @@ static void prepare(sph2d__system *s)
             if (i != 0 || j != 0)
                 s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
         }
+    walls_placed(s);
 }
 
 /** The kinematic viscosity that limits the step as much as what acts does in Morris' form [m^2/s]. */
@@ -197,8 +224,9 @@ const sph2d__method sph2d__wcsph = {
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
-             SPH2D__BIT(wall_rate),
+             SPH2D__BIT(wall_rate) | SPH2D__BIT(room) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
     .prepare = prepare,
+    .walls_placed = walls_placed,
     .evaluate = evaluate,
     .density_rate = density_rate,
     .stable_step = stable_step,

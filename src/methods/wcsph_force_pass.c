@@ -121,6 +121,11 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
     sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
     add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky), dvx, dvy);
+    const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
+    sph2d__lanes along = sph2d__kernel_value(with.kernel, p->q) * w->slide[j] -
+                         theirs * p->g * (along_x * p->dx + along_y * p->dy);
+    sums->press_x += along * along_x;
+    sums->press_y += along * along_y;
     if (with.morris)
         add_morris(sums, p->g * (volume * sticky), dvx, dvy);
     if (with.layout >= SPH2D__LAYOUT_FULL)

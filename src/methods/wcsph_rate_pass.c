@@ -13,10 +13,10 @@
 static const double SURFACE = 0.6;
 /* Less full than this, the slope of density is that of few; nor do places say there what density is. */
 static const double BULK = 0.75;
-/* Time in which density comes to what places say, over H/c0. The sum over places is off by some 1e-3 where liquid is
- * stretched, which must not sound: with 60 the pressure of a rotating patch, L/dx 25, was off by 0.0069 of
- * rho w^2 L^2, with 400 by 0.0047. At H/dx = 40 it is t sqrt(g/H) = 3, short beside what a dam break takes to rest. */
-static const double PACKING_TIME = 400;
+/* Time in which density comes to what places say, over H/c0. Energy of a dam break to t sqrt(g/H) = 20 never rose above
+ * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less the
+ * start of a scene sounds. */
+static const double PACKING_TIME = 100;
 /* The filling by other liquid, 1 in a lattice, over the room that walls leave for it, up to which a particle is by
  * itself, and from which on it is in liquid. A pair has 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38
  * to 0.46. In the tip of a wedge walls leave little room: without it the last particles there counted as by themselves. */

@@ -12,10 +12,25 @@
 /** Sums over the liquid around a boundary particle, weighted by the kernel. */
 typedef struct wall_sums {
     sph2d__lanes weight, pressure, weight_x, weight_y, vx, vy, flux;
+    sph2d__lanes along; /* of the flux, or of p V^2 grad W: the part along the wall */
 } wall_sums;
 
-/** Pressure, density and volume; none where no liquid is near. `share` is one over the summed weight, or 0. Under
- *  tension the wall is as at rest. */
+/* Liquid slides along a smooth wall where it fills less than the first of what walls leave room for, and where it fills
+ * more than the second the wall acts as a rough one. Sloshing in a tank 50 spacings wide was 0.0 to 0.4 % too fast with
+ * 0.3 to 0.7, 0.6 to 0.9 and 0.8 to 1, without sliding 1 %; with 0.9 to 1.1 liquid at rest slides. */
+static const double THIN = 0.6, COVERED = 0.9;
+
+/** How far liquid slides along the wall of a boundary particle: from 0 to 1, smooth. */
+SPH2D__INLINE double sliding(const sph2d__system *s, size_t b, double weight)
+{
+    double room = fmax(s->walls.room[b], sph2d__kernel_value_at(s->method.kernel, 0));
+    double t = (COVERED - weight / room) / (COVERED - THIN);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return s->wall_slip == SPH2D_SLIP_NONE ? 0 : t * t * (3 - 2 * t);
+}
+
+/** Pressure, density and volume; none where no liquid is near; what slides. `share` is one over the summed weight, or 0.
+ *  Under tension the wall is as at rest. */
 SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     sph2d__store *w = &s->walls;
@@ -26,6 +41,10 @@ SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *
     w->pressure[b] = pressure;
     w->density[b] = sph2d__density_of(s, fmax(pressure, 0));
     w->volume[b] = w->mass[b] / w->density[b];
+    double length = sqrt(sliding(s, b, (double)sums->weight[l]));
+    w->along_x[b] = -length * w->normal_y[b];
+    w->along_y[b] = length * w->normal_x[b];
+    w->slide[b] = share * w->mass[b] / s->mass * length * (double)sums->along[l];
 }
 
 /** The velocity that liquid rubs against, so that it sticks to the surface: what is in front, turned round. */
@@ -36,25 +55,16 @@ SPH2D__INLINE void finish_image(sph2d__store *w, size_t b, const wall_sums *sums
     w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] : w->vy[b];
 }
 
-/** The part of a vector along a smooth wall; nothing at a rough one and in corners, which have no normal. */
-static sph2d_vec2 along_wall(const sph2d__system *s, size_t b, double x, double y)
-{
-    double nx = s->walls.normal_x[b], ny = s->walls.normal_y[b], across = x * nx + y * ny;
-    bool smooth = s->wall_slip != SPH2D_SLIP_NONE && (nx != 0 || ny != 0);
-    return smooth ? (sph2d_vec2){x - across * nx, y - across * ny} : (sph2d_vec2){0, 0};
-}
-
-/** wall_rate; and the velocity that the rate of density sees: the wall's own, along a smooth one the liquid's. */
+/** wall_rate; and the velocity that the rate of density sees: the wall's own, along it that of liquid that slides. */
 SPH2D__INLINE void finish_rate(const sph2d__system *s, sph2d__store *w, size_t b, const wall_sums *sums, int l,
                                double share)
 {
-    double ratio = s->rest_density / w->density[b];
-    sph2d_vec2 slip = {0, 0};
-    if (share > 0)
-        slip = along_wall(s, b, share * (double)sums->vx[l] - w->vx[b], share * (double)sums->vy[l] - w->vy[b]);
-    w->wall_rate[b] = share * ratio * ratio * (double)sums->flux[l];
-    w->image_vx[b] = w->vx[b] + slip.x;
-    w->image_vy[b] = w->vy[b] + slip.y;
+    double ratio = s->rest_density / w->density[b], part = sliding(s, b, (double)sums->weight[l]);
+    double tx = -w->normal_y[b], ty = w->normal_x[b];
+    double past = tx * (share * (double)sums->vx[l] - w->vx[b]) + ty * (share * (double)sums->vy[l] - w->vy[b]);
+    w->wall_rate[b] = share * ratio * ratio * ((double)sums->flux[l] - part * (double)sums->along[l]);
+    w->image_vx[b] = w->vx[b] + (share > 0 ? part * past * tx : 0);
+    w->image_vy[b] = w->vy[b] + (share > 0 ? part * past * ty : 0);
 }
 
 /** What is wanted of the walls. */
@@ -73,7 +83,7 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums
         finish_image(w, b, sums, l, share);
 }
 
-/** The boundary particles of a group: their velocities, and the direction along a smooth wall. */
+/** The boundary particles of a group: their velocities, and the direction along the wall. */
 typedef struct walled {
     sph2d__lanes vx, vy, along_x, along_y;
 } walled;
@@ -81,11 +91,10 @@ typedef struct walled {
 SPH2D__INLINE walled walled_of(const sph2d__system *s, size_t first)
 {
     const sph2d__store *w = &s->walls;
-    const sph2d__real smooth = s->wall_slip != SPH2D_SLIP_NONE;
     return (walled){.vx = sph2d__group_lanes(w->vx + first, 0),
                     .vy = sph2d__group_lanes(w->vy + first, 0),
-                    .along_x = -smooth * sph2d__group_lanes(w->normal_y + first, 0),
-                    .along_y = smooth * sph2d__group_lanes(w->normal_x + first, 0)};
+                    .along_x = -sph2d__group_lanes(w->normal_y + first, 0),
+                    .along_y = sph2d__group_lanes(w->normal_x + first, 0)};
 }
 
 /** Adds a candidate to the sums. */
@@ -97,8 +106,8 @@ SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const 
     if (what == RATES) {
         sph2d__lanes gx = p->g * p->dx, gy = p->g * p->dy;
         sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
-        sums->flux += dvx * gx + dvy * gy -
-                      (me->along_x * dvx + me->along_y * dvy) * (me->along_x * gx + me->along_y * gy);
+        sums->flux += dvx * gx + dvy * gy;
+        sums->along += (me->along_x * dvx + me->along_y * dvy) * (me->along_x * gx + me->along_y * gy);
         sums->vx += weight * f->vx[j];
         sums->vy += weight * f->vy[j];
         return;
@@ -107,6 +116,7 @@ SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const 
     sums->pressure += weight * f->pressure[j];
     sums->weight_x += heavy * p->dx;
     sums->weight_y += heavy * p->dy;
+    sums->along += p->g * (f->pressure[j] * f->volume[j] * f->volume[j]) * (me->along_x * p->dx + me->along_y * p->dy);
     if (what == PRESSURES_AND_IMAGES) {
         sums->vx += weight * f->vx[j];
         sums->vy += weight * f->vy[j];
@@ -143,14 +153,14 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
 #define FOR_KERNEL(name, kernel)                                                                                       \
     static void rates_##name(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        walls_with(s, first, last, kernel, RATES);                                                               \
+        walls_with(s, first, last, kernel, RATES);                                                                     \
     }                                                                                                                  \
     static void wall_##name(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
         if (s->wall_slip == SPH2D_SLIP_NONE)                                                                           \
-            walls_with(s, first, last, kernel, PRESSURES_AND_IMAGES);                                                            \
+            walls_with(s, first, last, kernel, PRESSURES_AND_IMAGES);                                                  \
         else                                                                                                           \
-            walls_with(s, first, last, kernel, PRESSURES);                                                           \
+            walls_with(s, first, last, kernel, PRESSURES);                                                             \
     }
 FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
 FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)

@@ -45,6 +45,10 @@ enum { SPH2D__PADDING = 16 };
     X(connection) /* 0 for a particle by itself, 1 for one in liquid: wcsph.h */                                       \
     X(packing)    /* density that the places of the particles around say [kg/m^3] */                                   \
     X(strain)     /* rate of strain without that of volume [1/s] */                                                    \
+    X(room)    /* sum of f(r/H) over the lattice of liquid that walls leave room for around a boundary particle */     \
+    X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */     \
+    X(along_y)                                                                                                         \
+    X(slide)   /* what liquid in front pushes along it: wcsph.h */                                                     \
     X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                     \
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \

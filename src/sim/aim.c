@@ -117,5 +117,9 @@ sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time)
     if (sim->moving_count == 0)
         return SPH2D_OK;
     move_bodies(sim, time);
-    return sort_walls(&sim->system) ? SPH2D_OK : SPH2D_NOMEM;
+    if (!sort_walls(&sim->system))
+        return SPH2D_NOMEM;
+    if (sim->method->walls_placed)
+        sim->method->walls_placed(&sim->system);
+    return SPH2D_OK;
 }

@@ -82,7 +82,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->fluid.carried = sim->method->carried & ~unused;
     s->walls.carried = sim->method->walls;
     s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
-    s->walls.has = sim->method->walls | (mixed && !fitted ? SPH2D__PACKED : 0);
+    s->walls.has = sim->method->walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_slope) : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool search = sim->method->integrator == SPH2D__PROJECTED && s->reach < WIDE * s->spacing;
