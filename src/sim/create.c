@@ -175,6 +175,7 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     if (status != SPH2D_OK)
         return status;
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
+    sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
