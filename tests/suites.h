@@ -64,6 +64,7 @@
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \
     X(elevation)                                                                                                       \
+    X(gauge)                                                                                                           \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

@@ -389,7 +389,8 @@ typedef enum sph2d_probe_kind {
                                     speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m] */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */
-    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours */
+    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours. With
+                                    `size` or `rise_time` the pressure that a gauge of that kind shows, 0 in air */
     SPH2D_PROBE_ELEVATION = 3, /**< elevation: y of the highest free surface on the vertical line through at.x [m],
                                   where liquid fills half of what the kernel covers: from H/dx = 2.2 on, no lone
                                   particle does. Liquid up to a closed top has the top's y */
@@ -419,6 +420,11 @@ typedef struct sph2d_probe {
     const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
     sph2d_probe_kind kind;
     sph2d_vec2 at;   /**< [m]; for the kinds at a point; an elevation has no use for y */
+    double size;      /**< pressure: diameter of the gauge's round face around `at`, over which pressure is averaged
+                           [m], >= 0; default 0, a point */
+    sph2d_vec2 along; /**< pressure: direction of the face, of any length > 0; default (0, 1), upright */
+    double rise_time; /**< pressure: time in which the gauge goes from 10 to 90 % of a jump of pressure, as a low pass
+                           of first order [s], >= 0; default 0, at once */
     sph2d_rate rate; /**< must be given */
 } sph2d_probe;
 

@@ -225,6 +225,12 @@ static const sph2d_key probe_items[] = {
              "elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},
+    {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .standard = "0, a point",
+     .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
+    {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .standard = "[0, 1]",
+     .text = "pressure: direction of that face"},
+    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .standard = "0",
+     .text = "pressure: time that the gauge takes from 10 to 90 % of a jump"},
     RATE(sph2d_probe, rate),
 };
 KEYS(probe, sph2d_probe, probe_set);
