@@ -65,6 +65,7 @@
     X(probes)                                                                                                          \
     X(elevation)                                                                                                       \
     X(gauge)                                                                                                           \
+    X(viscosity_form)                                                                                                  \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \
