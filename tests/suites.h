@@ -64,6 +64,8 @@
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \
     X(elevation)                                                                                                       \
+    X(gauge)                                                                                                           \
+    X(viscosity_form)                                                                                                  \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

@@ -115,6 +115,110 @@ START_TEST(without_liquid_there_is_no_surface)
 }
 END_TEST
 
+/* ---- at rest in tanks that are obstacles -------------------------------------------------------------------------- */
+
+enum { PLACES = 9 };
+static const double REST_DX = 0.015, LEVEL = 0.3, STEP = 0.15;
+
+/** A tank whose right wall rises at an angle from the foot at x = 0.6, or with a step in it. */
+typedef struct slope {
+    double angle;  /**< to the floor outside, 0 for the step */
+    double bound;  /**< of the surface beside the wall over that in the middle, in spacings */
+    double pressure; /**< bound of its error, in rho g times the depth */
+} slope;
+static const slope slopes[] = {
+    {90, 0.05, 0.01}, {60, 0.1, 0.015}, {45, 0.15, 0.02}, {120, 0.1, 0.015}, {0, 0.05, 0.01}};
+enum { SLOPES = sizeof slopes / sizeof *slopes };
+
+/** Where the wall is at a height. */
+static double wall_at(double angle, double y)
+{
+    return angle > 0 ? 0.6 + y / tan(angle * TEST_PI / 180) : y < STEP ? 0.6 : 0.8;
+}
+
+/** Liquid that has come to rest in the tank, with elevation probes at places. */
+static sph2d_sim *rested(double angle, const double places[PLACES], int threads)
+{
+    sph2d_vec2 wall[] = {{0, 0.45}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, 0.45), 0.45}};
+    sph2d_vec2 liquid[] = {{0, LEVEL}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, LEVEL), LEVEL}};
+    size_t count = 6;
+    if (angle > 0) {
+        wall[3] = wall[5];
+        liquid[3] = liquid[5];
+        count = 4;
+    }
+    sph2d_scene scene = test_open_scene(REST_DX, -0.2, -0.2, 1.2, 0.6);
+    scene.method = sph2d_scene_default().method;
+    scene.method.artificial_viscosity = 0.2;
+    scene.gravity.y = -9.81;
+    sph2d_obstacle obstacle = sph2d_obstacle_default();
+    obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {wall, count}};
+    sph2d_block block = sph2d_block_default();
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .polygon = {liquid, count}};
+    block.start = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, LEVEL}};
+    static const char *const names[PLACES] = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
+    sph2d_probe probes[PLACES];
+    for (int k = 0; k < PLACES; ++k)
+        probes[k] = (sph2d_probe){.name = names[k], .kind = SPH2D_PROBE_ELEVATION, .at.x = places[k], .rate.every = 1};
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = 1;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.probes = probes;
+    scene.probe_count = PLACES;
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = threads;
+    sph2d_sim *sim = test_create(&scene, &options);
+    while (sph2d_sim_time(sim) < 2)
+        test_steps(sim, 1);
+    return sim;
+}
+
+START_TEST(still_liquid_is_as_high_beside_walls_as_elsewhere)
+{
+    /* 0.32 dx low half a spacing from a wall where the wall is not counted; 0.15 high where all of it is. */
+    const slope *s = &slopes[_i];
+    double wall = wall_at(s->angle, LEVEL), half = REST_DX / 2, values[SPH2D_PROBE_MAX_COLUMNS];
+    const double places[PLACES] = {0.3, half, wall - half, 2 * half, wall - 2 * half, 3 * half, wall - 3 * half, 0,
+                                    s->angle > 0 ? wall - 4 * half : 0.595};
+    sph2d_sim *sim = rested(s->angle, places, 1), *other = rested(s->angle, places, 3);
+    sph2d_sim_probe(sim, 0, values);
+    double middle = values[0];
+    ck_assert_double_eq_tol(middle, LEVEL, 0.25 * REST_DX);
+    for (size_t k = 1; k < PLACES; ++k) {
+        bool slanted = k % 2 == 0;
+        sph2d_sim_probe(sim, k, values);
+        ck_assert_msg(fabs(values[0] - middle) <= (slanted ? s->bound : 0.06) * REST_DX, "at %g: %.3f dx", places[k],
+                      (values[0] - middle) / REST_DX);
+        double again[SPH2D_PROBE_MAX_COLUMNS];
+        sph2d_sim_probe(other, k, again);
+        ck_assert(values[0] == again[0]);
+    }
+    sph2d_sim_destroy(other);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(still_liquid_presses_on_walls_with_its_weight)
+{
+    /* On the walls and off them, from the foot to below the surface, on the edge of the step. */
+    const slope *s = &slopes[_i];
+    const double places[PLACES] = {0};
+    sph2d_sim *sim = rested(s->angle, places, 1);
+    for (int k = 0; k <= 13; ++k)
+        for (int off = 0; off <= 4; ++off) {
+            double y = 0.02 * k, d = 0.25 * off * REST_DX, x[3] = {wall_at(s->angle, y) - d, d, 0.3};
+            for (int i = 0; i < 3; ++i) {
+                sph2d_sample sample;
+                ck_assert(sph2d_sim_sample(sim, (sph2d_vec2){x[i], y}, &sample));
+                double error = sample.pressure / (1000 * 9.81) - (LEVEL - y);
+                ck_assert_msg(fabs(error) <= s->pressure * LEVEL, "at (%g, %g): %.4f", x[i], y, error / LEVEL);
+            }
+        }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_elevation(void)
 {
     Suite *suite = suite_create("elevation");
@@ -123,6 +227,9 @@ Suite *suite_elevation(void)
     tcase_add_test(tests, a_sloping_surface_is_where_it_is);
     tcase_add_test(tests, the_highest_surface_counts);
     tcase_add_test(tests, without_liquid_there_is_no_surface);
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, still_liquid_is_as_high_beside_walls_as_elsewhere, 0, SLOPES);
+    tcase_add_loop_test(tests, still_liquid_presses_on_walls_with_its_weight, 0, SLOPES);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -79,7 +79,8 @@ static const char *const goldens[] = {
     "  - path: [[0, 1, 1], [1, 2, 1]]\n    radius: 0.5\n    acceleration: -20\n"
     "probes:\n"
     "  - name: \"8\"\n    kind: energy\n    per_second: 10\n"
-    "  - name: \"true\"\n    kind: pressure\n    at: [1, 1]\n    every: 0.5\n"
+    "  - name: \"true\"\n    kind: pressure\n    at: [1, 1]\n    size: 0.1\n    along: [1, 0]\n    rise_time: 0.001\n"
+    "    every: 0.5\n"
     "run:\n  until: 4\n  snapshots:\n    per_second: 60\n    compress: 6\n  frames:\n    every: 0.1\n"
     "    size: [640, 480]\n    style: points\n    radius: 0.02\n    color: speed\n    color_range: [0, 5]\n"
     "  impacts: [0.5, 1, 1e-05]\n",

@@ -52,7 +52,8 @@ START_TEST(what_a_series_cannot_give_is_no_number)
 {
     static const sph2d_take all[] = {SPH2D_TAKE_LAST,   SPH2D_TAKE_MAX,      SPH2D_TAKE_MIN,
                                      SPH2D_TAKE_MEAN,   SPH2D_TAKE_RMS,      SPH2D_TAKE_SPREAD,
-                                     SPH2D_TAKE_PERIOD, SPH2D_TAKE_CROSSING, SPH2D_TAKE_VALUE};
+                                     SPH2D_TAKE_PERIOD, SPH2D_TAKE_CROSSING, SPH2D_TAKE_VALUE,
+                                     SPH2D_TAKE_DECAY};
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i)
         ck_assert(isnan(reduce(all[i], 0, 0, 0)));
     ck_assert(isnan(reduce(SPH2D_TAKE_CROSSING, 4, 5, NAN)));
@@ -93,6 +94,26 @@ START_TEST(periods_are_told_between_samples)
     ck_assert(isnan(study_reduce(SPH2D_TAKE_PERIOD, wave, 7.5, NAN)));
     wave.count = 140; /* two crossings of the level, one period between them */
     ck_assert_double_eq_tol(study_reduce(SPH2D_TAKE_PERIOD, wave, 6.5, NAN), 0.7, 1e-4);
+}
+END_TEST
+
+START_TEST(decays_are_the_slope_of_the_peaks)
+{
+    enum { N = 801 };
+    double x[N], y[N];
+    for (int i = 0; i < N; ++i) {
+        x[i] = 0.005 * i;
+        y[i] = 3 - 2 * exp(-0.6 * x[i]) * sin(2 * TEST_PI * x[i] / 0.7);
+    }
+    study_curve wave = {x, y, N};
+    ck_assert_double_eq_tol(study_reduce(SPH2D_TAKE_DECAY, wave, 3, NAN), 0.6, 1e-3);
+    ck_assert_double_ge(fabs(study_reduce(SPH2D_TAKE_DECAY, wave, 3.1, NAN) - 0.6), 1e-2); /* its level matters */
+    wave.count = 80; /* from the first crossing to the second: one swing has no slope */
+    ck_assert(isnan(study_reduce(SPH2D_TAKE_DECAY, wave, 3, NAN)));
+    for (int i = 0; i < N; ++i)
+        y[i] = 0.5 * exp(0.3 * x[i]) * sin(2 * TEST_PI * x[i] / 0.7); /* what grows has a negative one */
+    wave.count = N;
+    ck_assert_double_eq_tol(study_reduce(SPH2D_TAKE_DECAY, wave, 0, NAN), -0.3, 1e-3);
 }
 END_TEST
 
@@ -201,7 +222,7 @@ static const struct fault {
      ""},
     {MEASURE "    take: crossing\n", SPH2D_CODE_MISSING_KEY, "measures[0]", 5, 5, "'level' must be given", ""},
     {MEASURE "    take: value\n", SPH2D_CODE_MISSING_KEY, "measures[0]", 5, 5, "'at' must be given", ""},
-    {MEASURE "    level: 3\n", SPH2D_CODE_CONFLICT, "measures[0].level", 8, 12, "neither period nor crossing", ""},
+    {MEASURE "    level: 3\n", SPH2D_CODE_CONFLICT, "measures[0].level", 8, 12, "none of period, crossing and decay", ""},
     {MEASURE "    at: 3\n", SPH2D_CODE_CONFLICT, "measures[0].at", 8, 9, "'take' is not value", ""},
     {MEASURE "    from: 3\n    to: 2\n", SPH2D_CODE_CONFLICT, "measures[0].to", 9, 9, "'to' lies before 'from'", ""},
     {MEASURE "    bound: 3\n", SPH2D_CODE_CONFLICT, "measures[0].bound", 8, 12,
@@ -459,6 +480,7 @@ Suite *suite_study(void)
     tcase_add_test(numbers, what_a_series_cannot_give_is_no_number);
     tcase_add_test(numbers, one_sample_is_its_own_mean);
     tcase_add_test(numbers, periods_are_told_between_samples);
+    tcase_add_test(numbers, decays_are_the_slope_of_the_peaks);
     tcase_add_test(numbers, a_window_and_missing_values_leave_samples_out);
     tcase_add_test(numbers, a_reference_is_moved_to_fit_best);
     tcase_add_test(numbers, a_series_is_compared_where_the_reference_has_points);

@@ -221,6 +221,8 @@ static const char *why_no_value(const sph2d_study_measure *m)
     switch (m->take) {
     case SPH2D_TAKE_PERIOD:
         return "the series comes up to its level less than twice";
+    case SPH2D_TAKE_DECAY:
+        return "the series swings to the sides of its level less than twice";
     case SPH2D_TAKE_CROSSING:
         return "the series does not come to its level";
     case SPH2D_TAKE_VALUE:

@@ -99,6 +99,32 @@ static double period(study_curve c, double level)
     return crossings > 1 ? (newest - first) / (double)(crossings - 1) : NAN;
 }
 
+/* Less the slope of the line through the logarithms of the peaks; a swing that is not over does not count. */
+static double decay(study_curve c, double level)
+{
+    double n = 0, st = 0, sl = 0, stt = 0, stl = 0, peak = 0, time = 0, first = NAN;
+    bool open = true; /* of the swing under way the beginning is not known */
+    for (size_t i = 0; i < c.count; ++i) {
+        double y = c.y[i] - level;
+        bool crossed = i > 0 && (c.y[i - 1] < level) != (c.y[i] < level);
+        if (crossed && !open && peak > 0) {
+            double t = time - first, l = log(peak);
+            n += 1, st += t, sl += l, stt += t * t, stl += t * l;
+        }
+        if (crossed) {
+            open = false;
+            peak = 0;
+        }
+        if (!open && fabs(y) > peak) {
+            peak = fabs(y);
+            time = c.x[i];
+            first = isnan(first) ? time : first;
+        }
+    }
+    double spread = n * stt - st * st;
+    return n > 1 && spread > 0 ? (st * sl - n * stl) / spread : NAN;
+}
+
 double study_at(study_curve c, double x)
 {
     if (c.count == 0 || !(x >= c.x[0] - slack(x)) || !(x <= c.x[c.count - 1] + slack(x)))
@@ -136,6 +162,8 @@ double study_reduce(sph2d_take take, study_curve curve, double level, double at)
         return period(curve, isnan(level) ? mean(curve, false) : level);
     case SPH2D_TAKE_CROSSING:
         return crossing(curve, level);
+    case SPH2D_TAKE_DECAY:
+        return decay(curve, isnan(level) ? mean(curve, false) : level);
     case SPH2D_TAKE_VALUE:
         return study_at(curve, at);
     }

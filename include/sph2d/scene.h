@@ -125,8 +125,13 @@ typedef enum sph2d_state_equation {
 
 /** The pair form of viscosity of the symmetric operators. */
 typedef enum sph2d_viscosity_form {
-    SPH2D_VISCOSITY_MORRIS = 0, /**< Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named */
-    SPH2D_VISCOSITY_MONAGHAN = 1 /**< Monaghan & Gingold 1983: keeps angular momentum too */
+    SPH2D_VISCOSITY_DEFAULT = 0,  /**< morris where a block fills the whole domain and no side is open, else monaghan */
+    SPH2D_VISCOSITY_MORRIS = 1,   /**< Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named,
+                                       on a lattice, too. A free surface has no stress of its own: waves decay half as
+                                       fast as they should, and a drop that turns is slowed down */
+    SPH2D_VISCOSITY_MONAGHAN = 2  /**< Monaghan & Gingold 1983: keeps angular momentum too, and a free surface without
+                                       stress (Colagrossi et al. 2011). Shear along the rows of a lattice finds 0.89 of
+                                       the viscosity (wendland_c2, H/dx = 3), disordered liquid the whole */
 } sph2d_viscosity_form;
 
 /** What density diffuses down in delta-SPH. */
@@ -238,7 +243,7 @@ typedef struct sph2d_method_options {
     sph2d_precision precision;           /**< wcsph; default double */
     sph2d_kernel kernel;                 /**< wcsph with symmetric operators, pcisph, constraint; default wendland_c2 */
     sph2d_state_equation state_equation; /**< wcsph; default linear */
-    sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators; default morris */
+    sph2d_viscosity_form viscosity_form; /**< wcsph, symmetric operators */
     double density_diffusion;            /**< wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where
                                               h = H/2 is the smoothing length; default 0.1 */
     sph2d_diffusion_form diffusion_form; /**< wcsph, symmetric operators; default antuono */
@@ -384,7 +389,8 @@ typedef enum sph2d_probe_kind {
                                     speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m] */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */
-    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours */
+    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours. With
+                                    `size` or `rise_time` the pressure that a gauge of that kind shows, 0 in air */
     SPH2D_PROBE_ELEVATION = 3, /**< elevation: y of the highest free surface on the vertical line through at.x [m],
                                   where liquid fills half of what the kernel covers: from H/dx = 2.2 on, no lone
                                   particle does. Liquid up to a closed top has the top's y */
@@ -414,6 +420,11 @@ typedef struct sph2d_probe {
     const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
     sph2d_probe_kind kind;
     sph2d_vec2 at;   /**< [m]; for the kinds at a point; an elevation has no use for y */
+    double size;      /**< pressure: diameter of the gauge's round face around `at`, over which pressure is averaged
+                           [m], >= 0; default 0, a point */
+    sph2d_vec2 along; /**< pressure: direction of the face, of any length > 0; default (0, 1), upright */
+    double rise_time; /**< pressure: time in which the gauge goes from 10 to 90 % of a jump of pressure, as a low pass
+                           of first order [s], >= 0; default 0, at once */
     sph2d_rate rate; /**< must be given */
 } sph2d_probe;
 

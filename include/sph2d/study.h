@@ -52,7 +52,9 @@ typedef enum sph2d_take {
     SPH2D_TAKE_SPREAD,   /**< max - min */
     SPH2D_TAKE_PERIOD,   /**< mean time [s] from one upward crossing of `level` to the next */
     SPH2D_TAKE_CROSSING, /**< time [s] when the series first comes to `level`, from either side */
-    SPH2D_TAKE_VALUE     /**< at the time `at` */
+    SPH2D_TAKE_VALUE,    /**< at the time `at` */
+    SPH2D_TAKE_DECAY     /**< rate [1/s] at which swings about `level` die: less the slope of the line that fits the
+                              logarithms of their peaks best; a swing lies between two crossings, either way */
 } sph2d_take;
 
 /** How the differences from a reference become one number. */

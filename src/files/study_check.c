@@ -114,13 +114,13 @@ static void check_probe(checker *c, const sph2d_study_measure *m)
         fault(c, SPH2D_CODE_CONFLICT, "to", "'to' lies before 'from'");
     if (!is_sound(c, "take"))
         return;
-    bool crosses = m->take == SPH2D_TAKE_PERIOD || m->take == SPH2D_TAKE_CROSSING;
+    bool crosses = m->take == SPH2D_TAKE_PERIOD || m->take == SPH2D_TAKE_CROSSING || m->take == SPH2D_TAKE_DECAY;
     if (m->take == SPH2D_TAKE_CROSSING)
         demand(c, "level", "to take a crossing");
     if (m->take == SPH2D_TAKE_VALUE)
         demand(c, "at", "to take a value");
     if (!crosses)
-        refuse(c, "level", "here: 'take' is neither period nor crossing");
+        refuse(c, "level", "here: 'take' is none of period, crossing and decay");
     if (m->take != SPH2D_TAKE_VALUE)
         refuse(c, "at", "here: 'take' is not value");
 }

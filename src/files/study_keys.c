@@ -19,7 +19,7 @@
 /* In the order of their enums; a flag is a word. */
 static const char *const flag_words[] = {"false", "true", NULL};
 static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
-                                         "spread",  "period", "crossing", "value", NULL};
+                                         "spread",  "period", "crossing", "value", "decay", NULL};
 static const char *const norm_words[] = {"max", "rms", "mean", NULL};
 static const char *const summary_words[] = {"compression",   "compression_mean", "compression_max",
                                             "energy_change", "iterations",       NULL};
@@ -86,7 +86,7 @@ static const sph2d_key measure_items[] = {
     {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
      .standard = "last, or all for a reference and for finest", .text = "how the series becomes a number"},
     {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .standard = "the mean",
-     .text = "what a crossing or period refers to, in units of the column"},
+     .text = "what a crossing, period or decay refers to, in units of the column"},
     {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, .unit = "s", .text = "value: the time"},
     {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, .unit = "s", .standard = "the start",
      .text = "where the part of the series that counts begins"},

@@ -11,6 +11,12 @@
  *      morris    = 2 mu/rho_i sum V_j (r_ij . grad W)/r^2 v_ij                       (Morris et al. 1997, eq. 22)
  *      monaghan  = 8 mu/rho_i sum V_j (v_ij . r_ij)/r^2 grad W,  8 = 2 (2 + d)         (Monaghan & Gingold 1983)
  *
+ *  Morris' form has mu grad v for the stress, whose part that is missing, mu (grad v)^T, has no divergence inside liquid
+ *  and shows at a free surface alone: waves decay at half their rate, and what turns is slowed down. Monaghan's has no
+ *  stress at a free surface in the mean (Colagrossi et al. 2011, Phys. Rev. E 84, 026705, where the factor 2 (2 + d) is
+ *  derived), but along the rows of a lattice it finds 0.89 of the viscosity in shear, 1.11 in stretching (Wendland C2,
+ *  H/dx = 3; 0.94 and 1.06 for C4, H/dx = 4). A scene without a form gets it where there is a free surface.
+ *
  *  Boundary particles b of walls in layers take part in all sums but the diffusion's, with (Adami, Hu & Adams 2012,
  *  eq. 27; a_b the wall's acceleration, g the body force, j over the liquid around b)
  *

@@ -213,6 +213,32 @@ static bool place_is_sound(const sph2d_scene *scene, const sph2d_probe *probe)
     }
 }
 
+/** What makes a probe a gauge belongs to pressure; a face has a direction and lies in the domain. */
+static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE];
+    if (probe->kind != SPH2D_PROBE_PRESSURE) {
+        if (probe->size != 0 || probe->rise_time != 0)
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
+                               sph2d__check_path(path, "probes", i, probe->size != 0 ? ".size" : ".rise_time"),
+                               "is for probes of kind pressure");
+        return;
+    }
+    if (!(probe->size > 0))
+        return;
+    double length = hypot(probe->along.x, probe->along.y), half = probe->size / 2;
+    if (!(length > 0) || !isfinite(length)) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".along"),
+                           "has no direction");
+        return;
+    }
+    double x = half * probe->along.x / length, y = half * probe->along.y / length;
+    if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x - x, probe->at.y - y}) ||
+        !sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x + x, probe->at.y + y}))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
+                           "the gauge's face reaches out of the domain");
+}
+
 static void check_probe(checker *c, size_t i)
 {
     const sph2d_probe *probe = &c->scene->probes[i];
@@ -231,6 +257,8 @@ static void check_probe(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
     if (!place_is_sound(c->scene, probe))
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
+    else
+        check_gauge(c, probe, i);
 }
 
 /** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some

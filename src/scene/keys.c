@@ -46,7 +46,7 @@ static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const precision_words[] = {"double", "mixed", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
-static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
+static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     NULL};
@@ -225,6 +225,12 @@ static const sph2d_key probe_items[] = {
              "elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},
+    {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .standard = "0, a point",
+     .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
+    {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .standard = "[0, 1]",
+     .text = "pressure: direction of that face"},
+    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .standard = "0",
+     .text = "pressure: time that the gauge takes from 10 to 90 % of a jump"},
     RATE(sph2d_probe, rate),
 };
 KEYS(probe, sph2d_probe, probe_set);
@@ -329,9 +335,9 @@ static const sph2d_key method_items[] = {
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
      .unit = "", .standard = "linear", .text = "wcsph: p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
-     .unit = "", .standard = "morris",
-     .text = "wcsph, symmetric operators: morris is exact in shear, monaghan keeps "
-             "angular momentum"},
+     .unit = "", .standard = "morris where a block fills a domain without open sides, else monaghan",
+     .text = "wcsph, symmetric operators: morris is exact in shear, monaghan at free surfaces, and keeps angular "
+             "momentum"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .standard = "0.1", .text = "wcsph: delta; density diffuses with delta c0 H/2"},
     {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,

@@ -19,6 +19,34 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
     return m;
 }
 
+/** Whether liquid fills its room from the start: no side is open, and one block covers the domain. */
+static bool has_no_surface(const sph2d_scene *scene)
+{
+    const sph2d_boundary *b = &scene->boundary;
+    const sph2d_box *d = &scene->domain;
+    if (b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN ||
+        b->top == SPH2D_SIDE_OPEN)
+        return false;
+    double near = scene->spacing / 2;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        const sph2d_shape *shape = &scene->blocks[i].shape;
+        const sph2d_box *box = &shape->box;
+        if (shape->kind == SPH2D_SHAPE_BOX && box->min.x <= d->min.x + near && box->min.y <= d->min.y + near &&
+            box->max.x >= d->max.x - near && box->max.y >= d->max.y - near)
+            return true;
+    }
+    return false;
+}
+
+sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene)
+{
+    const sph2d_method_options *m = &scene->method;
+    bool symmetric = m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_SYMMETRIC;
+    if (m->viscosity_form != SPH2D_VISCOSITY_DEFAULT || !symmetric)
+        return m->viscosity_form;
+    return has_no_surface(scene) ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
+}
+
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene)
 {
     if (scene->walls != SPH2D_WALL_DEFAULT)

@@ -9,6 +9,10 @@
 /** The options with every 0 that stands for "the method's" filled in. */
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m);
 
+/** The form of viscosity that a scene without one gets: at a free surface that of Monaghan & Gingold. Methods without
+ *  forms keep the default. */
+sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene);
+
 /** The form of the domain's sides that are walls. */
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene);
 /** The form of an obstacle. */

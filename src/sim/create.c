@@ -113,7 +113,10 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
     sim->wall_ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof(uint64_t));
-    bool ok = sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts;
+    sim->gauges = sph2d__arena_alloc(&sim->arena, &sim->memory, 2 * scene->probe_count + 1, sizeof(double));
+    for (size_t i = 0; i < scene->probe_count; ++i)
+        sim->gauges_lag |= scene->probes[i].kind == SPH2D_PROBE_PRESSURE && scene->probes[i].rise_time > 0;
+    bool ok = sim->gauges && sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts;
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
@@ -135,6 +138,7 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     sph2d_summary start;
     sph2d__sim_sum_energy(sim, &start);
     sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic;
+    sph2d__sim_start_gauges(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
@@ -175,6 +179,7 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     if (status != SPH2D_OK)
         return status;
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
+    sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)

@@ -17,4 +17,8 @@ sph2d__probe_kind sph2d__probe_error;
 /* Of the particles. */
 sph2d__probe_kind sph2d__probe_quality;
 
+/** The mean pressure on the face of a gauge now, and what the gauge that is probe `index` shows [Pa]. */
+double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe);
+double sph2d__gauge_shown(const sph2d_sim *sim, size_t index);
+
 #endif

@@ -33,6 +33,8 @@ struct sph2d_sim {
     sph2d__point_force *points; /**< room for every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has fed */
     uint64_t *output_counts;    /**< outputs taken: snapshots, frames, then each probe */
+    double *gauges;             /**< of each probe: the pressure on its face, and what it shows [Pa] */
+    bool gauges_lag;            /**< whether one of them takes time */
     unsigned char *doomed;      /**< flags of particles to remove */
     size_t doomed_capacity;
 
@@ -77,6 +79,10 @@ void sph2d__sim_sample(sph2d_sim *sim);
 
 /** The ranges of liquid around a place, which is brought into the period; false where no particle is within reach. */
 bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges);
+
+/** Lets gauges that take time show the pressure at the start, and follow it over a step of length dt (gauge.c). */
+void sph2d__sim_start_gauges(sph2d_sim *sim);
+void sph2d__sim_read_gauges(sph2d_sim *sim, double dt);
 
 /** Fills the plan from a simulation that is ready to step. */
 void sph2d__sim_make_plan(sph2d_sim *sim);

@@ -23,7 +23,7 @@ static double lowest_of(const sph2d_sim *sim, size_t first)
     return lowest - sim->scene.spacing / 2;
 }
 
-/** Moves a particle of still liquid down to where the liquid below it, compressed by the weight on it, leaves it:
+/** Moves a particle of liquid that is still, or was until a blow, down to where the liquid below it, compressed by the weight on it, leaves it:
  * spacing and density then agree, and the column does not sink when it is let go. A height s of the lattice becomes y
  * with dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
  *
@@ -63,7 +63,7 @@ sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, 
         if (sim->scene.method.name != SPH2D_METHOD_WCSPH)
             continue;
         f->density[i] = sph2d__density_of(&sim->system, pressure);
-        if (flow->kind == SPH2D_FLOW_STILL)
+        if (flow->kind == SPH2D_FLOW_STILL || flow->kind == SPH2D_FLOW_STANDING_WAVE)
             settle(sim, i, pressure, bottom);
     }
     return SPH2D_OK;

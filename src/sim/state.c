@@ -19,7 +19,7 @@ static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
     PAST_ARRAYS = 6, /* of the fluid, beyond its fields */
-    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 2
+    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 3
 };
 
 static sph2d_array find_field(const sph2d_sim *sim, sph2d_group group, const char *name)
@@ -118,6 +118,11 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
         run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count, sim->source_rows);
     out[n++] = run_array("OutputCounts", "outputs taken: snapshots, frames, then each probe", SPH2D_U64,
                          SPH2D_OUTPUT_PROBE + sim->scene.probe_count, sim->output_counts);
+    if (sim->gauges_lag) {
+        out[n] = run_array("GaugePressures", "of each probe: pressure on a gauge's face, and what it shows", SPH2D_F64,
+                           2 * sim->scene.probe_count, sim->gauges);
+        memcpy(out[n++].unit, (signed char[3]){-1, 1, -2}, 3);
+    }
     return n;
 }
 

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_viscosity_form.c
+ *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface. */
+#include "hand_made.h"
+
+/** The form that a scene ends with, whose block goes from (0, 0) to (x, y) of a square. */
+static sph2d_viscosity_form form_of(sph2d_boundary boundary, double x, double y, sph2d_operators operators)
+{
+    sph2d_scene scene = test_scene(0.1, 0, 0, 2, 2);
+    scene.boundary = boundary;
+    scene.method = sph2d_scene_default().method;
+    scene.method.operators = operators;
+    scene.wall_slip = operators == SPH2D_OPERATORS_FITTED ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
+    scene.method.sound_speed = 10;
+    sph2d_block block = test_block(0, 0, x, y);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_viscosity_form form = sim->system.method.viscosity_form;
+    ck_assert_int_eq(form, sim->scene.method.viscosity_form);
+    sph2d_sim_destroy(sim);
+    return form;
+}
+
+static const sph2d_boundary closed = {SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL},
+                            ring = {SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL},
+                            tank = {SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
+
+START_TEST(a_filled_room_has_morris_a_free_surface_monaghan)
+{
+    const sph2d_operators symmetric = SPH2D_OPERATORS_SYMMETRIC;
+    ck_assert_int_eq(form_of(closed, 2, 2, symmetric), SPH2D_VISCOSITY_MORRIS);
+    ck_assert_int_eq(form_of(ring, 2, 2, symmetric), SPH2D_VISCOSITY_MORRIS);
+    ck_assert_int_eq(form_of(closed, 2, 1.8, symmetric), SPH2D_VISCOSITY_MONAGHAN);
+    ck_assert_int_eq(form_of(closed, 1.8, 2, symmetric), SPH2D_VISCOSITY_MONAGHAN);
+    ck_assert_int_eq(form_of(tank, 2, 2, symmetric), SPH2D_VISCOSITY_MONAGHAN);
+    ck_assert_int_eq(form_of(ring, 2, 2, SPH2D_OPERATORS_FITTED), SPH2D_VISCOSITY_DEFAULT); /* which has no forms */
+}
+END_TEST
+
+Suite *suite_viscosity_form(void)
+{
+    Suite *suite = suite_create("viscosity_form");
+    TCase *tests = tcase_create("viscosity_form");
+    tcase_add_test(tests, a_filled_room_has_morris_a_free_surface_monaghan);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
