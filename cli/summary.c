@@ -63,6 +63,11 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
     if (s->energy_scale > 0)
         text_row("energy from nothing", "%.3g %% of the scene's %.4g J/m at most", 100 * s->energy_rise / s->energy_scale,
                  s->energy_scale);
+    if (s->energy_scale > 0 && isfinite(s->energy_error))
+        text_row("energy error", "%+.3g %%, rises by %.3g %% at most", 100 * s->energy_error / s->energy_scale,
+                 100 * s->energy_error_rise / s->energy_scale);
+    text_row("", "walls that move %+.4g, forces %+.4g J/m", s->energy_walls, s->energy_forces);
+    text_row("", "viscosity took %.4g, diffusion %.4g, stopped %.4g J/m", s->energy_viscous, s->energy_diffused, s->energy_stopped);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }
@@ -173,6 +178,13 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "energy_elastic", s->elastic);
     json_number(line, "energy_fed", s->energy_fed);
     json_number(line, "energy_rise", s->energy_rise);
+    json_number(line, "energy_error", s->energy_error);
+    json_number(line, "energy_error_rise", s->energy_error_rise);
+    json_number(line, "energy_walls", s->energy_walls);
+    json_number(line, "energy_forces", s->energy_forces);
+    json_number(line, "energy_viscous", s->energy_viscous);
+    json_number(line, "energy_diffused", s->energy_diffused);
+    json_number(line, "energy_stopped", s->energy_stopped);
     json_number(line, "energy_scale", s->energy_scale);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);

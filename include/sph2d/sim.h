@@ -160,6 +160,8 @@ typedef struct sph2d_summary {
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
     double energy_rise;        /**< how far energy ever rose above an earlier moment, less energy_fed, while nothing drove
                                   the liquid (a moving wall, an interaction) and without surface tension [J/m] */
+    double energy_error, energy_error_rise;
+    double energy_walls, energy_forces, energy_viscous, energy_diffused, energy_stopped;
     double energy_scale;       /**< what a rise is measured by: n m (g h + U^2/2 + pull)/2 of the scene [J/m] */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */

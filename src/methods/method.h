@@ -43,6 +43,9 @@ typedef struct sph2d__method {
     /** SPH2D__PROJECTED: adds the acceleration by the pressures that keep the density over the system's step. NULL
      *  otherwise. */
     void (*project)(sph2d__system *system);
+    /** Force [N/m] of boundary particle b on particle i of the fluid at (dx, dy) from it, within the support radius, by
+     *  pressure and friction, as the forces of the last evaluation, or projection, have it. NULL: not known. */
+    void (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy, double *fx, double *fy);
     /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;

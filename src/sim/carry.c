@@ -60,14 +60,30 @@ static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *
 /** What happened to particles on their ways. */
 typedef struct events {
     uint64_t hits, reflections, bad;
+    int64_t stopped; /**< energy that walls took, in whole parts (simulation.h) */
 } events;
+
+/* More parts than any particle of a run that goes on has. */
+static const double MOST_PARTS = 1e15;
+
+/** Counts what a particle has less, where a wall has put it and with the velocity that it was given, than it had had. */
+static void count_energy(const sph2d_sim *sim, sph2d_vec2 free, sph2d_vec2 v_free, sph2d_vec2 to, sph2d_vec2 v,
+                         events *met)
+{
+    double less = sph2d__sim_energy_of(sim, free.x, free.y, v_free.x, v_free.y) - sph2d__sim_energy_of(sim, to.x, to.y, v.x, v.y);
+    double parts = less / sph2d__sim_energy_part(sim);
+    if (fabs(parts) < MOST_PARTS)
+        met->stopped += (int64_t)parts;
+}
+
 
 /** Moves one particle, which a wall or a side might stop. */
 static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
 {
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
-    sph2d_vec2 from = {f->x[i], f->y[i]};
+    sph2d_vec2 from = {f->x[i], f->y[i]}, free = {from.x + dx, from.y + dy}, v_free = *v;
+    uint64_t events_before = met->hits + met->reflections;
     if (sim->system.walls_reflect) {
         sph2d_vec2 before = *v;
         if (reflect(&sim->system, from, v)) {
@@ -88,6 +104,8 @@ static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2
         met->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
     }
     met->bad += !isfinite(in.x + in.y + v->x + v->y);
+    if (met->hits + met->reflections != events_before)
+        count_energy(sim, free, v_free, to, *v, met);
     f->x[i] = in.x;
     f->y[i] = in.y;
     f->vx[i] = v->x;
@@ -167,6 +185,7 @@ static void carry_flocks(void *with, size_t first, size_t last)
     j->met.hits += met.hits;
     j->met.reflections += met.reflections;
     j->met.bad += met.bad;
+    j->met.stopped += met.stopped;
     sph2d__team_unlock(j->sim->system.team);
 }
 
@@ -180,6 +199,7 @@ sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph
     sph2d__share(sim->system.team, flocks, FLOCKS, carry_flocks, &j);
     sim->record.backstop_hits += j.met.hits;
     sim->record.reflections += j.met.reflections;
+    sim->record.energy_stopped += (double)j.met.stopped * sph2d__sim_energy_part(sim);
     return j.met.bad == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 

@@ -15,20 +15,8 @@
 
 #include "sim/simulation.h"
 
-/* Energy is looked at every so many steps. */
-enum { WATCH_STEPS = 10 };
 /* The part of the scene's energy scale by which energy may rise: a hundred times what scenes do that are sound. */
 static const double MOST = 0.1;
-
-static bool is_driven(const sph2d_sim *sim)
-{
-    const sph2d_side_speeds *v = &sim->scene.wall_speeds;
-    const sph2d__period *p = &sim->system.fluid_cells.period; /* gravity along a period never comes to an end */
-    bool falling = (p->length_x > 0 && sim->system.body.gravity_x != 0) ||
-                   (p->length_y > 0 && sim->system.body.gravity_y != 0);
-    return falling || sim->moving_count > 0 || sim->system.body.point_count > 0 || v->left != 0 || v->right != 0 ||
-           v->bottom != 0 || v->top != 0;
-}
 
 double sph2d__sim_energy_scale(const sph2d_sim *sim)
 {
@@ -38,16 +26,31 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
     return s->mass * (double)all * s->head / 2;
 }
 
-void sph2d__sim_watch_energy(sph2d_sim *sim)
+/* A particle's share of the scale has so many parts. */
+static const double PARTS = 4e9;
+
+double sph2d__sim_energy_part(const sph2d_sim *sim)
+{
+    const sph2d__system *s = &sim->system;
+    return s->mass * (s->head > 0 ? s->head : 1) / PARTS;
+}
+
+sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
-    if (r->steps % WATCH_STEPS != 0 || sim->system.surface_tension > 0)
-        return;
+    if (!sph2d__sim_looks(sim, r->steps))
+        return SPH2D_OK;
+    if (sph2d__sim_book(sim) != SPH2D_OK)
+        return SPH2D_NOMEM;
     sph2d_summary now;
     sph2d__sim_sum_energy(sim, &now);
-    double energy = now.kinetic + now.potential + now.elastic - r->energy_fed;
-    r->energy_low = is_driven(sim) ? energy : fmin(r->energy_low, energy);
+    double energy = now.kinetic + now.potential + now.elastic - r->energy_fed - r->energy_walls - r->energy_forces;
+    r->energy_low = fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
+    r->energy_error = energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped;
+    r->error_low = fmin(r->error_low, r->energy_error);
+    r->error_rise = fmax(r->error_rise, r->energy_error - r->error_low);
+    return SPH2D_OK;
 }
 
 /** The particle that moves fastest. */

@@ -11,13 +11,26 @@
 enum { SAMPLE_STEPS = 10, BINS = 2048 };
 static const double IMPACT_WINDOW = 0.05;
 
+/** Potential over mass of a spring at `distance`. */
+static double spring_energy(const sph2d__spring_walls *w, double distance)
+{
+    double depth = w->range - distance;
+    return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
+}
+
+/* Gravity along a period has no potential: its work is booked (work.c). */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
     sph2d_vec2 corner = sim->scene.domain.min;
     const sph2d__body *body = &sim->system.body;
+    const sph2d__spring_walls *w = &body->springs;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
     double rx = x - body->center_x, ry = y - body->center_y;
-    double potential = -(body->gravity_x * (x - corner.x) + body->gravity_y * (y - corner.y)) +
-                       body->central_rate2 * (rx * rx + ry * ry) / 2;
+    double potential = -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
+    if (w->stiffness > 0)
+        potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
+                     spring_energy(w, w->top - y);
     return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
 }
 
@@ -132,6 +145,13 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .energy_start = r->energy_start,
         .energy_fed = r->energy_fed,
         .energy_rise = r->energy_rise,
+        .energy_error = sph2d__sim_work_is_known(sim) ? r->energy_error : NAN,
+        .energy_error_rise = sph2d__sim_work_is_known(sim) ? r->error_rise : NAN,
+        .energy_walls = r->energy_walls,
+        .energy_forces = r->energy_forces,
+        .energy_viscous = r->energy_viscous,
+        .energy_diffused = r->energy_diffused,
+        .energy_stopped = r->energy_stopped,
         .energy_scale = sph2d__sim_energy_scale(sim),
         .fed = r->fed,
         .blocked = r->blocked,

@@ -31,6 +31,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_SOLVE);
     sim->method->project(&sim->system);
+    sph2d__sim_book_projection(sim, dt);
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_MOVE);
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;

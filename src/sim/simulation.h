@@ -60,11 +60,27 @@ sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 /** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is told [J/m]. */
 double sph2d__sim_energy_scale(const sph2d_sim *sim);
 
-/** Notes how far energy rises above an earlier moment (energy.c). */
-void sph2d__sim_watch_energy(sph2d_sim *sim);
+/** Books work and dissipation from time to time, and how far energy rises above an earlier moment (energy.c). Errors:
+ *  SPH2D_NOMEM. */
+sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim);
+/** Energy that a particle would have lost on its way, in parts of which whole ones are counted: their sum is the same
+ * for any number of threads [J/m]. */
+double sph2d__sim_energy_part(const sph2d_sim *sim);
 
 /** False, reported, when energy came from nothing. */
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
+
+/** Whether work and dissipation are looked at when so many steps are done; whether all of it can be known: fitted
+ * operators have no force of boundary particles that move. */
+bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps);
+bool sph2d__sim_work_is_known(const sph2d_sim *sim);
+/** Books the work done since the last look (work.c), which is then now. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_book(sph2d_sim *sim);
+/** Parts of it that schemes have to book: in the middle of a step of `dt`, once rates of density are known; behind a
+ *  pressure solver; and in place of a fitted method's evaluation, which is false when memory is short. */
+void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt);
+void sph2d__sim_book_projection(sph2d_sim *sim, double dt);
+bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
 
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);

@@ -88,7 +88,9 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     if (!sph2d__sim_measure(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
-    sph2d__sim_watch_energy(sim);
+    status = sph2d__sim_watch_energy(sim);
+    if (status != SPH2D_OK)
+        return halt(sim, status, report);
     if (!sph2d__sim_guard_energy(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
