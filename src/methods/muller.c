@@ -101,14 +101,14 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
-static void wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy, double *fx, double *fy)
+static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double r = sqrt(dx * dx + dy * dy), gap = s->support - r, volume = s->mass / f->density[i] * gap * w->volume[b];
     double press = r > 0 ? sph2d__spiky_constant(s->support) / 2 * volume * gap * (f->pressure[i] + w->pressure[b]) / r : 0;
     double drag = s->wall_viscosity * sph2d__viscosity_constant(s->support) * volume;
-    *fx = press * dx + drag * (w->vx[b] - f->vx[i]);
-    *fy = press * dy + drag * (w->vy[b] - f->vy[i]);
+    return (sph2d__wall_force){.pressure = {press * dx, press * dy},
+                               .friction = {drag * (w->vx[b] - f->vx[i]), drag * (w->vy[b] - f->vy[i])}};
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

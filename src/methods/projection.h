@@ -57,8 +57,7 @@ void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
 /** The force of a boundary particle by the pressures that the solver left: method.h. */
-void sph2d__projection_wall_force(const sph2d__system *system, size_t i, size_t b, double dx, double dy, double *fx,
-                                  double *fy);
+sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
 
 /** The shortest of the limits of method.h, without sound: no particle goes farther than cfl H, and none would under
  * the largest pressure, for which the gradients of a step must hold. */

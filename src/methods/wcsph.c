@@ -167,7 +167,7 @@ static bool evaluate(sph2d__system *s)
 /* Fuller, and farther than H from the surface, is inside: as in wcsph_force_pass.c. */
 static const double BULK = 0.75;
 
-static void wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy, double *fx, double *fy)
+static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double h2 = s->support * s->support, r2 = dx * dx + dy * dy;
@@ -178,16 +178,17 @@ static void wall_force(const sph2d__system *s, size_t i, size_t b, double dx, do
                 f->surface[i] >= s->support;
     double own = held ? -f->pressure[i] : f->pressure[i];
     double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
-    *fx = -g * press * dx;
-    *fy = -g * press * dy;
+    sph2d__wall_force force = {.pressure = {-g * press * dx, -g * press * dy}};
     if (s->wall_slip != SPH2D_SLIP_NONE)
-        return;
+        return force;
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
     double along = artificial + (morris ? 0 : s->viscosity), dvx = f->vx[i] - w->image_vx[b];
     double dvy = f->vy[i] - w->image_vy[b], drag = vi * vb * g, approach = r2 > 0 ? (dvx * dx + dvy * dy) / r2 : 0;
-    *fx += drag * (8 * along * approach * dx + (morris ? 2 * s->viscosity * dvx : 0));
-    *fy += drag * (8 * along * approach * dy + (morris ? 2 * s->viscosity * dvy : 0));
+    double shear = morris ? 2 * s->viscosity : 0;
+    force.friction.x = drag * (8 * along * approach * dx + shear * dvx);
+    force.friction.y = drag * (8 * along * approach * dy + shear * dvy);
+    return force;
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

@@ -38,6 +38,7 @@ double sph2d__sim_energy_part(const sph2d_sim *sim)
 sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
+    sph2d__sim_book_walls(sim);
     if (!sph2d__sim_looks(sim, r->steps))
         return SPH2D_OK;
     if (sph2d__sim_book(sim) != SPH2D_OK)

@@ -10,17 +10,17 @@
  *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt less the same without diffusion)
  *
  *  Viscous forces are odd in velocity, all others even, so that two evaluations of the method's own forces, with the
- *  velocities and with all of them turned round, tell the power of friction: what is measured is what acts. Viscosity
- *  has done sum_i m v_i . a_i on the liquid; what a wall's friction brought is part of the first line, so that the
- *  difference is what became heat. Springs of walls have a potential (energy.c) and a damping, which is summed by
+ *  velocities and with all of them turned round, tell the power of friction: what is measured is what acts. What
+ *  became heat is that with the other sign and what moving walls brought by friction, which the first line has. Springs of walls have a potential (energy.c) and a damping, which is summed by
  *  itself: it has a limit and is not odd. */
 #include <math.h>
 
 #include "methods/state_equation.h"
 #include "sim/simulation.h"
 
-/* Steps from look to look: one evaluation more in so many. Fitted operators are smooth, and take all of a step. */
-enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60 };
+/* Steps from look to look. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
+ * walls that move are few, and what they press changes with the sound. */
+enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60, WALL_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
 {
@@ -33,15 +33,6 @@ bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps)
     return steps % every == 0 || steps == 1;
 }
 
-static bool walls_move(const sph2d__system *s)
-{
-    const sph2d__store *w = &s->walls;
-    for (size_t b = 0; b < w->count; ++b)
-        if (w->vx[b] != 0 || w->vy[b] != 0)
-            return true;
-    return false;
-}
-
 bool sph2d__sim_work_is_known(const sph2d_sim *sim)
 {
     const sph2d_side_speeds *v = &sim->scene.wall_speeds;
@@ -51,43 +42,68 @@ bool sph2d__sim_work_is_known(const sph2d_sim *sim)
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** Power of one boundary particle on the liquid around it. */
-static double power_of_wall(const sph2d_sim *sim, size_t b)
+/** Powers of walls [W/m]. */
+typedef struct wall_powers {
+    double all, friction;
+} wall_powers;
+
+/** Adds the powers of one boundary particle on the liquid around it. */
+static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
     if (w->bounce[b] >= 0 || cell == UINT32_MAX)
-        return 0;
-    double power = 0;
+        return;
+    sph2d_vec2 pressure = {0, 0}, friction = {0, 0};
     sph2d__ranges ranges;
     sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, i) {
-        double dx = f->x[i] - (w->x[b] + ranges.x[r]), dy = f->y[i] - (w->y[b] + ranges.y[r]), fx, fy;
+        double dx = f->x[i] - (w->x[b] + ranges.x[r]), dy = f->y[i] - (w->y[b] + ranges.y[r]);
         if (!(dx * dx + dy * dy < s->support * s->support))
             continue;
-        sim->method->wall_force(s, i, b, dx, dy, &fx, &fy);
-        power += w->vx[b] * fx + w->vy[b] * fy;
+        sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
+        pressure = (sph2d_vec2){pressure.x + force.pressure.x, pressure.y + force.pressure.y};
+        friction = (sph2d_vec2){friction.x + force.friction.x, friction.y + force.friction.y};
     }
-    return power;
+    double rubbed = w->vx[b] * friction.x + w->vy[b] * friction.y;
+    power->friction += rubbed;
+    power->all += w->vx[b] * pressure.x + w->vy[b] * pressure.y + rubbed;
 }
 
-static double power_of_walls(const sph2d_sim *sim)
+static wall_powers powers_of_walls(const sph2d_sim *sim)
 {
     const sph2d__store *w = &sim->system.walls;
-    double power = 0;
-    if (!sim->method->wall_force || !walls_move(&sim->system))
-        return 0;
-    for (size_t b = 0; b < w->count; ++b)
+    wall_powers power = {0, 0};
+    for (size_t b = 0; sim->method->wall_force && b < w->count; ++b)
         if (w->vx[b] != 0 || w->vy[b] != 0)
-            power += power_of_wall(sim, b);
+            add_wall(sim, b, &power);
     return power;
 }
 
-/** A solver's pressures are those of the places where a step begins, and act over all of it. */
+/** Adds power times the time since the last look to a sum, by the trapezium. */
+static double sum_up(double *last, double power, double span)
+{
+    double work = span * (*last + power) / 2;
+    *last = power;
+    return work;
+}
+
+void sph2d__sim_book_walls(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    if (sim->method->integrator == SPH2D__PROJECTED || r->steps % WALL_STEPS != 0)
+        return;
+    wall_powers power = powers_of_walls(sim);
+    double span = r->time - r->walls_time, friction = sum_up(&r->power_friction, power.friction, span);
+    r->energy_walls += sum_up(&r->power_walls, power.all, span);
+    r->energy_viscous += friction;
+    r->walls_time = r->time;
+}
+
 void sph2d__sim_book_projection(sph2d_sim *sim, double dt)
 {
-    sim->record.energy_walls += dt * power_of_walls(sim);
+    sim->record.energy_walls += dt * powers_of_walls(sim).all;
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
@@ -209,14 +225,6 @@ static double power_of_rates(const sph2d__system *s, const double *rate, double 
     return s->mass * sum;
 }
 
-/** Adds power times time since the last look to a sum, by the trapezium. */
-static double sum_up(double *last, double power, double span)
-{
-    double work = span * (*last + power) / 2;
-    *last = power;
-    return work;
-}
-
 void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
@@ -258,8 +266,6 @@ sph2d_status sph2d__sim_book(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    if (sim->method->integrator != SPH2D__PROJECTED)
-        r->energy_walls += sum_up(&r->power_walls, power_of_walls(sim), span);
     r->energy_forces += sum_up(&r->power_forces, power_of_forces(sim), span);
     if (!is_fitted(sim)) {
         if (!find_viscous_power(sim, &viscous))
