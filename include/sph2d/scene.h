@@ -441,6 +441,9 @@ typedef struct sph2d_run {
     double until; /**< simulated end [s], >= 0; default 1 */
     sph2d_snapshots snapshots;
     sph2d_frames frames;
+    double max_energy_rise; /**< a guard stops the run where energy has come from nothing, by more than this part of the
+                                 scene's energy scale (sph2d_summary.energy_rise over energy_scale), 1e-6 to 1e9;
+                                 default 0: 0.1 */
     struct {
         const double *items;
         size_t count;

@@ -258,6 +258,8 @@ static const sph2d_key run_items[] = {
      .standard = "none", .text = "HDF5 files"},
     {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .standard = "none",
      .text = "pictures"},
+    {"max_energy_rise", SPH2D_KEY_NUMBER, false, AT(sph2d_run, max_energy_rise), BETWEEN_OR_0(1e-6, 1e9), .unit = "",
+     .standard = "0.1", .text = "energy from nothing, over the scene's energy scale, that a guard lets pass"},
     {"impacts", SPH2D_KEY_NUMBERS, false, LIST_AT(sph2d_run, impacts.items, impacts.count), FROM_0, .unit = "s",
      .standard = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
 };

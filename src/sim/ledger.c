@@ -107,10 +107,16 @@ static double mean_neighbours(const sph2d__system *s)
     return f->count > 0 ? (double)pairs / (double)f->count : 0;
 }
 
+bool sph2d__sim_is_elastic(const sph2d_sim *sim)
+{
+    sph2d_method name = sim->system.method.name;
+    return name == SPH2D_METHOD_WCSPH || name == SPH2D_METHOD_MULLER;
+}
+
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const bool elastic = sim->system.method.name == SPH2D_METHOD_WCSPH;
+    const bool elastic = sph2d__sim_is_elastic(sim);
     double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
@@ -144,9 +150,9 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .compression_max = r->compression_max,
         .energy_start = r->energy_start,
         .energy_fed = r->energy_fed,
-        .energy_rise = r->energy_rise,
-        .energy_error = sph2d__sim_work_is_known(sim) ? r->energy_error : NAN,
-        .energy_error_rise = sph2d__sim_work_is_known(sim) ? r->error_rise : NAN,
+        .energy_rise = sph2d__sim_rise_is_known(sim) ? r->energy_rise : NAN,
+        .energy_error = sph2d__sim_error_is_known(sim) ? r->energy_error : NAN,
+        .energy_error_rise = sph2d__sim_error_is_known(sim) ? r->error_rise : NAN,
         .energy_walls = r->energy_walls,
         .energy_forces = r->energy_forces,
         .energy_viscous = r->energy_viscous,

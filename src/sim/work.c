@@ -12,13 +12,17 @@
  *  Viscous forces are odd in velocity, all others even, so that two evaluations of the method's own forces, with the
  *  velocities and with all of them turned round, tell the power of friction: what is measured is what acts. What
  *  became heat is that with the other sign and what moving walls brought by friction, which the first line has. Springs of walls have a potential (energy.c) and a damping, which is summed by
- *  itself: it has a limit and is not odd. */
+ *  itself: it has a limit and is not odd.
+ *
+ *  Fitted operators have no forces between particles and walls. There the friction of sides that slide is part of what
+ *  viscosity does, and the pressure of obstacles that move is not known. */
 #include <math.h>
 
 #include "methods/state_equation.h"
 #include "sim/simulation.h"
 
-/* Steps from look to look. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
+/* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins with
+ * much friction. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
  * walls that move are few, and what they press changes with the sound. */
 enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60, WALL_STEPS = 4 };
 
@@ -30,14 +34,19 @@ static bool is_fitted(const sph2d_sim *sim)
 bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps)
 {
     uint64_t every = is_fitted(sim) ? LOOK_STEPS_FITTED : LOOK_STEPS;
-    return steps % every == 0 || steps == 1;
+    return steps % every == 0 || (steps & (steps - 1)) == 0;
 }
 
-bool sph2d__sim_work_is_known(const sph2d_sim *sim)
+bool sph2d__sim_error_is_known(const sph2d_sim *sim)
+{
+    return sim->moving_count == 0 || sim->method->wall_force;
+}
+
+bool sph2d__sim_rise_is_known(const sph2d_sim *sim)
 {
     const sph2d_side_speeds *v = &sim->scene.wall_speeds;
-    bool moves = sim->moving_count > 0 || v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
-    return !moves || sim->method->wall_force;
+    bool slide = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
+    return sim->method->wall_force || (sim->moving_count == 0 && !slide);
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
