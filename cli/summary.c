@@ -47,6 +47,9 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
 
 static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
 {
+    if (isfinite(s->density_told))
+        text_row("density inside", "told %.5g, counted %.5g of rest density; apart by %.3g %% at most", s->density_told,
+                 s->density_counted, 100 * s->density_apart);
     double change = summary_energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
@@ -60,14 +63,13 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
     text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
              s->kinetic + s->potential + s->elastic,
              s->energy_fed);
-    if (s->energy_scale > 0)
-        text_row("energy from nothing", "%.3g %% of the scene's %.4g J/m at most", 100 * s->energy_rise / s->energy_scale,
-                 s->energy_scale);
+    text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g J/m", s->energy_walls,
+             s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
-        text_row("energy error", "%+.3g %%, rises by %.3g %% at most", 100 * s->energy_error / s->energy_scale,
-                 100 * s->energy_error_rise / s->energy_scale);
-    text_row("", "walls that move %+.4g, forces %+.4g J/m", s->energy_walls, s->energy_forces);
-    text_row("", "viscosity took %.4g, diffusion %.4g, stopped %.4g J/m", s->energy_viscous, s->energy_diffused, s->energy_stopped);
+        text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up", 100 * s->energy_error / s->energy_scale,
+                 s->energy_scale);
+    if (s->energy_scale > 0 && isfinite(s->energy_rise))
+        text_row("", "%.3g %% came from nothing at most", 100 * s->energy_rise / s->energy_scale);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }
@@ -171,6 +173,9 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "compression_p99", s->compression_p99);
     json_number(line, "compression_mean", s->compression_mean);
     json_number(line, "compression_max", s->compression_max);
+    json_number(line, "density_told", s->density_told);
+    json_number(line, "density_counted", s->density_counted);
+    json_number(line, "density_apart", s->density_apart);
     json_number(line, "energy_change", summary_energy_change(s));
     json_number(line, "energy_start", s->energy_start);
     json_number(line, "energy_kinetic", s->kinetic);

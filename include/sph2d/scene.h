@@ -381,7 +381,9 @@ typedef struct sph2d_interaction {
 typedef enum sph2d_probe_kind {
     SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
                                     central force and surface; momentum_x, momentum_y [kg/s]; particles;
-                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m] */
+                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m];
+                                    energy_error: what does not add up, over the scene's energy scale
+                                    (sph2d_summary) */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */
     SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours */
@@ -398,15 +400,23 @@ typedef enum sph2d_probe_kind {
                                     over particles of the distance to the nearest one, over the scene's spacing, H/dx at
                                     most; paired: fraction of particles with another nearer than half a spacing;
                                     density_rms, density_max: root mean square and largest absolute value of
-                                    rho/rho0 - 1; mach: largest speed over c0 */
+                                    rho/rho0 - 1; mach: largest speed over c0; told, counted: mean density inside the
+                                    liquid over rest density, as particles have it and by counting them on the area */
     SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
                                    anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */
-    SPH2D_PROBE_ERROR = 8 /**< difference from the exact solution that a block starts with, at the particles' places:
+    SPH2D_PROBE_ERROR = 8, /**< difference from the exact solution that a block starts with, at the particles' places:
                                speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
                                vector_max: largest error of v over the flow's speed U (a flow at rest: over the
                                speed that its largest pressure could make); pressure_l1: mean error over mean exact
                                |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
                                kinetic energy over the exact one, - 1 */
+    SPH2D_PROBE_VOLUME = 9, /**< volume: area that liquid covers, to a surface where half of a kernel is filled, and of
+                               particles by themselves, dx^2 each; placed: what the particles stand for at rest density
+                               [m^2] */
+    SPH2D_PROBE_LEVEL = 10  /**< level: height up to which `volume` fills what the liquid can get to from where it is,
+                               below that height and without passing a wall [m]: the mean level once it has settled.
+                               Closed obstacles take room, as they stand now; lines hold liquid. NaN unless gravity
+                               points straight down */
 } sph2d_probe_kind;
 
 /** A time series, written while the run goes on. */

@@ -156,13 +156,27 @@ typedef struct sph2d_summary {
     double compression_max;    /**< over all particles and steps */
     double kinetic, potential; /**< energy now [J/m]; potential is that of gravity, 0 at the domain's corner
                                   min, of the central force and of the surface under tension */
-    double elastic;            /**< that of compression, by the equation of state of method wcsph; 0 for others [J/m] */
+    double elastic;            /**< that of compression, by the equation of state of methods wcsph and muller; 0 for the
+                                  others [J/m] */
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
-    double energy_rise;        /**< how far energy ever rose above an earlier moment, less energy_fed, while nothing drove
-                                  the liquid (a moving wall, an interaction) and without surface tension [J/m] */
-    double energy_error, energy_error_rise;
-    double energy_walls, energy_forces, energy_viscous, energy_diffused, energy_stopped;
-    double energy_scale;       /**< what a rise is measured by: n m (g h + U^2/2 + pull)/2 of the scene [J/m] */
+    double energy_rise;        /**< how far energy ever rose above an earlier moment, less what was brought: by particles,
+                                  new gravity, moving walls, interactions, forces along periods [J/m]. NaN with fitted
+                                  operators and walls that move, whose work they do not tell */
+    double energy_error;       /**< what does not add up: kinetic + potential + elastic - energy_start less what was brought,
+                                  plus what dissipated, at the last look [J/m]; NaN with fitted operators and obstacles
+                                  that move. What pressure solvers take in impacts counts as lost */
+    double energy_error_rise;  /**< how far that ever rose above an earlier moment [J/m] */
+    double energy_walls;       /**< brought by walls that move, through pressure, friction and the swept test [J/m] */
+    double energy_forces;      /**< brought by interactions, the pointer and gravity along periods [J/m] */
+    double energy_viscous;     /**< taken by viscosity, artificial viscosity, friction at walls, dampers [J/m] */
+    double energy_diffused;    /**< elastic energy taken by diffusion of density [J/m] */
+    double energy_stopped;     /**< taken by the swept test against walls at rest and by reflections [J/m] */
+    double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
+                                  the surface of a round drop of its liquid under tension [J/m] */
+    double density_told, density_counted; /**< now, mean inside the liquid over rest density: as particles have it, and by
+                                  counting particles on the area; NaN without 20 particles whose support is full and
+                                  away from walls */
+    double density_apart;      /**< largest difference of the two, over looks in every 1000 steps and now; 0 for none */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */

@@ -49,7 +49,7 @@ static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
-                                          "axes",   "quality", "momentum", "error",     NULL};
+                                          "axes",   "quality", "momentum", "error",     "volume", "level", NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
@@ -221,7 +221,7 @@ static const sph2d_key probe_items[] = {
     {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
-     .text = "of all liquid: energy, momentum, extent, axes, quality of the particles; at a point: speed, pressure, "
+     .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: speed, pressure, "
              "elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},

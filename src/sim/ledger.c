@@ -5,6 +5,7 @@
 
 #include "methods/state_equation.h"
 #include "methods/tension.h"
+#include "sim/coverage.h"
 #include "sim/simulation.h"
 
 /* Compression is sampled every so many steps, and not within so many seconds after an impact. */
@@ -173,6 +174,10 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .neighbours = mean_neighbours(&sim->system),
     };
     sph2d__sim_sum_energy(sim, &out);
+    sph2d__densities inside = sph2d__sim_densities(sim);
+    out.density_told = inside.told;
+    out.density_counted = inside.counted;
+    out.density_apart = fmax(r->density_apart, fabs(inside.told - inside.counted));
     return out;
 }
 

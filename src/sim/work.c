@@ -155,9 +155,13 @@ static void turn_all(sph2d__system *s)
 /** Evaluates with all velocities turned round; accelerations go where the store has room for them. */
 static bool evaluate_turned(sph2d_sim *sim)
 {
+    sph2d__profile *profile = &sim->system.profile;
+    bool on = profile->on;
+    profile->on = false; /* all of this is watching */
     turn_all(&sim->system);
     bool ok = sim->method->evaluate(&sim->system);
     turn_all(&sim->system);
+    profile->on = on;
     return ok;
 }
 
@@ -243,9 +247,14 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
         return;
     double all = power_of_rates(s, f->density_rate, dt);
     swap(&f->density_rate, &f->old_ax);
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_WATCH);
+    bool on = s->profile.on;
+    s->profile.on = false;
     s->method.density_diffusion = 0;
     sim->method->density_rate(s);
     s->method.density_diffusion = delta;
+    s->profile.on = on;
+    sph2d__profile_enter(&s->profile, before);
     swap(&f->density_rate, &f->old_ax);
     double power = all - power_of_rates(s, f->old_ax, dt), span = sim->record.time + dt - sim->record.booked_time;
     sim->record.energy_diffused -= sum_up(&sim->record.power_diffusion, power, span);
