@@ -59,11 +59,13 @@
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(guards)                                                                                                          \
+    X(ledger)                                                                                                          \
     X(memory)                                                                                                          \
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \
     X(elevation)                                                                                                       \
+    X(coverage)                                                                                                        \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

@@ -173,10 +173,8 @@ typedef struct sph2d_summary {
     double energy_stopped;     /**< taken by the swept test against walls at rest and by reflections [J/m] */
     double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
                                   the surface of a round drop of its liquid under tension [J/m] */
-    double density_told, density_counted; /**< now, mean inside the liquid over rest density: as particles have it, and by
-                                  counting particles on the area; NaN without 20 particles whose support is full and
-                                  away from walls */
-    double density_apart;      /**< largest difference of the two, over looks in every 1000 steps and now; 0 for none */
+    double density_apart;      /**< largest difference of the densities of sph2d_sim_densities(), looked at in every
+                                  500th step; 0 where there was none */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
     double momentum[2];        /**< now [kg/s] */
     double speed_max;          /**< now [m/s] */
@@ -193,6 +191,16 @@ typedef struct sph2d_summary {
 } sph2d_summary;
 
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
+
+/** Mean density inside the liquid over rest density. Inside is what has liquid all around it for 5 spacings, and no wall
+ *  within 3; NaN where there are less than 20 such particles, and where memory is short. */
+typedef struct sph2d_densities {
+    double told;    /**< as particles have it */
+    double counted; /**< by counting particles on the area, with a kernel of 3 spacings */
+} sph2d_densities;
+
+/** The densities now. It counts all particles, which takes as long as a few steps do, and memory while it does. */
+SPH2D_API sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
 
 /** What a step spends its time on. */
 typedef enum sph2d_phase {

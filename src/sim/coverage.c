@@ -432,7 +432,7 @@ static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
         }
 }
 
-static sph2d__densities densities_of(const sph2d__coverage *c, const unsigned char *marks)
+static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned char *marks)
 {
     const sph2d__store *f = &c->sim->system.fluid;
     double counted = 0, told = 0;
@@ -452,15 +452,15 @@ static sph2d__densities densities_of(const sph2d__coverage *c, const unsigned ch
         ++particles;
     }
     if (particles < LEAST_INSIDE)
-        return (sph2d__densities){NAN, NAN};
-    return (sph2d__densities){counted / (double)nodes, told / (double)particles};
+        return (sph2d_densities){NAN, NAN};
+    return (sph2d_densities){told / (double)particles, counted / (double)nodes};
 }
 
-sph2d__densities sph2d__coverage_densities(const sph2d__coverage *c)
+sph2d_densities sph2d__coverage_densities(const sph2d__coverage *c)
 {
     sph2d__memory *memory = c->sim->system.memory;
     size_t nodes = c->nodes_x * c->nodes_y;
-    sph2d__densities found = {NAN, NAN};
+    sph2d_densities found = {NAN, NAN};
     void *marks = sph2d__alloc(memory, nodes, 1);
     if (marks) {
         mark_bare(c, marks);
@@ -471,10 +471,10 @@ sph2d__densities sph2d__coverage_densities(const sph2d__coverage *c)
     return found;
 }
 
-sph2d__densities sph2d__sim_densities(const sph2d_sim *sim)
+sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
 {
     sph2d__coverage c;
-    sph2d__densities found = {NAN, NAN};
+    sph2d_densities found = {NAN, NAN};
     if (sph2d__coverage_make(&c, sim)) {
         found = sph2d__coverage_densities(&c);
         sph2d__coverage_free(&c);
@@ -483,13 +483,13 @@ sph2d__densities sph2d__sim_densities(const sph2d_sim *sim)
 }
 
 /* Steps between looks, which take as long as some steps do. */
-enum { DENSITY_STEPS = 1000 };
+enum { DENSITY_STEPS = 500 };
 
 void sph2d__sim_watch_density(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     if (r->steps % DENSITY_STEPS != 0)
         return;
-    sph2d__densities now = sph2d__sim_densities(sim);
+    sph2d_densities now = sph2d_sim_densities(sim);
     r->density_apart = fmax(r->density_apart, fabs(now.told - now.counted)); /* passes over NaN */
 }

@@ -34,15 +34,9 @@ double sph2d__coverage_area(const sph2d__coverage *coverage);
  *  a wall [m]; NaN unless gravity points straight down, and where there is no room for it. */
 double sph2d__coverage_level(const sph2d__coverage *coverage, double area);
 
-/** Mean density inside the liquid, over rest density, by counting and as particles have it. Inside is what has liquid
- *  all around it for 5 spacings, and no wall within 3; NaN where there are less than 20 such particles. */
-typedef struct sph2d__densities {
-    double counted, told;
-} sph2d__densities;
-sph2d__densities sph2d__coverage_densities(const sph2d__coverage *coverage);
+/** Of sph2d_sim_densities(). */
+sph2d_densities sph2d__coverage_densities(const sph2d__coverage *coverage);
 
-/** The same of a simulation as it is now. */
-sph2d__densities sph2d__sim_densities(const sph2d_sim *sim);
 /** Looks from time to time how far the two are apart. */
 void sph2d__sim_watch_density(sph2d_sim *sim);
 

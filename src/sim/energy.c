@@ -80,7 +80,7 @@ enum { START_STEPS = 32 };
 sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
-    sph2d__sim_book_walls(sim);
+    sph2d__sim_book_drives(sim);
     if (!sph2d__sim_looks(sim, r->steps))
         return SPH2D_OK;
     if (sph2d__sim_book(sim) != SPH2D_OK)

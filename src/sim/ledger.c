@@ -5,7 +5,6 @@
 
 #include "methods/state_equation.h"
 #include "methods/tension.h"
-#include "sim/coverage.h"
 #include "sim/simulation.h"
 
 /* Compression is sampled every so many steps, and not within so many seconds after an impact. */
@@ -149,6 +148,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .compression_p99 = r->compression_p99 / time,
         .compression_mean = r->compression_mean / time,
         .compression_max = r->compression_max,
+        .density_apart = r->density_apart,
         .energy_start = r->energy_start,
         .energy_fed = r->energy_fed,
         .energy_rise = sph2d__sim_rise_is_known(sim) ? r->energy_rise : NAN,
@@ -174,10 +174,6 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .neighbours = mean_neighbours(&sim->system),
     };
     sph2d__sim_sum_energy(sim, &out);
-    sph2d__densities inside = sph2d__sim_densities(sim);
-    out.density_told = inside.told;
-    out.density_counted = inside.counted;
-    out.density_apart = fmax(r->density_apart, fabs(inside.told - inside.counted));
     return out;
 }
 

@@ -31,7 +31,7 @@
     X(energy_stopped, "EnergyStopped", 1, 1, -2, "energy that the swept test and reflections took, per metre")         \
     X(power_walls, "PowerWalls", 1, 1, -3, "of walls that move, when it was looked at last, per metre")                \
     X(power_friction, "PowerFriction", 1, 1, -3, "of their friction, per metre")                                       \
-    X(walls_time, "WallsTime", 0, 0, 1, "time of the last look at walls")                                              \
+    X(drives_time, "DrivesTime", 0, 0, 1, "time of the last look at walls and forces")                                 \
     X(power_forces, "PowerForces", 1, 1, -3,                                                                           \
       "of interactions and of forces along periods, when it was looked at last, per metre")                            \
     X(power_viscous, "PowerViscous", 1, 1, -3, "of viscosity on the liquid, when it was looked at last, per metre")    \

@@ -23,8 +23,8 @@
 
 /* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins with
  * much friction. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
- * walls that move are few, and what they press changes with the sound. */
-enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60, WALL_STEPS = 4 };
+ * walls that move are few, what they press changes with the sound, and liquid passes an interaction in some steps. */
+enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
 {
@@ -98,18 +98,6 @@ static double sum_up(double *last, double power, double span)
     return work;
 }
 
-void sph2d__sim_book_walls(sph2d_sim *sim)
-{
-    sph2d__record *r = &sim->record;
-    if (sim->method->integrator == SPH2D__PROJECTED || r->steps % WALL_STEPS != 0)
-        return;
-    wall_powers power = powers_of_walls(sim);
-    double span = r->time - r->walls_time, friction = sum_up(&r->power_friction, power.friction, span);
-    r->energy_walls += sum_up(&r->power_walls, power.all, span);
-    r->energy_viscous += friction;
-    r->walls_time = r->time;
-}
-
 void sph2d__sim_book_projection(sph2d_sim *sim, double dt)
 {
     sim->record.energy_walls += dt * powers_of_walls(sim).all;
@@ -134,6 +122,21 @@ static double power_of_forces(const sph2d_sim *sim)
         power += f->vx[i] * ax + f->vy[i] * ay;
     }
     return s->mass * power;
+}
+
+void sph2d__sim_book_drives(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    if (r->steps % DRIVE_STEPS != 0 && !sph2d__sim_looks(sim, r->steps))
+        return;
+    double span = r->time - r->drives_time;
+    r->energy_forces += sum_up(&r->power_forces, power_of_forces(sim), span);
+    r->drives_time = r->time;
+    if (sim->method->integrator == SPH2D__PROJECTED)
+        return;
+    wall_powers power = powers_of_walls(sim);
+    r->energy_walls += sum_up(&r->power_walls, power.all, span);
+    r->energy_viscous += sum_up(&r->power_friction, power.friction, span);
 }
 
 /* ---- viscosity --------------------------------------------------------------------------------------------------- */
@@ -284,7 +287,6 @@ sph2d_status sph2d__sim_book(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    r->energy_forces += sum_up(&r->power_forces, power_of_forces(sim), span);
     if (!is_fitted(sim)) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
