@@ -24,7 +24,7 @@
 /* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins with
  * much friction. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
  * walls that move are few, what they press changes with the sound, and liquid passes an interaction in some steps. */
-enum { LOOK_STEPS = 20, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
+enum { LOOK_STEPS = 40, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
 {
