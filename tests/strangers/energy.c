@@ -33,10 +33,6 @@ bool scene_is_closed(const sph2d_scene *s)
     // Forces along a period have no potential.
     drive = drive || (period_x && s->gravity.x != 0) || (period_y && s->gravity.y != 0) ||
             (s->central_force.rate > 0 && (period_x || period_y));
-    // Where a solver starts with compressed liquid, nothing tells the energy that it sets free.
-    if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
-        for (size_t i = 0; i < s->block_count; ++i)
-            drive = drive || s->blocks[i].spacing > 0 || s->blocks[i].perturb.amplitude > 0;
     return !drive;
 }
 
