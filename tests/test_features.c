@@ -285,7 +285,7 @@ static const struct feature {
     {"method.precision", WCSPH | FITTED, set_mixed},
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
-    {"method.artificial_viscosity", WCSPH, set_alpha},
+    {"method.artificial_viscosity", MULLER | WCSPH, set_alpha},
     {"method.density_diffusion", WCSPH | FITTED, set_delta},
     {"method.diffusion_form", WCSPH, set_fourtakas},
     {"method.shifting", WCSPH | FITTED, set_shifting},

@@ -243,7 +243,9 @@ typedef struct sph2d_method_options {
                                               h = H/2 is the smoothing length; default 0.1 */
     sph2d_diffusion_form diffusion_form; /**< wcsph, symmetric operators; default antuono */
     double artificial_viscosity;         /**< wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the
-                                              kinematic viscosity alpha h c0 / 8; default 0 */
+                                              kinematic viscosity alpha h c0 / 8; default 0. muller: dynamic viscosity
+                                              is alpha rho c0 H at least, H the support radius, since its force has no
+                                              energy to conserve; default 0 stands for 0.1, with which none is gained */
     double shifting;                     /**< wcsph: strength of particle shifting over the standard one, 0 to 2;
                                               default 1 */
     sph2d_switch tensile_control; /**< wcsph, symmetric operators: inside liquid under tension particles push each
@@ -256,7 +258,9 @@ typedef struct sph2d_method_options {
                                  interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
                                  keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
                                  particles beyond it one by one */
-    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
+    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2]; default 0: derived as above. k = c0^2, but for muller,
+                                 whose pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check` prints, and
+                                 the pressure that is told is the one that is carried */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators, pcisph and constraint 2.4 */

@@ -81,7 +81,8 @@ void sph2d__projection_prepare(sph2d__system *system);
     (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(diagonal) | SPH2D__BIT(multiplier) |                      \
      SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
-    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(push))
+    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |        \
+     SPH2D__BIT(old_ay) | SPH2D__BIT(push))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \

@@ -42,7 +42,7 @@ static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
     if (s->method.name == SPH2D_METHOD_MULLER) {
         double x = fmax(density / s->rest_density, 1); /* no tension */
-        return s->sound_speed * s->sound_speed * (log(x) + 1 / x - 1);
+        return s->modulus * (log(x) + 1 / x - 1);
     }
     double torn = sph2d__density_of(s, -s->tension);
     if (density < torn)

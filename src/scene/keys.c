@@ -341,7 +341,9 @@ static const sph2d_key method_items[] = {
      .text = "wcsph, symmetric operators: antuono is exact for linear density, fourtakas for liquid at rest; fastest "
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .standard = "0", .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16"},
+     .unit = "", .standard = "muller 0.1, else 0",
+     .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
+             "least"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
@@ -350,7 +352,7 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
-     .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
+     .standard = "from max_compression", .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),

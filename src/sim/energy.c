@@ -21,13 +21,13 @@
 #include "sim/simulation.h"
 
 /* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound, and
- * the upper one of liquid that collapses into a point. Energy: with wcsph a hundred times what scenes do that are sound.
- * What compression holds is not told by the others, but for muller roughly, and comes back: 11 % of the scale in a soft
- * liquid by constraints, twice the scale for a particle of muller that bounces. */
+ * the upper one of liquid that collapses into a point. Energy: a hundred times what scenes do that are sound, with wcsph
+ * and muller. What compression holds is not told by the others and comes back: 11 % of the scale in a soft liquid by
+ * constraints. */
 static const struct {
     double thinnest, densest, rise;
 } bounds[] = {
-    [SPH2D_METHOD_MULLER] = {0, 20, 3},
+    [SPH2D_METHOD_MULLER] = {0, 20, 0.1},
     [SPH2D_METHOD_WCSPH] = {0.2, 5, 0.1},
     [SPH2D_METHOD_PCISPH] = {0, 20, 0.3},
     [SPH2D_METHOD_CONSTRAINT] = {0, 20, 0.3},

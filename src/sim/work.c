@@ -209,8 +209,7 @@ static void put_aside(sph2d__store *f)
 /** Whether anything in the scene resists motion. */
 static bool is_viscous(const sph2d__system *s)
 {
-    return s->viscosity > 0 || s->method.artificial_viscosity > 0 || s->body.springs.stiffness > 0 ||
-           (s->wall_viscosity > 0 && s->walls_press);
+    return s->viscosity > 0 || s->method.artificial_viscosity > 0 || s->body.springs.stiffness > 0;
 }
 
 static bool find_viscous_power(sph2d_sim *sim, double *power)
