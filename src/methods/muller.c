@@ -105,7 +105,8 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double r = sqrt(dx * dx + dy * dy), gap = s->support - r, volume = s->mass / f->density[i] * gap * w->volume[b];
-    double press = r > 0 ? sph2d__spiky_constant(s->support) / 2 * volume * gap * (f->pressure[i] + w->pressure[b]) / r : 0;
+    double both = f->pressure[i] + w->pressure[b];
+    double press = r > 0 ? sph2d__spiky_constant(s->support) / 2 * volume * gap * both / r : 0;
     double drag = s->wall_viscosity * sph2d__viscosity_constant(s->support) * volume;
     return (sph2d__wall_force){.pressure = {press * dx, press * dy},
                                .friction = {drag * (w->vx[b] - f->vx[i]), drag * (w->vy[b] - f->vy[i])}};

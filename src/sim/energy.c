@@ -20,10 +20,10 @@
 #include "base/pi.h"
 #include "sim/simulation.h"
 
-/* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound, and
- * the upper one of liquid that collapses into a point. Energy: with wcsph a hundred times what scenes do that are sound.
- * What compression holds is not told by the others, but for muller roughly, and comes back: 11 % of the scale in a soft
- * liquid by constraints, twice the scale for a particle of muller that bounces. */
+/* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound,
+ * and the upper one of liquid that collapses into a point. Energy: with wcsph a hundred times what scenes do that are
+ * sound. What compression holds is not told by the others, but for muller roughly, and comes back: 11 % of the scale
+ * in a soft liquid by constraints, twice the scale for a particle of muller that bounces. */
 static const struct {
     double thinnest, densest, rise;
 } bounds[] = {
@@ -143,7 +143,8 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
         r->energy_rise, 100 * r->energy_rise / scale, scale, (unsigned long long)r->steps, r->time,
         (unsigned long long)f->id[i], f->x[i], f->y[i], sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where),
         f->vx[i], f->vy[i]);
-    sph2d_diagnostic_hint(d, "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
+    sph2d_diagnostic_hint(d,
+                          "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
                              "more than %g times the scale pass", calming_key(sim), most);
     return false;
 }
