@@ -28,7 +28,8 @@ static void plain_liquid(double dx)
 
 static void close_periods(void)
 {
-    scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC,
+                                      SPH2D_SIDE_PERIODIC};
 }
 
 static double energy_of(const sph2d_summary *s)

@@ -221,8 +221,8 @@ static const sph2d_key probe_items[] = {
     {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
-     .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: speed, pressure, "
-             "elevation of the surface"},
+     .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
+             "speed, pressure, elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},
     RATE(sph2d_probe, rate),

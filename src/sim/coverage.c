@@ -52,21 +52,13 @@ static bool is_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p)
            (b.bottom == SPH2D_SIDE_WALL && p.y < d.min.y) || (b.top == SPH2D_SIDE_WALL && p.y > d.max.y);
 }
 
-static sph2d_vec2 way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
-{
-    for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].motion == &obstacle->motion)
-            return sim->moving[k].to;
-    return (sph2d_vec2){0, 0};
-}
-
 static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
 {
     if (is_beyond_wall(&sim->scene, p))
         return true;
     for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
         const sph2d_obstacle *o = &sim->scene.obstacles[k];
-        sph2d_vec2 way = way_of(sim, o);
+        sph2d_vec2 way = sph2d__sim_way_of(sim, o);
         if (sph2d__outline_encloses(&o->outline, (sph2d_vec2){p.x - way.x, p.y - way.y}))
             return true;
     }

@@ -71,6 +71,9 @@ double sph2d__sim_energy_part(const sph2d_sim *sim);
 enum { SPH2D__WHERE_SIZE = 160 };
 const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 place, char text[SPH2D__WHERE_SIZE]);
 
+/** How far an obstacle of the scene has moved, at the end of the last step [m]. */
+sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
+
 /** Densities that liquid may have by the method [kg/m^3], and the part of the scene's energy scale by which energy may
  *  rise. */
 typedef struct sph2d__bounds {

@@ -20,8 +20,7 @@ static void look_at(nearest *n, double distance, const char *list, size_t index)
     snprintf(n->name, sizeof n->name, "%s[%zu]", list, index);
 }
 
-/** How far an obstacle has moved. */
-static sph2d_vec2 way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
         if (sim->moving[k].motion == &obstacle->motion)
@@ -32,7 +31,7 @@ static sph2d_vec2 way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_vec2 p)
 {
     double least = INFINITY;
-    sph2d_vec2 way = way_of(sim, obstacle), q = {p.x - way.x, p.y - way.y};
+    sph2d_vec2 way = sph2d__sim_way_of(sim, obstacle), q = {p.x - way.x, p.y - way.y};
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, sim->scene.spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(&obstacle->outline, sim->scene.spacing, k);

@@ -11,8 +11,9 @@
  *
  *  Viscous forces are odd in velocity, all others even, so that two evaluations of the method's own forces, with the
  *  velocities and with all of them turned round, tell the power of friction: what is measured is what acts. What
- *  became heat is that with the other sign and what moving walls brought by friction, which the first line has. Springs of walls have a potential (energy.c) and a damping, which is summed by
- *  itself: it has a limit and is not odd.
+ *  became heat is that with the other sign and what moving walls brought by friction, which the first line has.
+ *  Springs of walls have a potential (sph2d__sim_energy_of) and a damping, which is summed by itself: it has a limit
+ *  and is not odd.
  *
  *  Fitted operators have no forces between particles and walls. There the friction of sides that slide is part of what
  *  viscosity does, and the pressure of obstacles that move is not known. */
@@ -21,9 +22,9 @@
 #include "methods/state_equation.h"
 #include "sim/simulation.h"
 
-/* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins with
- * much friction. Friction takes one evaluation more in so many, which is all of a step with fitted operators;
- * walls that move are few, what they press changes with the sound, and liquid passes an interaction in some steps. */
+/* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins
+ * with much friction. Friction and diffusion take a step's sums once more in so many. Walls that move are few, what they
+ * press changes with the sound, and liquid passes an interaction in some steps. */
 enum { LOOK_STEPS = 40, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
