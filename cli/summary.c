@@ -45,8 +45,12 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
 
-static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
+static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const sph2d_summary *s)
 {
+    sph2d_densities inside = sph2d_sim_densities(sim);
+    if (isfinite(inside.told))
+        text_row("density inside", "told %.5g, counted %.5g of rest density; apart by %.3g %% at most", inside.told,
+                 inside.counted, 100 * fmax(s->density_apart, fabs(inside.told - inside.counted)));
     double change = summary_energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
@@ -60,9 +64,13 @@ static void print_errors(const sph2d_scene *scene, const sph2d_summary *s)
     text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
              s->kinetic + s->potential + s->elastic,
              s->energy_fed);
-    if (s->energy_scale > 0)
-        text_row("energy from nothing", "%.3g %% of the scene's %.4g J/m at most", 100 * s->energy_rise / s->energy_scale,
+    text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g J/m", s->energy_walls,
+             s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped);
+    if (s->energy_scale > 0 && isfinite(s->energy_error))
+        text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up", 100 * s->energy_error / s->energy_scale,
                  s->energy_scale);
+    if (s->energy_scale > 0 && isfinite(s->energy_rise))
+        text_row("", "%.3g %% came from nothing at most", 100 * s->energy_rise / s->energy_scale);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
     text_row("fastest now", "%.4g m/s", s->speed_max);
 }
@@ -122,7 +130,7 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
     print_speed(sim, result, threads);
-    print_errors(scene, s);
+    print_errors(sim, scene, s);
     print_particles(s);
     print_steps(s);
     print_profile(sim, result);
@@ -160,12 +168,16 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_close_object(line);
 }
 
-static void add_errors(cli_json *line, const sph2d_summary *s)
+static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary *s)
 {
+    sph2d_densities inside = sph2d_sim_densities(sim);
     json_open_object(line, "error");
     json_number(line, "compression_p99", s->compression_p99);
     json_number(line, "compression_mean", s->compression_mean);
     json_number(line, "compression_max", s->compression_max);
+    json_number(line, "density_told", inside.told);
+    json_number(line, "density_counted", inside.counted);
+    json_number(line, "density_apart", fmax(s->density_apart, fabs(inside.told - inside.counted)));
     json_number(line, "energy_change", summary_energy_change(s));
     json_number(line, "energy_start", s->energy_start);
     json_number(line, "energy_kinetic", s->kinetic);
@@ -173,6 +185,13 @@ static void add_errors(cli_json *line, const sph2d_summary *s)
     json_number(line, "energy_elastic", s->elastic);
     json_number(line, "energy_fed", s->energy_fed);
     json_number(line, "energy_rise", s->energy_rise);
+    json_number(line, "energy_error", s->energy_error);
+    json_number(line, "energy_error_rise", s->energy_error_rise);
+    json_number(line, "energy_walls", s->energy_walls);
+    json_number(line, "energy_forces", s->energy_forces);
+    json_number(line, "energy_viscous", s->energy_viscous);
+    json_number(line, "energy_diffused", s->energy_diffused);
+    json_number(line, "energy_stopped", s->energy_stopped);
     json_number(line, "energy_scale", s->energy_scale);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);
@@ -235,7 +254,7 @@ static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loo
     json_number(&line, "time", s->time);
     json_number(&line, "until", scene->run.until);
     add_speed(&line, sim, result, threads);
-    add_errors(&line, s);
+    add_errors(&line, sim, s);
     add_particles(&line, s);
     add_steps(&line, s);
     if (options->profile)

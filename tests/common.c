@@ -23,7 +23,7 @@ sph2d_scene test_scene(double spacing, double x0, double y0, double x1, double y
     scene.gravity = (sph2d_vec2){0, 0};
     scene.fluid.dynamic_viscosity = 0;
     scene.method.name = SPH2D_METHOD_MULLER;
-    scene.method.stiffness = 100;
+    scene.method.sound_speed = 10;
     return scene;
 }
 

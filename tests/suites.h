@@ -59,6 +59,7 @@
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(guards)                                                                                                          \
+    X(ledger)                                                                                                          \
     X(memory)                                                                                                          \
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
@@ -66,6 +67,7 @@
     X(elevation)                                                                                                       \
     X(gauge)                                                                                                           \
     X(viscosity_form)                                                                                                  \
+    X(coverage)                                                                                                        \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

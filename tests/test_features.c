@@ -155,6 +155,7 @@ static void set_obstacle_moving(stage *s)
     set_obstacle(s, SPH2D_WALL_DEFAULT);
     s->obstacle.motion.amplitude.x = 0.05;
     s->obstacle.motion.frequency = 1;
+    s->scene.run.max_energy_rise = 1; /* it starts at full speed, and tensile control makes energy behind it */
 }
 
 static void set_spring(stage *s)
@@ -284,7 +285,7 @@ static const struct feature {
     {"method.precision", WCSPH | FITTED, set_mixed},
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
-    {"method.artificial_viscosity", WCSPH, set_alpha},
+    {"method.artificial_viscosity", MULLER | WCSPH, set_alpha},
     {"method.density_diffusion", WCSPH | FITTED, set_delta},
     {"method.diffusion_form", WCSPH, set_fourtakas},
     {"method.shifting", WCSPH | FITTED, set_shifting},

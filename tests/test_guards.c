@@ -294,6 +294,8 @@ static void make_extreme(int index, sph2d_scene *scene, sph2d_block *block)
     take(&scene->fluid.density, extremes[index].density);
     take(&scene->fluid.dynamic_viscosity, extremes[index].viscosity);
     take(&scene->method.stiffness, extremes[index].stiffness);
+    if (scene->method.stiffness > 0)
+        scene->method.sound_speed = 0;
     take(&scene->method.max_compression, extremes[index].max_compression);
     take(&scene->method.time_step, extremes[index].time_step);
     take(&scale, extremes[index].scale);

@@ -44,7 +44,7 @@ static sph2d_sim *dam_in(units u)
     scene.gravity.y = -9.81 * force;
     scene.fluid.density = 1000 * u.mass / (l * l * l);
     scene.fluid.dynamic_viscosity = 0.5 * u.mass / (l * u.time);
-    scene.method.stiffness = 80 * velocity * velocity;
+    scene.method.stiffness = 180 * velocity * velocity;
     sph2d_block block = test_block(0, 0, 0.4 * l, 0.6 * l);
     block.velocity.x = 0.5 * velocity;
     sph2d_vec2 line[2] = {{0.55 * l, 0}, {0.62 * l, 0.13 * l}};

@@ -143,6 +143,7 @@ static sph2d_sim *conservative_tank(double step, sph2d_scene *out)
     scene.block_count = 1;
     scene.gravity.y = -9.81;
     scene.wall_damping = 0;
+    scene.method.artificial_viscosity = 1e-30;
     scene.method.time_step = step;
     *out = scene;
     return test_create(&scene, NULL);
@@ -238,6 +239,7 @@ static sph2d_sim *dragging(double step)
     scene.method.support_ratio = 5;
     scene.method.time_step = step;
     scene.fluid.dynamic_viscosity = 3;
+    scene.method.artificial_viscosity = 1e-30;
     scene.gravity.y = -9.81;
     static const sph2d_vec2 v[4] = {{0.05, 0.02}, {-0.04, 0.03}, {0.01, -0.06}, {0, 0.05}};
     for (int k = 0; k < 4; ++k)

@@ -8,13 +8,13 @@
 #include "sph2d/key.h"
 
 static const double DX = 0.01;
-enum { KINDS = SPH2D_PROBE_ERROR + 1 };
+enum { KINDS = SPH2D_PROBE_LEVEL + 1 };
 
 /** A scene with one probe of each kind at a point. */
 static sph2d_scene with_probes(sph2d_scene scene, sph2d_vec2 at)
 {
     static sph2d_probe probes[KINDS];
-    static const char *const names[KINDS] = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
+    static const char *const names[KINDS] = {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k"};
     for (int k = 0; k < KINDS; ++k) {
         probes[k] = sph2d_probe_default();
         probes[k].name = names[k];
@@ -82,8 +82,8 @@ END_TEST
 
 START_TEST(without_liquid_nothing_has_a_value)
 {
-    static const char *const words[KINDS] = {"000000",  "nnn0",   "nn0",   "n",     "nnnn",
-                                             "nnnnnnn", "nnnnnn", "000nn", "nnnnnn"};
+    static const char *const words[KINDS] = {"0000000n", "nnn0",     "nn0",   "n",      "nnnn", "nnnnnnn",
+                                             "nnnnnnnn", "000nn", "nnnnnn", "00",   "n"};
     sph2d_sim *sim = in_the_open(1);
     for (int k = 0; k < KINDS; ++k) {
         const double *values = evaluate(sim, (sph2d_probe_kind)k);

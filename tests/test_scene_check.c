@@ -75,7 +75,6 @@ static void start(void)
     scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     scene.spacing = 0.02;
-    scene.fluid.dynamic_viscosity = 20; /* calm enough for any warning */
     scene.blocks = blocks;
     scene.block_count = 3;
     scene.sources = sources;
@@ -182,12 +181,12 @@ END_TEST
 
 START_TEST(a_warning_does_not_refuse)
 {
-    scene.fluid.dynamic_viscosity = 0;
+    sources[0].at.x = 1; /* on a side */
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
     ck_assert_uint_eq(report.count, 1);
     ck_assert_uint_eq(report.errors, 0);
     ck_assert_int_eq(report.items[0].severity, SPH2D_WARNING);
-    ck_assert_str_eq(report.items[0].path, "fluid.dynamic_viscosity");
+    ck_assert_str_eq(report.items[0].path, "sources[0].at");
 }
 END_TEST
 

@@ -83,7 +83,7 @@ static const char *const goldens[] = {
     "    every: 0.5\n"
     "run:\n  until: 4\n  snapshots:\n    per_second: 60\n    compress: 6\n  frames:\n    every: 0.1\n"
     "    size: [640, 480]\n    style: points\n    radius: 0.02\n    color: speed\n    color_range: [0, 5]\n"
-    "  impacts: [0.5, 1, 1e-05]\n",
+    "  max_energy_rise: 0.25\n  impacts: [0.5, 1, 1e-05]\n",
 
     "name: belts\n"
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nwalls: reflect\nwall_slip: none\n"

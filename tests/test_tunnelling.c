@@ -209,7 +209,7 @@ START_TEST(a_nozzle_close_to_a_wall_does_not_feed_through_it)
     scene.sources = &source;
     scene.source_count = 1;
     scene.method.time_step = step;
-    scene.method.stiffness = 1; /* so soft that the step is a stable one */
+    scene.method.sound_speed = 1; /* so soft that the step is a stable one */
     sph2d_sim *sim = test_create(&scene, NULL);
     static sph2d_report report;
     size_t through = 0;

@@ -248,7 +248,9 @@ typedef struct sph2d_method_options {
                                               h = H/2 is the smoothing length; default 0.1 */
     sph2d_diffusion_form diffusion_form; /**< wcsph, symmetric operators; default antuono */
     double artificial_viscosity;         /**< wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the
-                                              kinematic viscosity alpha h c0 / 8; default 0 */
+                                              kinematic viscosity alpha h c0 / 8; default 0. muller: dynamic viscosity
+                                              is alpha rho c0 H at least, H the support radius, since its force has no
+                                              energy to conserve; default 0 stands for 0.1, with which none is gained */
     double shifting;                     /**< wcsph: strength of particle shifting over the standard one, 0 to 2;
                                               default 1 */
     sph2d_switch tensile_control; /**< wcsph, symmetric operators: inside liquid under tension particles push each
@@ -261,7 +263,9 @@ typedef struct sph2d_method_options {
                                  interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
                                  keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
                                  particles beyond it one by one */
-    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2], k = c0^2; default 0: derived as above */
+    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2]; default 0: derived as above. k = c0^2, but for muller,
+                                 whose pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check` prints, and
+                                 the pressure that is told is the one that is carried */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators, pcisph and constraint 2.4 */
@@ -386,7 +390,9 @@ typedef struct sph2d_interaction {
 typedef enum sph2d_probe_kind {
     SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
                                     central force and surface; momentum_x, momentum_y [kg/s]; particles;
-                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m] */
+                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m];
+                                    energy_error: what does not add up, over the scene's energy scale
+                                    (sph2d_summary) */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */
     SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours. With
@@ -404,15 +410,23 @@ typedef enum sph2d_probe_kind {
                                     over particles of the distance to the nearest one, over the scene's spacing, H/dx at
                                     most; paired: fraction of particles with another nearer than half a spacing;
                                     density_rms, density_max: root mean square and largest absolute value of
-                                    rho/rho0 - 1; mach: largest speed over c0 */
+                                    rho/rho0 - 1; mach: largest speed over c0; told, counted: mean density inside the
+                                    liquid over rest density, as particles have it and by counting them on the area */
     SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
                                    anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */
-    SPH2D_PROBE_ERROR = 8 /**< difference from the exact solution that a block starts with, at the particles' places:
+    SPH2D_PROBE_ERROR = 8, /**< difference from the exact solution that a block starts with, at the particles' places:
                                speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
                                vector_max: largest error of v over the flow's speed U (a flow at rest: over the
                                speed that its largest pressure could make); pressure_l1: mean error over mean exact
                                |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
                                kinetic energy over the exact one, - 1 */
+    SPH2D_PROBE_VOLUME = 9, /**< volume: area that liquid covers, to a surface where half of a kernel is filled, and of
+                               particles by themselves, dx^2 each; placed: what the particles stand for at rest density
+                               [m^2] */
+    SPH2D_PROBE_LEVEL = 10  /**< level: height up to which `volume` fills what the liquid can get to from where it is,
+                               below that height and without passing a wall [m]: the mean level once it has settled.
+                               Closed obstacles take room, as they stand now; lines hold liquid. NaN unless gravity
+                               points straight down */
 } sph2d_probe_kind;
 
 /** A time series, written while the run goes on. */
@@ -452,6 +466,9 @@ typedef struct sph2d_run {
     double until; /**< simulated end [s], >= 0; default 1 */
     sph2d_snapshots snapshots;
     sph2d_frames frames;
+    double max_energy_rise; /**< a guard stops the run where energy has come from nothing, by more than this part of the
+                                 scene's energy scale (sph2d_summary.energy_rise over energy_scale), 1e-6 to 1e9;
+                                 default 0: 0.1 */
     struct {
         const double *items;
         size_t count;

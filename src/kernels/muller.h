@@ -9,6 +9,8 @@
 #ifndef SPH2D_KERNELS_MULLER_H
 #define SPH2D_KERNELS_MULLER_H
 
+#include <math.h>
+
 #include "base/pi.h"
 
 /** poly6: W(r) = poly6_constant * (H^2 - r^2)^3 [1/m^2], for density. */
@@ -51,6 +53,58 @@ static inline double sph2d__poly6_lattice_sum(double support, double spacing)
             sum += sph2d__poly6_shape(support * support, x * x + y * y);
         }
     return sum * sph2d__poly6_constant(support) * spacing * spacing;
+}
+
+/** The pressure that pairs in a lattice carry over the p of its particles. Pair forces m/rho_i m/rho_j p |W'_spiky| carry,
+ *  by the virial,
+ *
+ *      P = 1/4 sum_j (dx^2 p |W'_spiky(r_ij)|) r_ij,
+ *
+ *  p/2 for a dense lattice, since the integral of r |W'| over the plane is 2: (p_i + p_j)/2 makes half a gradient. */
+static inline double sph2d__spiky_lattice_stress(double support, double spacing)
+{
+    int reach = (int)(support / spacing) + 1;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double r = hypot(i, j) * spacing, w = fmax(support - r, 0);
+            sum += r * w * w;
+        }
+    return sum * sph2d__spiky_constant(support) * spacing * spacing / 4;
+}
+
+/** Growth of summed density over the compression of a filled lattice, both as fractions: 1 for a dense one. */
+static inline double sph2d__poly6_lattice_response(double support, double spacing)
+{
+    int reach = (int)(support / spacing) + 1;
+    double slopes = 0, values = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double r2 = (i * i + j * j) * spacing * spacing, d = fmax(support * support - r2, 0);
+            values += d * d * d;
+            slopes += 3 * r2 * d * d;
+        }
+    return slopes / values;
+}
+
+/** The part of a lattice's poly6 sum that rows on one side of a particle's own give. */
+static inline double sph2d__poly6_beyond_sum(double support, double spacing)
+{
+    int reach = (int)(support / spacing) + 1;
+    double own = 0, all = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double w = sph2d__poly6_shape(support * support, (i * i + j * j) * spacing * spacing);
+            all += w;
+            own += j == 0 ? w : 0;
+        }
+    return (1 - own / all) / 2;
+}
+
+/** The square of the speed of sound over k in p = k (rho - rho0) for a filled lattice: 0.443 at H/dx = 2. */
+static inline double sph2d__muller_stiffness(double support, double spacing)
+{
+    return sph2d__spiky_lattice_stress(support, spacing) * sph2d__poly6_lattice_response(support, spacing);
 }
 
 #endif

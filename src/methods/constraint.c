@@ -184,5 +184,6 @@ const sph2d__method sph2d__constraint = {
     .prepare = sph2d__projection_prepare,
     .evaluate = sph2d__projection_gather,
     .project = project,
+    .wall_force = sph2d__projection_wall_force,
     .stable_step = sph2d__projection_step,
 };

@@ -26,6 +26,11 @@ typedef enum sph2d__integrator {
     SPH2D__ADAMS_BASHFORTH /**< third order, from the rates of velocity and density of three steps */
 } sph2d__integrator;
 
+/** What a boundary particle does to liquid [N/m]. */
+typedef struct sph2d__wall_force {
+    sph2d_vec2 pressure, friction;
+} sph2d__wall_force;
+
 typedef struct sph2d__method {
     const char *name;
     sph2d__integrator integrator;
@@ -46,6 +51,9 @@ typedef struct sph2d__method {
     /** SPH2D__PROJECTED: adds the acceleration by the pressures that keep the density over the system's step. NULL
      *  otherwise. */
     void (*project)(sph2d__system *system);
+    /** Force of boundary particle b on particle i of the fluid at (dx, dy) from it, within the support radius, as the
+     *  forces of the last evaluation, or projection, have it. NULL: not known. */
+    sph2d__wall_force (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
     /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;

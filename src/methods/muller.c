@@ -2,6 +2,7 @@
 /** @file muller.c
  *  Method `muller`: equation of state, walls, step limits. The pair loops are in muller_pass.c. */
 #include "methods/muller.h"
+#include "methods/muller_side.h"
 #include "methods/tension.h"
 
 #include <math.h>
@@ -9,7 +10,8 @@
 #include "kernels/muller.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator stands nu dt/H^2 < 0.145; in a
- * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. */
+ * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. With the viscosity that there is
+ * at least, 0.1 c0 H, this is 0.4 H/c0. */
 static const double VISCOUS = 0.04;
 static const double FORCE = 0.25;
 
@@ -49,22 +51,24 @@ static void weigh_walls(sph2d__system *s)
     }
 }
 
-/* The push of boundary particles has no potential, so that a bounce could gain energy (0.8 % was measured): they drag
- * with this fraction of rho0 c0 H at least, which is the least that keeps the liquid itself calm. */
-static const double WALL_DRAG = 0.005;
-
 static void prepare(sph2d__system *s)
 {
-    double calm = WALL_DRAG * s->rest_density * s->sound_speed * s->support;
-    s->wall_viscosity = s->viscosity > calm ? s->viscosity : calm;
+    sph2d__side_part first = {0, 0};
+    sph2d__side_add(s, s->spacing / 2, &first);
+    double beyond = sph2d__poly6_beyond_sum(s->support, s->spacing);
     s->calibration = 1 / sph2d__poly6_lattice_sum(s->support, s->spacing);
+    s->side_fill = first.value > 0 ? s->rest_density * beyond / first.value : 0;
+    s->moment = sph2d__spiky_lattice_stress(s->support, s->spacing);
+    s->modulus = s->sound_speed * s->sound_speed / sph2d__poly6_lattice_response(s->support, s->spacing);
+    double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
+    s->viscosity = s->viscosity > calm ? s->viscosity : calm;
     weigh_walls(s);
 }
 
-/** p = k (rho - rho0) where positive. */
+/** The pressure that a lattice carries, P k (rho - rho0), where positive. */
 static double pressure_of(const sph2d__system *s, double density)
 {
-    double p = s->sound_speed * s->sound_speed * (density - s->rest_density);
+    double p = s->modulus * (density - s->rest_density);
     return p > 0 ? p : 0;
 }
 
@@ -101,6 +105,16 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
+static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    double h2 = s->support * s->support, d = h2 - dx * dx - dy * dy, density = f->density[i], volume = s->mass / density;
+    double press = volume * 6 * sph2d__poly6_constant(s->support) * f->pressure[i] / density * d * d * w->mass[b];
+    double drag = s->viscosity * sph2d__viscosity_constant(s->support) * volume * (s->support - sqrt(h2 - d)) * w->volume[b];
+    return (sph2d__wall_force){.pressure = {press * dx, press * dy},
+                               .friction = {drag * (w->vx[b] - f->vx[i]), drag * (w->vy[b] - f->vy[i])}};
+}
+
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     return sph2d__shortest_step(s, s->sound_speed, speed, acceleration, s->viscosity / s->rest_density, VISCOUS, FORCE,
@@ -117,5 +131,6 @@ const sph2d__method sph2d__muller = {
              SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
     .prepare = prepare,
     .evaluate = evaluate,
+    .wall_force = wall_force,
     .stable_step = stable_step,
 };

@@ -4,6 +4,7 @@
 #include "kernels/muller.h"
 #include "methods/group.h"
 #include "methods/muller.h"
+#include "methods/muller_side.h"
 
 /** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
 SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
@@ -29,6 +30,33 @@ SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, 
     return sum;
 }
 
+/** What the sides with springs add to the density at a place. */
+SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
+{
+    const sph2d__spring_walls *w = &s->body.springs;
+    sph2d__side_part sum = {0, 0};
+    const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
+    for (int k = 0; k < 4; ++k)
+        if (distances[k] < s->support)
+            sph2d__side_add(s, distances[k], &sum);
+    return s->side_fill * sum.value;
+}
+
+/** The push of these sides on particle i. */
+SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, double *ay)
+{
+    const sph2d__spring_walls *w = &s->body.springs;
+    const sph2d__store *f = &s->fluid;
+    double x = f->x[i], y = f->y[i], rho = f->density[i], push = s->side_fill * f->pressure[i] / (rho * rho);
+    const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
+    for (int k = 0; k < 4; ++k)
+        if (distances[k] < s->support && push > 0) {
+            sph2d__side_part part = {0, 0};
+            sph2d__side_add(s, distances[k], &part);
+            *(k < 2 ? ax : ay) += (k & 1 ? -push : push) * part.slope;
+        }
+}
+
 static void density(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *fluid = &s->fluid;
@@ -42,8 +70,10 @@ static void density(sph2d__system *s, size_t first, size_t last)
         sph2d__lanes rho = own * density_sum(support2, fluid, &g, &ranges, fluid, NULL);
         if (sph2d__group_near(&by, &g, &ranges))
             rho += poly6 * density_sum(support2, fluid, &g, &ranges, &s->walls, s->walls.mass);
-        for (int l = 0; l < g.count; ++l)
-            fluid->density[g.first + (size_t)l] = rho[l];
+        for (int l = 0; l < g.count; ++l) {
+            size_t i = g.first + (size_t)l;
+            fluid->density[i] = rho[l] + side_density(s, fluid->x[i], fluid->y[i]);
+        }
     }
 }
 
@@ -75,7 +105,7 @@ typedef struct receiver {
     sph2d__lanes x, y, vx, vy, pressure;
 } receiver;
 
-SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, const receiver *i,
+SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i,
                              const sph2d__store *from, size_t j)
 {
     sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
@@ -87,14 +117,26 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, bool viscous, con
     sph2d__lanes press = wv * w * (i->pressure + from->pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
-    if (viscous) {
-        sums->drag_x += wv * (from->vx[j] - i->vx);
-        sums->drag_y += wv * (from->vy[j] - i->vy);
-    }
+    sums->drag_x += wv * (from->vx[j] - i->vx);
+    sums->drag_y += wv * (from->vy[j] - i->vy);
+}
+
+/** The same of a boundary particle, which adds to density alone. */
+SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiver *i, const sph2d__store *walls,
+                                  size_t j)
+{
+    sph2d__lanes dx = i->x - walls->x[j], dy = i->y - walls->y[j], none = {0};
+    sph2d__lanes r2 = dx * dx + dy * dy, d = sph2d__lanes_max(support * support - r2, none);
+    sph2d__lanes press = d * d * walls->mass[j], wv = sph2d__lanes_max(support - sph2d__lanes_sqrt(r2), none);
+    sums->press_x += press * dx;
+    sums->press_y += press * dy;
+    wv *= walls->volume[j];
+    sums->drag_x += wv * (walls->vx[j] - i->vx);
+    sums->drag_y += wv * (walls->vy[j] - i->vy);
 }
 
 /** Adds the forces of the particles in `ranges` on a group whose box is laid. */
-SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, const sph2d__group *g,
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *g,
                                     const sph2d__ranges *ranges, const sph2d__store *from)
 {
     const sph2d__store *fluid = &s->fluid;
@@ -108,44 +150,42 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, bool viscous, const 
         me.x = sph2d__group_lanes(fluid->x + g->first, sieve.way_x);
         me.y = sph2d__group_lanes(fluid->y + g->first, sieve.way_y);
         SPH2D__FOR_FOUND (sieve, j)
-            add_force(&sums, s->support, viscous, &me, from, j);
+            if (from == &s->walls)
+                add_wall_force(&sums, s->support, &me, from, j);
+            else
+                add_force(&sums, s->support, &me, from, j);
     }
     return sums;
 }
 
-SPH2D__INLINE void force_with(sph2d__system *s, bool viscous, size_t first, size_t last)
+static void force(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    const double press = sph2d__spiky_constant(s->support) / 2, laplacian = sph2d__viscosity_constant(s->support);
-    const double drag = s->viscosity * laplacian, wall_drag = s->wall_viscosity * laplacian;
+    const double press = sph2d__spiky_constant(s->support) / (2 * s->moment), laplacian = sph2d__viscosity_constant(s->support);
+    const double wall_press = 6 * sph2d__poly6_constant(s->support);
+    const double drag = s->viscosity * laplacian;
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         sph2d__group_box(f, &g);
-        force_sums sums = sum_forces(s, viscous, &g, &ranges, f);
+        force_sums sums = sum_forces(s, &g, &ranges, f);
         sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
         if (sph2d__group_near(&by, &g, &ranges)) {
-            sums = sum_forces(s, true, &g, &ranges, &s->walls);
-            fx += press * sums.press_x + wall_drag * sums.drag_x;
-            fy += press * sums.press_y + wall_drag * sums.drag_y;
+            sums = sum_forces(s, &g, &ranges, &s->walls);
+            sph2d__lanes hard = wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);
+            fx += hard * sums.press_x + drag * sums.drag_x;
+            fy += hard * sums.press_y + drag * sums.drag_y;
         }
         for (int l = 0; l < g.count; ++l) {
             size_t i = g.first + (size_t)l;
             double ax = fx[l] / f->density[i], ay = fy[l] / f->density[i];
             sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+            add_side_push(s, i, &ax, &ay);
             f->ax[i] = ax;
             f->ay[i] = ay;
         }
     }
-}
-
-static void force(sph2d__system *s, size_t first, size_t last)
-{
-    if (s->viscosity > 0)
-        force_with(s, true, first, last);
-    else
-        force_with(s, false, first, last);
 }
 
 #define NAME_(isa) sph2d__muller_passes_##isa

@@ -184,6 +184,16 @@ void sph2d__projection_end(sph2d__system *s)
     sph2d__over_fluid(s, press_slab, &share);
 }
 
+sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
+{
+    double h2 = s->support * s->support, q = hypot(dx, dy) / s->support;
+    double weight = s->calibration * s->walls.mass[b] / s->rest_density;
+    double g = weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
+               sph2d__kernel_slope_at(s->method.kernel, q);
+    double press = s->mass / (s->moment * s->rest_density) * (s->fluid.pressure[i] + s->walls.pressure[b]);
+    return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
+}
+
 /* Step limits as fractions of H^2/nu, viscosity being explicit, and of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. */
 static const double VISCOUS = 0.03;
 static const double FORCE = 0.18;

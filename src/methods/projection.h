@@ -56,6 +56,9 @@ void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
+/** The force of a boundary particle by the pressures that the solver left: method.h. */
+sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
+
 /** The shortest of the limits of method.h, without sound: no particle goes farther than cfl H, and none would under
  * the largest pressure, for which the gradients of a step must hold. */
 double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
@@ -78,7 +81,8 @@ void sph2d__projection_prepare(sph2d__system *system);
     (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(diagonal) | SPH2D__BIT(multiplier) |                      \
      SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
-    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(push))
+    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |        \
+     SPH2D__BIT(old_ay) | SPH2D__BIT(push))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \

@@ -40,6 +40,10 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
 /** e: the elastic energy of a kilogram [J/kg]. */
 static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
+    if (s->method.name == SPH2D_METHOD_MULLER) {
+        double x = fmax(density / s->rest_density, 1); /* no tension */
+        return s->modulus * (log(x) + 1 / x - 1);
+    }
     double torn = sph2d__density_of(s, -s->tension);
     if (density < torn)
         return sph2d__elastic_of(s, torn) + s->tension * (1 / density - 1 / torn);

@@ -27,8 +27,9 @@ typedef struct sph2d__system {
     double sound_speed;     /**< c0 [m/s] */
     double viscosity;       /**< dynamic [Pa s] */
     double surface_tension; /**< [N/m] */
-    double wall_viscosity;  /**< of fluid on boundary particles [Pa s] */
     double calibration;     /**< muller: factor on summed density that makes a filled lattice have the rest density */
+    double side_fill;       /**< muller: F of muller_side.h, times rest density [kg/m^3] */
+    double modulus;         /**< muller: pressure over summed density beyond rest density [m^2/s^2] */
     double moment;          /**< of a projection's gradients on a filled lattice, where 1 would be exact */
     double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
     double shift_gain;      /**< wcsph, fitted: shift velocity over U and the crowding; set for each step */

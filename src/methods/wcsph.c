@@ -191,6 +191,33 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
+/* Fuller, and farther than H from the surface, is inside: as in wcsph_force_pass.c. */
+static const double BULK = 0.75;
+
+static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    double h2 = s->support * s->support, r2 = dx * dx + dy * dy;
+    double g = sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
+               sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
+    double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
+    bool held = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->fullness[i] > BULK &&
+                f->surface[i] >= s->support;
+    double own = held ? -f->pressure[i] : f->pressure[i];
+    double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
+    sph2d__wall_force force = {.pressure = {-g * press * dx, -g * press * dy}};
+    if (s->wall_slip != SPH2D_SLIP_NONE)
+        return force;
+    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
+    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    double along = artificial + (morris ? 0 : s->viscosity), dvx = f->vx[i] - w->image_vx[b];
+    double dvy = f->vy[i] - w->image_vy[b], drag = vi * vb * g, approach = r2 > 0 ? (dvx * dx + dvy * dy) / r2 : 0;
+    double shear = morris ? 2 * s->viscosity : 0;
+    force.friction.x = drag * (8 * along * approach * dx + shear * dvx);
+    force.friction.y = drag * (8 * along * approach * dy + shear * dvy);
+    return force;
+}
+
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double sound = sqrt(sph2d__sound_speed2_at(s, s->densest));
@@ -229,5 +256,6 @@ const sph2d__method sph2d__wcsph = {
     .walls_placed = walls_placed,
     .evaluate = evaluate,
     .density_rate = density_rate,
+    .wall_force = wall_force,
     .stable_step = stable_step,
 };

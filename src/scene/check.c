@@ -261,22 +261,6 @@ static void check_probe(checker *c, size_t i)
         check_gauge(c, probe, i);
 }
 
-/** Forces and densities of `muller` come from different kernels, so that it has no energy to conserve and gains some
- *  from noise unless viscosity takes it: a dam break at nu = 1e-4 c0 H doubled its energy in a second, at 1e-2 it lost.
- */
-static void warn_viscosity(checker *c)
-{
-    const sph2d_scene *scene = c->scene;
-    sph2d__derived d = sph2d__scene_derive(scene);
-    double calm = 0.005 * scene->fluid.density * d.sound_speed * d.support_radius;
-    if (scene->method.name != SPH2D_METHOD_MULLER || scene->fluid.dynamic_viscosity >= calm)
-        return;
-    sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, "fluid.dynamic_viscosity",
-                                           "%g Pa s is too little to keep method muller calm at this spacing",
-                                           scene->fluid.dynamic_viscosity);
-    sph2d_diagnostic_hint(w, "take %.2g Pa s or more, or watch the energy in the summary", 2 * calm);
-}
-
 static void check_whole(checker *c)
 {
     const sph2d_scene *scene = c->scene;
@@ -295,8 +279,6 @@ static void check_whole(checker *c)
                                                  "without gravity and speeds nothing gives the sound speed");
         sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2, or the sound_speed c0, in m/s");
     }
-    if (c->errors == 0)
-        warn_viscosity(c);
 }
 
 sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)

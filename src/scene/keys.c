@@ -49,7 +49,7 @@ static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
-                                          "axes",   "quality", "momentum", "error",     NULL};
+                                          "axes",   "quality", "momentum", "error",     "volume", "level", NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
@@ -221,8 +221,8 @@ static const sph2d_key probe_items[] = {
     {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
-     .text = "of all liquid: energy, momentum, extent, axes, quality of the particles; at a point: speed, pressure, "
-             "elevation of the surface"},
+     .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
+             "speed, pressure, elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
      .text = "place, for the kinds at a point"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .standard = "0, a point",
@@ -264,6 +264,8 @@ static const sph2d_key run_items[] = {
      .standard = "none", .text = "HDF5 files"},
     {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .standard = "none",
      .text = "pictures"},
+    {"max_energy_rise", SPH2D_KEY_NUMBER, false, AT(sph2d_run, max_energy_rise), BETWEEN_OR_0(1e-6, 1e9), .unit = "",
+     .standard = "0.1", .text = "energy from nothing, over the scene's energy scale, that a guard lets pass"},
     {"impacts", SPH2D_KEY_NUMBERS, false, LIST_AT(sph2d_run, impacts.items, impacts.count), FROM_0, .unit = "s",
      .standard = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
 };
@@ -345,7 +347,9 @@ static const sph2d_key method_items[] = {
      .text = "wcsph, symmetric operators: antuono is exact for linear density, fourtakas for liquid at rest; fastest "
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .standard = "0", .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16"},
+     .unit = "", .standard = "muller 0.1, else 0",
+     .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
+             "least"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
@@ -354,7 +358,7 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
-     .standard = "from max_compression", .text = "k = c0^2 in p = k (rho - rho0)"},
+     .standard = "from max_compression", .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),

@@ -15,6 +15,7 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
     m.max_compression = or_else(m.max_compression, muller ? 0.1 : 0.01);
     m.support_ratio = or_else(m.support_ratio, muller ? 2.0 : !wcsph ? 2.4 : fitted ? 2.5 : 3.0);
     m.cfl = or_else(m.cfl, muller ? 0.4 : !wcsph ? 0.4 / m.support_ratio : fitted ? 0.25 : 0.3);
+    m.artificial_viscosity = or_else(m.artificial_viscosity, muller ? 0.1 : 0);
     m.tolerance = or_else(m.tolerance, m.max_compression / 100);
     return m;
 }

@@ -102,7 +102,7 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     sph2d_status status = sph2d__sim_aim(sim, r->time);
     if (status != SPH2D_OK)
         return status;
-    if (!sim->method->evaluate(s))
+    if (!sph2d__sim_book_fitted(sim, dt))
         return SPH2D_NOMEM;
     weigh(sim->weights, dt, r->last_step, r->older_step);
     r->older_step = r->last_step;

@@ -60,7 +60,25 @@ static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *
 /** What happened to particles on their ways. */
 typedef struct events {
     uint64_t hits, reflections, bad;
+    int64_t stopped, driven; /**< energy that walls took, and that moving ones gave, in whole parts (simulation.h) */
 } events;
+
+/** A particle at the end of its way. */
+typedef struct end {
+    sph2d_vec2 at, v;
+} end;
+
+/* More parts than any particle of a run that goes on has. */
+static const double MOST_PARTS = 1e15;
+
+/** The energy that a particle has more at one end than at another, in whole parts. */
+static int64_t parts_between(const sph2d_sim *sim, end more, end less)
+{
+    double energy = sph2d__sim_energy_of(sim, more.at.x, more.at.y, more.v.x, more.v.y) -
+                    sph2d__sim_energy_of(sim, less.at.x, less.at.y, less.v.x, less.v.y);
+    double parts = energy / sph2d__sim_energy_part(sim);
+    return fabs(parts) < MOST_PARTS ? (int64_t)parts : 0;
+}
 
 /** Moves one particle, which a wall or a side might stop. */
 static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
@@ -68,25 +86,39 @@ static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     sph2d_vec2 from = {f->x[i], f->y[i]};
+    end free = {{from.x + dx, from.y + dy}, *v};
+    uint64_t reflected = 0, stopped, pushed = 0;
     if (sim->system.walls_reflect) {
         sph2d_vec2 before = *v;
         if (reflect(&sim->system, from, v)) {
-            ++met->reflections;
+            ++reflected;
             double dt = sim->system.step;
             dx += dt * (v->x - before.x);
             dy += dt * (v->y - before.y);
         }
     }
     sph2d_vec2 to = {from.x + dx, from.y + dy};
-    met->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
-    if (sim->moving_count > 0)
-        met->hits += sweep_moving(sim, from, &to, v);
+    stopped = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
+    if (reflected + stopped > 0)
+        met->stopped += parts_between(sim, free, (end){to, *v});
+    if (sim->moving_count > 0) {
+        end before = {to, *v};
+        pushed = sweep_moving(sim, from, &to, v);
+        if (pushed > 0)
+            met->driven += parts_between(sim, (end){to, *v}, before);
+    }
     sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
                      sph2d__period_wrap(to.y, period->low_y, period->length_y)};
     if (in.x != to.x || in.y != to.y) { /* the last part of the way lies at the other side */
+        end before = {in, *v};
         from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
-        met->hits += (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
+        uint64_t held = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
+        if (held > 0)
+            met->stopped += parts_between(sim, before, (end){in, *v});
+        stopped += held;
     }
+    met->reflections += reflected;
+    met->hits += stopped + pushed;
     met->bad += !isfinite(in.x + in.y + v->x + v->y);
     f->x[i] = in.x;
     f->y[i] = in.y;
@@ -167,6 +199,8 @@ static void carry_flocks(void *with, size_t first, size_t last)
     j->met.hits += met.hits;
     j->met.reflections += met.reflections;
     j->met.bad += met.bad;
+    j->met.stopped += met.stopped;
+    j->met.driven += met.driven;
     sph2d__team_unlock(j->sim->system.team);
 }
 
@@ -180,6 +214,8 @@ sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph
     sph2d__share(sim->system.team, flocks, FLOCKS, carry_flocks, &j);
     sim->record.backstop_hits += j.met.hits;
     sim->record.reflections += j.met.reflections;
+    sim->record.energy_stopped += (double)j.met.stopped * sph2d__sim_energy_part(sim);
+    sim->record.energy_walls += (double)j.met.driven * sph2d__sim_energy_part(sim);
     return j.met.bad == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 

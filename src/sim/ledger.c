@@ -11,13 +11,26 @@
 enum { SAMPLE_STEPS = 10, BINS = 2048 };
 static const double IMPACT_WINDOW = 0.05;
 
+/** Potential over mass of a spring at `distance`. */
+static double spring_energy(const sph2d__spring_walls *w, double distance)
+{
+    double depth = w->range - distance;
+    return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
+}
+
+/* Gravity along a period has no potential: its work is booked (work.c). */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
     sph2d_vec2 corner = sim->scene.domain.min;
     const sph2d__body *body = &sim->system.body;
+    const sph2d__spring_walls *w = &body->springs;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
     double rx = x - body->center_x, ry = y - body->center_y;
-    double potential = -(body->gravity_x * (x - corner.x) + body->gravity_y * (y - corner.y)) +
-                       body->central_rate2 * (rx * rx + ry * ry) / 2;
+    double potential = -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
+    if (w->stiffness > 0)
+        potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
+                     spring_energy(w, w->top - y);
     return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
 }
 
@@ -94,10 +107,16 @@ static double mean_neighbours(const sph2d__system *s)
     return f->count > 0 ? (double)pairs / (double)f->count : 0;
 }
 
+bool sph2d__sim_is_elastic(const sph2d_sim *sim)
+{
+    sph2d_method name = sim->system.method.name;
+    return name == SPH2D_METHOD_WCSPH || name == SPH2D_METHOD_MULLER;
+}
+
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const bool elastic = sim->system.method.name == SPH2D_METHOD_WCSPH;
+    const bool elastic = sph2d__sim_is_elastic(sim);
     double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
@@ -129,9 +148,17 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .compression_p99 = r->compression_p99 / time,
         .compression_mean = r->compression_mean / time,
         .compression_max = r->compression_max,
+        .density_apart = r->density_apart,
         .energy_start = r->energy_start,
         .energy_fed = r->energy_fed,
-        .energy_rise = r->energy_rise,
+        .energy_rise = sph2d__sim_rise_is_known(sim) ? r->energy_rise : NAN,
+        .energy_error = sph2d__sim_error_is_known(sim) ? r->energy_error : NAN,
+        .energy_error_rise = sph2d__sim_error_is_known(sim) ? r->error_rise : NAN,
+        .energy_walls = r->energy_walls,
+        .energy_forces = r->energy_forces,
+        .energy_viscous = r->energy_viscous,
+        .energy_diffused = r->energy_diffused,
+        .energy_stopped = r->energy_stopped,
         .energy_scale = sph2d__sim_energy_scale(sim),
         .fed = r->fed,
         .blocked = r->blocked,

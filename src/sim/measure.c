@@ -11,9 +11,6 @@ static const double STEP_GROWTH = 1.2;
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
 
-/* Densities over rest density that integrated ones never have in a sound run. */
-static const double THINNEST = 0.2, DENSEST = 5;
-
 typedef struct extremes {
     double speed2, acceleration2, density, pressure;
     size_t bad;     /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
@@ -72,10 +69,9 @@ static void find_some_extremes(void *with, size_t first, size_t last)
 
 static extremes find_extremes(const sph2d_sim *sim)
 {
-    bool integrated = sim->scene.method.name == SPH2D_METHOD_WCSPH; /* sums over places have no such bounds */
-    double rho0 = sim->system.rest_density;
-    search s = {sim, walled_box(&sim->scene), integrated ? THINNEST * rho0 : -INFINITY,
-                integrated ? DENSEST * rho0 : INFINITY, {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
+    sph2d__bounds bounds = sph2d__sim_bounds(sim);
+    search s = {sim, walled_box(&sim->scene), bounds.thinnest, bounds.densest,
+                {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
     sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
     return s.found;
 }
@@ -99,14 +95,18 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
         return false;
     }
     if (e->strange != SIZE_MAX) {
+        const sph2d__store *f = &sim->system.fluid;
+        sph2d_vec2 at = {f->x[e->strange], f->y[e->strange]};
+        char where[SPH2D__WHERE_SIZE];
         sph2d_diagnostic *d = sph2d_report_add(
             report, SPH2D_ERROR, SPH2D_CODE_DENSITY, NULL,
-            "a density is none that a liquid has: %g kg/m^3, particle %llu at (%g, %g), step %llu, time %g s",
-            sim->system.fluid.density[e->strange], (unsigned long long)sim->system.fluid.id[e->strange],
-            sim->system.fluid.x[e->strange], sim->system.fluid.y[e->strange], (unsigned long long)sim->record.steps,
-            sim->record.time);
-        sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there; method.shifting: 1 and "
-                                 "method.tensile_control: on keep particles apart");
+            "a density is none that a liquid has: %g kg/m^3, particle %llu at (%g, %g), %s, step %llu, time %g s",
+            f->density[e->strange], (unsigned long long)f->id[e->strange], at.x, at.y,
+            sph2d__sim_where(sim, at, where), (unsigned long long)sim->record.steps, sim->record.time);
+        sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
+                              sim->scene.method.name == SPH2D_METHOD_WCSPH
+                                  ? "; method.shifting: 1 and method.tensile_control: on keep particles apart"
+                                  : "; lower method.cfl");
         return false;
     }
     if (e->escaped != SIZE_MAX) {

@@ -64,6 +64,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sim->method->density_rate(&sim->system);
+    sph2d__sim_book_diffusion(sim, dt);
     sph2d__sim_window(sim, middle, end);
     status = sph2d__carry(sim, dt, compress, sph2d__predict);
     if (status == SPH2D_OK)

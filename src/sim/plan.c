@@ -10,14 +10,17 @@
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {
     double g = hypot(scene->gravity.x, scene->gravity.y);
+    char part[16] = ""; /* that a pair force leaves */
+    if (d->stiffness_part != 1)
+        snprintf(part, sizeof part, "%.3g * ", d->stiffness_part);
     if (scene->method.sound_speed > 0)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
                  "as the scene names it; head %.4g m^2/s^2 gives compression %.3g %%", d->head,
                  100 * d->head / (d->sound_speed * d->sound_speed));
     else if (scene->method.stiffness > 0)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
-                 "sqrt(stiffness) = sqrt(%g); head %.4g m^2/s^2 gives compression %.3g %%", scene->method.stiffness,
-                 d->head, 100 * d->head / scene->method.stiffness);
+                 "sqrt(%sstiffness) = sqrt(%s%g); head %.4g m^2/s^2 gives compression %.3g %%", part, part,
+                 scene->method.stiffness, d->head, 100 * d->head / (d->sound_speed * d->sound_speed));
     else if (d->sound_speed <= d->ripple_speed)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
                  "sqrt(8 sigma/(rho dx)) = sqrt(8 * %g/(%g * %g)), for ripples", scene->fluid.surface_tension,

@@ -3,6 +3,7 @@
  *  A probe of how well the particles represent the liquid: how evenly they lie, how constant their density is. */
 #include <math.h>
 
+#include "sim/coverage.h"
 #include "sim/probes.h"
 
 /* Bins of distances from 0 to the support radius. */
@@ -88,10 +89,10 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
     (void)probe;
     const sph2d__system *s = &sim->system;
     const sph2d__store *f = &s->fluid;
-    for (int k = 0; k < 6; ++k)
+    for (int k = 0; k < 8; ++k)
         values[k] = NAN;
     if (f->count == 0)
-        return 6;
+        return 8;
     look l = {.sim = sim};
     find_distances(&l);
     const distances *d = &l.found;
@@ -108,5 +109,8 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
     values[3] = sqrt(square / n);
     values[4] = most;
     values[5] = sqrt(speed2) / s->sound_speed;
-    return 6;
+    sph2d_densities inside = sph2d_sim_densities(sim);
+    values[6] = inside.told;
+    values[7] = inside.counted;
+    return 8;
 }

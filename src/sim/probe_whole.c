@@ -17,7 +17,8 @@ size_t sph2d__probe_energy(const sph2d_sim *sim, const sph2d_probe *probe, doubl
     values[4] = (double)sim->system.fluid.count;
     values[5] = sum.speed_max;
     values[6] = sum.elastic;
-    return 7;
+    values[7] = sph2d__sim_error_is_known(sim) ? sim->record.energy_error / sph2d__sim_energy_scale(sim) : NAN;
+    return 8;
 }
 
 /** Centre of mass, summed from the domain's centre, so that coordinates far from 0 lose no digits; NaN without liquid.

@@ -13,7 +13,7 @@ typedef size_t sph2d__probe_kind(const sph2d_sim *sim, const sph2d_probe *probe,
 sph2d__probe_kind sph2d__probe_speed, sph2d__probe_pressure, sph2d__probe_elevation;
 /* Of all liquid. */
 sph2d__probe_kind sph2d__probe_energy, sph2d__probe_momentum, sph2d__probe_extent, sph2d__probe_axes;
-sph2d__probe_kind sph2d__probe_error;
+sph2d__probe_kind sph2d__probe_error, sph2d__probe_volume, sph2d__probe_level;
 /* Of the particles. */
 sph2d__probe_kind sph2d__probe_quality;
 

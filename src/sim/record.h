@@ -22,10 +22,29 @@
     X(pointer_y, "PointerY", 1, 0, 0, "place of the steering pointer")                                                 \
     X(pointer_radius, "PointerRadius", 1, 0, 0, "reach of the steering pointer")                                       \
     X(pointer_acceleration, "PointerAcceleration", 1, 0, -2, "strength of the steering pointer; 0 for none")           \
-    X(energy_start, "EnergyStart", 1, 1, -2, "kinetic, potential and elastic energy at the start, per metre")           \
-    X(energy_low, "EnergyLow", 1, 1, -2, "least energy so far, less what particles brought and took, per metre")       \
-    X(energy_rise, "EnergyRise", 1, 1, -2, "largest rise of energy above an earlier moment, per metre")                \
+    X(energy_start, "EnergyStart", 1, 1, -2, "kinetic, potential and elastic energy at the start, per metre")          \
     X(energy_fed, "EnergyFed", 1, 1, -2, "energy that particles brought and took, per metre")                          \
+    X(energy_walls, "EnergyWalls", 1, 1, -2, "work of walls that move, per metre")                                     \
+    X(energy_forces, "EnergyForces", 1, 1, -2, "work of interactions and of forces along periods, per metre")          \
+    X(energy_viscous, "EnergyViscous", 1, 1, -2, "energy that viscosity took, per metre")                              \
+    X(energy_diffused, "EnergyDiffused", 1, 1, -2, "elastic energy that diffusion of density took, per metre")         \
+    X(energy_stopped, "EnergyStopped", 1, 1, -2, "energy that the swept test and reflections took, per metre")         \
+    X(power_walls, "PowerWalls", 1, 1, -3, "of walls that move, when it was looked at last, per metre")                \
+    X(power_friction, "PowerFriction", 1, 1, -3, "of their friction, per metre")                                       \
+    X(drives_time, "DrivesTime", 0, 0, 1, "time of the last look at walls and forces")                                 \
+    X(power_forces, "PowerForces", 1, 1, -3,                                                                           \
+      "of interactions and of forces along periods, when it was looked at last, per metre")                            \
+    X(power_viscous, "PowerViscous", 1, 1, -3, "of viscosity on the liquid, when it was looked at last, per metre")    \
+    X(power_diffusion, "PowerDiffusion", 1, 1, -3, "of diffusion of density, when it was looked at last, per metre")   \
+    X(booked_time, "BookedTime", 0, 0, 1, "time of the last look at powers")                                           \
+    X(energy_low, "EnergyLow", 1, 1, -2, "least energy so far, less what was brought, per metre")                      \
+    X(energy_rise, "EnergyRise", 1, 1, -2,                                                                             \
+      "largest rise of energy above an earlier moment, less what was brought, per metre")                              \
+    X(energy_error, "EnergyError", 1, 1, -2, "energy that does not add up, per metre")                                 \
+    X(error_low, "EnergyErrorLow", 1, 1, -2, "least of it so far, per metre")                                          \
+    X(error_rise, "EnergyErrorRise", 1, 1, -2, "its largest rise above an earlier moment, per metre")                  \
+    X(density_apart, "DensityApart", 0, 0, 0,                                                                          \
+      "largest difference of the densities that are told and counted inside the liquid, over rest density")            \
     X(compression_max, "CompressionMax", 0, 0, 0, "largest compression so far")                                        \
     X(compression_p99, "CompressionP99Integral", 0, 0, 1, "99th percentile of compression, summed over time")          \
     X(compression_mean, "CompressionMeanIntegral", 0, 0, 1, "mean compression, summed over time")                      \

@@ -62,14 +62,50 @@ sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 /** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is told [J/m]. */
 double sph2d__sim_energy_scale(const sph2d_sim *sim);
 
-/** Notes how far energy rises above an earlier moment (energy.c). */
-void sph2d__sim_watch_energy(sph2d_sim *sim);
+/** Books work and dissipation from time to time, and how far energy rises above an earlier moment (energy.c). Errors:
+ *  SPH2D_NOMEM. */
+sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim);
+/** Energy that a particle would have lost on its way, in parts of which whole ones are counted: their sum is the same
+ * for any number of threads [J/m]. */
+double sph2d__sim_energy_part(const sph2d_sim *sim);
+
+/** Where a place is, for people: "0.4 spacings from obstacles[1], nearest to blocks[0]" (where.c). */
+enum { SPH2D__WHERE_SIZE = 160 };
+const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 place, char text[SPH2D__WHERE_SIZE]);
+
+/** How far an obstacle of the scene has moved, at the end of the last step [m]. */
+sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
+
+/** Densities that liquid may have by the method [kg/m^3], and the part of the scene's energy scale by which energy may
+ *  rise. */
+typedef struct sph2d__bounds {
+    double thinnest, densest, rise;
+} sph2d__bounds;
+sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim);
 
 /** False, reported, when energy came from nothing. */
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
 
+/** Whether work and dissipation are looked at when so many steps are done. */
+bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps);
+/** Whether the error of energy, and its rise from nothing, can be known: see work.c on fitted operators. */
+bool sph2d__sim_error_is_known(const sph2d_sim *sim);
+bool sph2d__sim_rise_is_known(const sph2d_sim *sim);
+/** Books the work done since the last look (work.c), which is then now. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_book(sph2d_sim *sim);
+/** Books the work of walls that move and of forces, in every few steps. */
+void sph2d__sim_book_drives(sph2d_sim *sim);
+/** Parts of the work that schemes have to book: in the middle of a step of `dt`, once rates of density are known; behind a
+ *  pressure solver; and in place of a fitted method's evaluation, which is false when memory is short. */
+void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt);
+void sph2d__sim_book_projection(sph2d_sim *sim, double dt);
+bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
+
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
+
+/** Whether density tells the elastic energy of the method's liquid (state_equation.h). */
+bool sph2d__sim_is_elastic(const sph2d_sim *sim);
 
 /** Sums energy and momentum over the fluid, and finds the largest speed, into those members of a summary. */
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out);

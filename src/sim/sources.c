@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "methods/state_equation.h"
 #include "sim/simulation.h"
 
 /* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart; the
@@ -210,6 +211,8 @@ static void count_lost(sph2d_sim *sim, size_t i)
     int side = side_left(&sim->scene, f->x[i], f->y[i]);
     ++*(side >= 0 ? left[side] : &r->drained);
     r->energy_fed -= sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
+    if (sph2d__sim_is_elastic(sim))
+        r->energy_fed -= sim->system.mass * sph2d__elastic_of(&sim->system, f->density[i]);
 }
 
 static bool can_lose(const sph2d_scene *scene)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file step.c
  *  One step: sources and drains, the method's scheme, the clock, the guards. */
+#include "sim/coverage.h"
 #include "sim/integrators.h"
 
 static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)
@@ -89,7 +90,10 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
     sph2d__sim_read_gauges(sim, dt);
-    sph2d__sim_watch_energy(sim);
+    sph2d__sim_watch_density(sim);
+    status = sph2d__sim_watch_energy(sim);
+    if (status != SPH2D_OK)
+        return halt(sim, status, report);
     if (!sph2d__sim_guard_energy(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);

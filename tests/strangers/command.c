@@ -297,7 +297,8 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
     else {
         library = judge_by_library(p, sph2d_scene_file_scene(file), v, &sim);
         if (run.code == 1)
-            verdict_fail(v, "guard", "check accepts the scene, a guard stops it: %s", message);
+            verdict_fail(v, strstr(message, "energy came from nothing") ? "energy" : "guard",
+                         "check accepts the scene, a guard stops it: %s", message);
         if (library.finished != (run.code == 0))
             verdict_fail(v, "agree", "the command ends with %d, the library %s", run.code,
                          library.finished ? "runs to the end" : library.started ? "is stopped" : "does not start");

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/** @file where.c
+ *  Where something happened, in words of the scene: the wall that is nearest, and the block or source. */
+#include <math.h>
+#include <stdio.h>
+
+#include "sim/simulation.h"
+
+/** What is nearest so far. */
+typedef struct nearest {
+    char name[48];
+    double distance; /**< [m] */
+} nearest;
+
+static void look_at(nearest *n, double distance, const char *list, size_t index)
+{
+    if (!(distance < n->distance))
+        return;
+    n->distance = distance;
+    snprintf(n->name, sizeof n->name, "%s[%zu]", list, index);
+}
+
+sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+{
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        if (sim->moving[k].motion == &obstacle->motion)
+            return sim->moving[k].to;
+    return (sph2d_vec2){0, 0};
+}
+
+static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_vec2 p)
+{
+    double least = INFINITY;
+    sph2d_vec2 way = sph2d__sim_way_of(sim, obstacle), q = {p.x - way.x, p.y - way.y};
+    size_t pieces = sph2d__outline_pieces(&obstacle->outline, sim->scene.spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment piece = sph2d__outline_piece(&obstacle->outline, sim->scene.spacing, k);
+        least = fmin(least, sph2d__segment_distance(&piece, q));
+    }
+    return least;
+}
+
+static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
+{
+    const sph2d_scene *scene = &sim->scene;
+    const sph2d_box d = scene->domain;
+    const sph2d_boundary b = scene->boundary;
+    const struct {
+        sph2d_side kind;
+        double distance;
+        const char *name;
+    } sides[4] = {{b.left, p.x - d.min.x, "left side"},
+                  {b.right, d.max.x - p.x, "right side"},
+                  {b.bottom, p.y - d.min.y, "bottom side"},
+                  {b.top, d.max.y - p.y, "top side"}};
+    nearest n = {"", INFINITY};
+    for (int k = 0; k < 4; ++k)
+        if (sides[k].kind == SPH2D_SIDE_WALL && fabs(sides[k].distance) < n.distance) {
+            n.distance = fabs(sides[k].distance);
+            snprintf(n.name, sizeof n.name, "the %s", sides[k].name);
+        }
+    for (size_t k = 0; k < scene->obstacle_count; ++k)
+        look_at(&n, distance_to(sim, &scene->obstacles[k], p), "obstacles", k);
+    return n;
+}
+
+/** The block or source that began nearest to a place. */
+static nearest nearest_liquid(const sph2d_sim *sim, sph2d_vec2 p)
+{
+    const sph2d_scene *scene = &sim->scene;
+    nearest n = {"", INFINITY};
+    for (size_t k = 0; k < scene->block_count; ++k) {
+        sph2d_box b = sph2d__shape_bounds(&scene->blocks[k].shape);
+        double x = fmax(fmax(b.min.x - p.x, p.x - b.max.x), 0), y = fmax(fmax(b.min.y - p.y, p.y - b.max.y), 0);
+        look_at(&n, hypot(x, y), "blocks", k);
+    }
+    for (size_t k = 0; k < scene->source_count; ++k)
+        look_at(&n, hypot(scene->sources[k].at.x - p.x, scene->sources[k].at.y - p.y), "sources", k);
+    return n;
+}
+
+const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 p, char text[SPH2D__WHERE_SIZE])
+{
+    nearest wall = nearest_wall(sim, p), liquid = nearest_liquid(sim, p);
+    if (wall.distance < INFINITY && liquid.distance < INFINITY)
+        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s, nearest to %s", wall.distance / sim->scene.spacing,
+                 wall.name, liquid.name);
+    else if (wall.distance < INFINITY)
+        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s", wall.distance / sim->scene.spacing, wall.name);
+    else if (liquid.distance < INFINITY)
+        snprintf(text, SPH2D__WHERE_SIZE, "nearest to %s", liquid.name);
+    else
+        snprintf(text, SPH2D__WHERE_SIZE, "in the open");
+    return text;
+}

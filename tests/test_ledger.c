@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_ledger.c
+ *  Energy adds up: what viscosity, diffusion and walls take and what walls, interactions, periods and particles bring,
+ *  each in a flow in which it is all that changes energy. */
+#include <math.h>
+#include <string.h>
+
+#include "common.h"
+#include "sim/simulation.h"
+
+static sph2d_scene scene;
+static sph2d_block block;
+
+/** Liquid of wcsph that neither dissipates nor shifts, c0 = 10 m/s, in a box of 1 m. */
+static void plain_liquid(double dx)
+{
+    scene = test_scene(dx, 0, 0, 1, 1);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = 10;
+    scene.method.density_diffusion = 0;
+    scene.method.shifting = 0;
+    scene.method.tensile_control = SPH2D_SWITCH_OFF;
+    block = test_block(0, 0, 1, 1);
+    scene.blocks = &block;
+    scene.block_count = 1;
+}
+
+static void close_periods(void)
+{
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC,
+                                      SPH2D_SIDE_PERIODIC};
+}
+
+static double energy_of(const sph2d_summary *s)
+{
+    return s->kinetic + s->potential + s->elastic;
+}
+
+/** Runs `steps` steps; the last of them is one of those in which powers are looked at, where `steps` is a multiple of
+ * 60. */
+static sph2d_summary run(sph2d_sim *sim, int steps)
+{
+    test_steps(sim, steps);
+    return sph2d_sim_summary(sim);
+}
+
+/* ---- what takes -------------------------------------------------------------------------------------------------- */
+
+/** Vortices that decay: both forms of viscosity, artificial viscosity, fitted operators, and muller's. */
+START_TEST(viscosity_takes_what_vortices_lose)
+{
+    plain_liquid(0.05);
+    close_periods();
+    block.start = (sph2d_flow){.kind = SPH2D_FLOW_TAYLOR_GREEN, .speed = 1, .length = 1};
+    scene.fluid.dynamic_viscosity = _i == 2 ? 0 : 10;
+    scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
+    scene.method.artificial_viscosity = _i == 2 ? 0.2 : 0;
+    if (_i == 3) {
+        scene.method = sph2d_scene_default().method;
+        scene.method.name = SPH2D_METHOD_WCSPH;
+        scene.method.operators = SPH2D_OPERATORS_FITTED;
+        scene.method.sound_speed = 10;
+    }
+    scene.method.time_step = 0.001;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_summary s = run(sim, 600);
+    double lost = s.energy_start - energy_of(&s);
+    ck_assert_double_gt(lost, 0.2 * s.energy_start);
+    ck_assert_double_le(fabs(s.energy_viscous - lost), 0.01 * lost);
+    ck_assert_double_le(fabs(s.energy_error), 0.01 * lost);
+    ck_assert_double_le(s.energy_rise, 0.001 * lost);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Sound in a disturbed cloud, damped by diffusion of density alone. */
+START_TEST(diffusion_takes_what_sound_loses)
+{
+    plain_liquid(0.05);
+    close_periods();
+    scene.method.density_diffusion = 0.1;
+    if (_i == 1)
+        scene.method.diffusion_form = SPH2D_DIFFUSION_FOURTAKAS;
+    scene.method.time_step = 0.0003;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i)
+        f->density[i] = 1000 * (1 + 0.01 * sin(2 * TEST_PI * f->x[i]) + 0.003 * cos(6 * TEST_PI * f->y[i]));
+    ck_assert(sim->method->evaluate(&sim->system));
+    sph2d_summary s = sph2d_sim_summary(sim);
+    sim->record.energy_start = energy_of(&s);
+    double start = energy_of(&s);
+    sim->record.energy_low = start;
+    s = run(sim, 2400);
+    double lost = start - energy_of(&s);
+    ck_assert_double_gt(lost, 0.05 * start);
+    ck_assert_double_le(fabs(s.energy_diffused - lost), 0.03 * lost);
+    ck_assert_double_le(fabs(s.energy_error), 0.03 * lost);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** A lone particle that is stopped by a line, straight or at a slant: what it loses is booked, to the counted part. */
+START_TEST(a_wall_at_rest_takes_what_it_stops)
+{
+    scene = test_open_scene(0.05, 0, 0, 1, 1);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_MULLER;
+    scene.method.sound_speed = 10;
+    sph2d_vec2 ends[2] = {{0.5, 0}, {0.5 + 0.3 * _i, 1}};
+    sph2d_obstacle wall = sph2d_obstacle_default();
+    wall.outline.kind = SPH2D_OUTLINE_LINE;
+    wall.outline.line.items = ends;
+    wall.outline.line.count = 2;
+    wall.form = SPH2D_WALL_REFLECT;
+    scene.obstacles = &wall;
+    scene.obstacle_count = 1;
+    block = test_particle(0.05, 0.3, 0.5, 8, 0);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_summary s;
+    do
+        s = run(sim, 1);
+    while (s.reflections + s.backstop_hits == 0 && s.steps < 100);
+    double lost = s.energy_start - energy_of(&s);
+    ck_assert_uint_lt(s.steps, 100);
+    ck_assert_double_gt(lost, 0.01 * s.energy_start);
+    ck_assert_double_eq_tol(s.energy_stopped, lost, 1e-8 * s.energy_start);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- what brings ------------------------------------------------------------------------------------------------- */
+
+/** Forces between particles of the liquid are opposite: its momentum changes by what boundary particles do alone. */
+START_TEST(forces_of_walls_are_the_whole_change_of_momentum)
+{
+    static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_WCSPH, SPH2D_METHOD_MULLER,
+                                           SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
+    plain_liquid(0.05);
+    if (_i >= 2) {
+        scene.method = sph2d_scene_default().method;
+        scene.method.sound_speed = 10;
+    }
+    scene.method.name = methods[_i];
+    scene.method.max_compression = 0.5; /* nobody is corrected by himself */
+    scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
+    scene.fluid.dynamic_viscosity = 5;
+    scene.wall_slip = _i < 2 ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
+    sph2d_obstacle disc = sph2d_obstacle_default();
+    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    disc.outline.circle = (sph2d_disc){{0.5, 0.5}, 0.15};
+    scene.obstacles = &disc;
+    scene.obstacle_count = 1;
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    block = test_block(0.25, 0.25, 0.75, 0.9);
+    block.velocity = (sph2d_vec2){0.7, -0.9};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 12);
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    if (sim->method->project) {
+        sim->system.step = sim->record.next_step;
+        sim->system.speed = sim->record.speed;
+        sim->method->project(&sim->system);
+    } else {
+        ck_assert(sim->method->evaluate(&sim->system));
+    }
+    double px = 0, py = 0, fx = 0, fy = 0, size = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        px += s->mass * f->ax[i];
+        py += s->mass * f->ay[i];
+        for (size_t b = 0; b < w->count; ++b) {
+            double dx = f->x[i] - w->x[b], dy = f->y[i] - w->y[b];
+            if (!(hypot(dx, dy) < s->support))
+                continue;
+            sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
+            fx += force.pressure.x + force.friction.x;
+            fy += force.pressure.y + force.friction.y;
+            size += hypot(force.pressure.x, force.pressure.y);
+        }
+    }
+    ck_assert_double_gt(size, 0);
+    ck_assert_double_gt(hypot(fx, fy), 0.01 * size);
+    ck_assert_double_le(hypot(px - fx, py - fy), 1e-6 * size);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** A lid drags liquid, a box shakes it: what walls bring less what friction takes is what the liquid has. */
+START_TEST(moving_walls_bring_what_liquid_gains)
+{
+    plain_liquid(0.05);
+    scene.fluid.dynamic_viscosity = 20;
+    sph2d_obstacle box = sph2d_obstacle_default();
+    if (_i == 0) {
+        scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+        scene.wall_slip = SPH2D_SLIP_NONE;
+        scene.wall_speeds.top = 1;
+    } else {
+        scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+        scene.gravity = (sph2d_vec2){0, -10};
+        static const sph2d_vec2 corners[4] = {{0.2, 1}, {0.2, 0.2}, {0.8, 0.2}, {0.8, 1}};
+        box.outline.kind = SPH2D_OUTLINE_POLYLINE;
+        box.outline.polyline.items = corners;
+        box.outline.polyline.count = 4;
+        box.motion.amplitude = (sph2d_vec2){0.02, 0.01};
+        box.motion.frequency = 1;
+        scene.obstacles = &box;
+        scene.obstacle_count = 1;
+        scene.method.density_diffusion = 0.1;
+        scene.wall_slip = SPH2D_SLIP_NONE; /* along smooth walls the rate of density and the forces differ */
+        block = test_block(0.2, 0.2, 0.8, 0.6);
+    }
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_summary s = run(sim, 600);
+    double brought = fabs(s.energy_walls) + s.energy_viscous, gained = energy_of(&s) - s.energy_start;
+    ck_assert_double_gt(brought, _i == 0 ? 10 : 0.5);
+    ck_assert_double_gt(s.energy_viscous, 0);
+    ck_assert_double_le(fabs(gained - s.energy_walls + s.energy_viscous + s.energy_diffused), 0.05 * brought);
+    ck_assert_double_le(fabs(s.energy_error), 0.05 * brought);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Liquid that falls along a period, and a particle that an interaction pulls. */
+START_TEST(forces_bring_what_falls_gain)
+{
+    plain_liquid(0.1);
+    close_periods();
+    scene.gravity = (sph2d_vec2){_i == 0 ? 2 : 0, _i == 1 ? -3 : 0};
+    sph2d_interaction pull = sph2d_interaction_default();
+    sph2d_path_point at = {0, 0.5, 0.5};
+    pull.path.items = &at;
+    pull.path.count = 1;
+    pull.radius = 0.4;
+    pull.acceleration = 1;
+    scene.method.time_step = 0.002;
+    if (_i == 2) {
+        block = test_particle(0.1, 0.25, 0.5, 0, 0);
+        scene.interactions = &pull;
+        scene.interaction_count = 1;
+    }
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_summary s = run(sim, 240);
+    ck_assert_double_gt(s.kinetic, 0);
+    ck_assert_double_le(fabs(s.potential), 1e-9);
+    ck_assert_double_le(fabs(s.energy_forces - s.kinetic), 0.002 * s.kinetic);
+    if (_i < 2) /* m n (g t)^2/2 */
+        ck_assert_double_eq_tol(s.kinetic, 1000 * pow((_i == 0 ? 2 : 3) * s.time, 2) / 2, 1e-6 * s.kinetic);
+    ck_assert_double_le(fabs(s.energy_error), 0.002 * s.kinetic);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** What a drain takes is all that the particles had, that of compression too. */
+START_TEST(drains_take_elastic_energy_along)
+{
+    plain_liquid(0.1);
+    close_periods();
+    sph2d_drain drain = sph2d_drain_default();
+    drain.shape.kind = SPH2D_SHAPE_BOX;
+    drain.shape.box = (sph2d_box){{0, 0}, {0.5, 1}};
+    scene.drains = &drain;
+    scene.drain_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d__store *f = &sim->system.fluid;
+    double e = 0, c2 = 100;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->density[i] = 1050;
+        e = c2 * (log(1.05) + 1 / 1.05 - 1);
+    }
+    sim->record.energy_low = INFINITY; /* what comes in here comes from somewhere */
+    test_steps(sim, 1);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_uint_eq(s.drained, 50);
+    ck_assert_double_eq_tol(s.energy_fed, -50 * 10 * e, 1e-9 * 500 * e);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- the guard --------------------------------------------------------------------------------------------------- */
+
+/** Energy that somebody puts in unseen stops a run by any method, while a wall moves too; a key lets it pass. */
+START_TEST(energy_from_nothing_stops_every_method)
+{
+    static const sph2d_method methods[] = {SPH2D_METHOD_MULLER, SPH2D_METHOD_WCSPH, SPH2D_METHOD_PCISPH,
+                                           SPH2D_METHOD_CONSTRAINT};
+    scene = test_scene(0.05, 0, 0, 1, 1);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = methods[_i % 4];
+    scene.gravity = (sph2d_vec2){0, -10};
+    scene.run.max_energy_rise = _i < 4 ? 0 : 1e6;
+    sph2d_obstacle disc = sph2d_obstacle_default();
+    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    disc.outline.circle = (sph2d_disc){{0.7, 0.5}, 0.1};
+    disc.motion.amplitude = (sph2d_vec2){0.01, 0};
+    disc.motion.frequency = 1;
+    scene.obstacles = &disc;
+    scene.obstacle_count = 1;
+    block = test_block(0, 0, 0.5, 0.5);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_report report = {0};
+    test_steps(sim, 40);
+    ck_assert_double_lt(sph2d_sim_summary(sim).energy_rise, 0.1 * sph2d_sim_summary(sim).energy_scale);
+    for (size_t i = 0; i < sim->system.fluid.count; ++i)
+        sim->system.fluid.vx[i] += 8; /* v^2/2 is 6.4 g h */
+    sph2d_status status = SPH2D_OK;
+    for (int n = 0; n < 40 && status == SPH2D_OK; ++n)
+        status = sph2d_sim_step(sim, &report);
+    if (_i < 4) {
+        ck_assert_int_eq(status, SPH2D_GUARD);
+        ck_assert(test_report_has(&report, SPH2D_CODE_ENERGY, NULL));
+        ck_assert_ptr_nonnull(strstr(test_report_text(&report), "spacings from"));
+        ck_assert_ptr_nonnull(strstr(test_report_text(&report), "nearest to blocks[0]"));
+    } else {
+        ck_assert(!test_report_has(&report, SPH2D_CODE_ENERGY, NULL));
+    }
+    sph2d_report_clear(&report);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+Suite *suite_ledger(void)
+{
+    Suite *suite = suite_create("ledger");
+    TCase *cases = tcase_create("ledger");
+    tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 4);
+    tcase_add_loop_test(cases, diffusion_takes_what_sound_loses, 0, 2);
+    tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
+    tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 5);
+    tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 2);
+    tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
+    tcase_add_test(cases, drains_take_elastic_energy_along);
+    tcase_add_loop_test(cases, energy_from_nothing_stops_every_method, 0, 8);
+    suite_add_tcase(suite, cases);
+    return suite;
+}
