@@ -51,7 +51,7 @@ static sph2d_sim *one_particle(sph2d_vec2 at, sph2d_vec2 v, double damping, doub
 START_TEST(each_side_pushes_inwards)
 {
     /* Distances in spacings from left or right, and from bottom or top; 20 is the middle. */
-    static const double places[][2] = {{0.3, 20}, {39.7, 20}, {20, 0.2}, {20, 39.8}, {0.3, 39.7}, {0.6, 39.4}};
+    static const double places[][2] = {{0.3, 20}, {39.7, 20}, {20, 0.2}, {20, 39.8}, {0.45, 39.55}, {0.6, 39.4}};
     const double *p = places[_i];
     sph2d_sim *sim = one_particle((sph2d_vec2){p[0] * DX, p[1] * DX}, (sph2d_vec2){0, 0}, 0.1, 1e-5, false);
     double expected[2];
@@ -113,7 +113,7 @@ static bounce throw_down(sph2d_vec2 v, double damping, double step)
 
 START_TEST(a_faster_particle_goes_deeper_and_bounces_harder)
 {
-    for (double v = 0.5; v <= 4; v *= 2) {
+    for (double v = 0.25; v <= 2; v *= 2) { /* not so deep that the side makes a single particle dense */
         bounce b = throw_down((sph2d_vec2){0, -v}, 0, 5e-6);
         ck_assert_double_eq_tol(b.depth / (v / W), 1, 1e-4);
         ck_assert_double_eq_tol(b.hardest / (v * W), 1, 1e-4);

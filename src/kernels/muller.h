@@ -87,18 +87,26 @@ static inline double sph2d__poly6_lattice_response(double support, double spacin
     return slopes / values;
 }
 
-/** The part of a lattice's poly6 sum that rows on one side of a particle's own give. */
-static inline double sph2d__poly6_beyond_sum(double support, double spacing)
+/** The part of a lattice's poly6 sum that particles from row and column `rows` and `columns` on give. */
+static inline double sph2d__poly6_part(double support, double spacing, int columns, int rows)
 {
     int reach = (int)(support / spacing) + 1;
-    double own = 0, all = 0;
-    for (int i = -reach; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j) {
-            double w = sph2d__poly6_shape(support * support, (i * i + j * j) * spacing * spacing);
-            all += w;
-            own += j == 0 ? w : 0;
-        }
-    return (1 - own / all) / 2;
+    double sum = 0;
+    for (int i = columns; i <= reach; ++i)
+        for (int j = rows; j <= reach; ++j)
+            sum += sph2d__poly6_shape(support * support, (i * i + j * j) * spacing * spacing);
+    return sum * sph2d__poly6_constant(support) * spacing * spacing / sph2d__poly6_lattice_sum(support, spacing);
+}
+
+/** That of the rows on one side of a particle's own, and that of a quarter without its own row and column. */
+static inline double sph2d__poly6_beyond_sum(double support, double spacing)
+{
+    return sph2d__poly6_part(support, spacing, -(int)(support / spacing) - 1, 1);
+}
+
+static inline double sph2d__poly6_quarter_sum(double support, double spacing)
+{
+    return sph2d__poly6_part(support, spacing, 1, 1);
 }
 
 /** The square of the speed of sound over k in p = k (rho - rho0) for a filled lattice: 0.443 at H/dx = 2. */

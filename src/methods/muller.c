@@ -51,13 +51,19 @@ static void weigh_walls(sph2d__system *s)
     }
 }
 
+/** What sides add (muller_side.h). Pairs of a lattice under even pressure p push its last row by p/(rho0 dx). */
+static void fill_sides(sph2d__system *s)
+{
+    double beside = sph2d__poly6_beyond_sum(s->support, s->spacing), q = s->spacing / s->support;
+    s->side_fill = s->rest_density * beside;
+    s->corner_fill = s->rest_density * sph2d__poly6_quarter_sum(s->support, s->spacing);
+    s->side_power = (1 - q * q) / (2 * q * q * beside);
+}
+
 static void prepare(sph2d__system *s)
 {
-    sph2d__side_part first = {0, 0};
-    sph2d__side_add(s, s->spacing / 2, &first);
-    double beyond = sph2d__poly6_beyond_sum(s->support, s->spacing);
     s->calibration = 1 / sph2d__poly6_lattice_sum(s->support, s->spacing);
-    s->side_fill = first.value > 0 ? s->rest_density * beyond / first.value : 0;
+    fill_sides(s);
     s->moment = sph2d__spiky_lattice_stress(s->support, s->spacing);
     s->modulus = s->sound_speed * s->sound_speed / sph2d__poly6_lattice_response(s->support, s->spacing);
     double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;

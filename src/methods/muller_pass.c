@@ -33,28 +33,22 @@ SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, 
 /** What the sides with springs add to the density at a place. */
 SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
 {
-    const sph2d__spring_walls *w = &s->body.springs;
-    sph2d__side_part sum = {0, 0};
-    const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
-    for (int k = 0; k < 4; ++k)
-        if (distances[k] < s->support)
-            sph2d__side_add(s, distances[k], &sum);
-    return s->side_fill * sum.value;
+    sph2d__side_part parts[2];
+    sph2d__sides_at(s, x, y, parts);
+    return s->side_fill * (parts[0].value + parts[1].value) + s->corner_fill * parts[0].value * parts[1].value;
 }
 
 /** The push of these sides on particle i. */
 SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, double *ay)
 {
-    const sph2d__spring_walls *w = &s->body.springs;
     const sph2d__store *f = &s->fluid;
-    double x = f->x[i], y = f->y[i], rho = f->density[i], push = s->side_fill * f->pressure[i] / (rho * rho);
-    const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
-    for (int k = 0; k < 4; ++k)
-        if (distances[k] < s->support && push > 0) {
-            sph2d__side_part part = {0, 0};
-            sph2d__side_add(s, distances[k], &part);
-            *(k < 2 ? ax : ay) += (k & 1 ? -push : push) * part.slope;
-        }
+    double rho = f->density[i], push = f->pressure[i] / (rho * rho);
+    if (!(push > 0))
+        return;
+    sph2d__side_part parts[2];
+    sph2d__sides_at(s, f->x[i], f->y[i], parts);
+    *ax += push * (s->side_fill + s->corner_fill * parts[1].value) * parts[0].slope;
+    *ay += push * (s->side_fill + s->corner_fill * parts[0].value) * parts[1].slope;
 }
 
 static void density(sph2d__system *s, size_t first, size_t last)

@@ -29,6 +29,8 @@ typedef struct sph2d__system {
     double surface_tension; /**< [N/m] */
     double calibration;     /**< muller: factor on summed density that makes a filled lattice have the rest density */
     double side_fill;       /**< muller: F of muller_side.h, times rest density [kg/m^3] */
+    double corner_fill;     /**< muller: Q, times rest density [kg/m^3] */
+    double side_power;      /**< muller: m */
     double modulus;         /**< muller: pressure over summed density beyond rest density [m^2/s^2] */
     double moment;          /**< of a projection's gradients on a filled lattice, where 1 would be exact */
     double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
