@@ -194,6 +194,7 @@ static bool evaluate(sph2d__system *s)
 /* Fuller, and farther than H from the surface, is inside: as in wcsph_force_pass.c. */
 static const double BULK = 0.75;
 
+/** What slides is pushed along by liquid, not by the wall: along_x, along_y take that part off. */
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
@@ -205,7 +206,8 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
                 f->surface[i] >= s->support;
     double own = held ? -f->pressure[i] : f->pressure[i];
     double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
-    sph2d__wall_force force = {.pressure = {-g * press * dx, -g * press * dy}};
+    double push = -g * press, slides = push * (dx * w->along_x[b] + dy * w->along_y[b]);
+    sph2d__wall_force force = {.pressure = {push * dx - slides * w->along_x[b], push * dy - slides * w->along_y[b]}};
     if (s->wall_slip != SPH2D_SLIP_NONE)
         return force;
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
