@@ -92,20 +92,23 @@ void close_to(double value, double expect, double size, const char *what, size_t
 double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
-    double weights = 0, room = 0;
-    for (size_t j = 0; j < f->count; ++j)
-        weights += other_of(s, j, w, b).weight;
-    for (int k = 0; k < 21 * 21; ++k)
-        room += weight(s->method.kernel, s->support, DX * hypot(k % 21 - 10, k / 21 - 10));
-    const sph2d__period *period = &s->fluid_cells.period;
-    for (size_t j = 0; j < w->count; ++j)
-        room -= w->mass[j] / s->mass *
-                weight(s->method.kernel, s->support,
-                       hypot(sph2d__period_nearest(w->x[b] - w->x[j], period->length_x),
-                             sph2d__period_nearest(w->y[b] - w->y[j], period->length_y)));
-    double t = fmin(fmax((0.9 - weights / fmax(room, weight(s->method.kernel, s->support, 0))) / 0.3, 0), 1);
+    double weights = 0, filling = 0;
+    for (size_t j = 0; j < f->count; ++j) {
+        other o = other_of(s, j, w, b);
+        weights += o.weight;
+        filling += o.weight * f->filling[j];
+    }
+    double t = weights > 0 ? fmin(fmax((0.85 - filling / weights) / 0.25, 0), 1) : 1;
     *along = (sph2d_vec2){-w->normal_y[b], w->normal_x[b]};
-    return s->wall_slip == SPH2D_SLIP_FREE && w->bounce[b] < 0 ? t * t * (3 - 2 * t) : 0;
+    const sph2d__period *period = &s->fluid_cells.period;
+    double front = weight(s->method.kernel, s->support, 0), all = front;
+    for (size_t j = 0; j < w->count; ++j) {
+        double dx = sph2d__period_nearest(w->x[j] - w->x[b], period->length_x);
+        double dy = sph2d__period_nearest(w->y[j] - w->y[b], period->length_y);
+        if (dx * w->normal_x[b] + dy * w->normal_y[b] > w->depth[b])
+            front -= w->mass[j] / s->mass * weight(s->method.kernel, s->support, hypot(dx, dy));
+    }
+    return s->wall_slip == SPH2D_SLIP_FREE && w->bounce[b] < 0 ? fmax(front / all, 0) * t * t * (3 - 2 * t) : 0;
 }
 
 /** Pair by pair: pressure and the three viscosities. */

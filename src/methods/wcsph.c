@@ -46,11 +46,11 @@ static const double FORCE = 0.25;
 /* Lattice places on either side of a particle that the widest support reaches. */
 enum { REACH = 8 };
 
-/** Sum of f over the boundary particles around a place, each as much as it has mass. */
-static double wall_values(const sph2d__system *s, double x, double y)
+/** Sum of f over boundary particles in front of the surface that b is behind, each as much as it has mass. */
+static double taken_in_front(const sph2d__system *s, size_t b)
 {
     const sph2d__store *w = &s->walls;
-    uint32_t cell = sph2d__cells_find(&s->wall_cells, x, y);
+    uint32_t cell = sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]);
     double sum = 0;
     if (cell == UINT32_MAX)
         return 0;
@@ -58,18 +58,17 @@ static double wall_values(const sph2d__system *s, double x, double y)
     sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     for (int r = 0; r < ranges.count; ++r)
         for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
-            double q = hypot(x + ranges.x[r] - w->x[j], y + ranges.y[r] - w->y[j]) / s->support;
-            sum += sph2d__kernel_value_at(s->method.kernel, q) * w->mass[j] / s->mass;
+            double dx = w->x[j] - w->x[b] - ranges.x[r], dy = w->y[j] - w->y[b] - ranges.y[r];
+            if (dx * w->normal_x[b] + dy * w->normal_y[b] > w->depth[b])
+                sum += sph2d__kernel_value_at(s->method.kernel, hypot(dx, dy) / s->support) * w->mass[j] / s->mass;
         }
     return sum;
 }
 
 static void walls_placed(sph2d__system *s)
 {
-    sph2d__store *w = &s->walls;
-    double all = s->lattice_values * sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
-    for (size_t b = 0; b < w->count; ++b)
-        w->room[b] = all - wall_values(s, w->x[b], w->y[b]);
+    for (size_t b = 0; b < s->walls.count; ++b)
+        s->walls.front[b] = fmax(1 - taken_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
 }
 
 static void prepare(sph2d__system *s)
@@ -244,16 +243,16 @@ const sph2d__method sph2d__wcsph = {
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
-             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess) | SPH2D__BIT(connection) |
+             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess) | SPH2D__BIT(filling) |
              SPH2D__BIT(packing) | SPH2D__BIT(strain),
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
-               SPH2D__BIT(surface) | SPH2D__BIT(connection) | SPH2D__BIT(packing) | SPH2D__BIT(strain),
+               SPH2D__BIT(surface) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | SPH2D__BIT(strain),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
-             SPH2D__BIT(wall_rate) | SPH2D__BIT(room) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
+             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
     .prepare = prepare,
     .walls_placed = walls_placed,
     .evaluate = evaluate,

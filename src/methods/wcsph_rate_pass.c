@@ -17,10 +17,6 @@ static const double BULK = 0.75;
  * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less the
  * start of a scene sounds. */
 static const double PACKING_TIME = 100;
-/* The filling by other liquid, 1 in a lattice, over the room that walls leave for it, up to which a particle is by
- * itself, and from which on it is in liquid. A pair has 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38
- * to 0.46. In the tip of a wedge walls leave little room: without it the last particles there counted as by themselves. */
-static const double ALONE = 0.2, JOINED = 0.35;
 /* Walls that overlap can fill more than there is. */
 static const double ROOM = 0.1;
 
@@ -118,14 +114,12 @@ typedef struct wall_sums {
     sph2d__lanes flux, returned, filling; /* the last: m_b g */
 } wall_sums;
 
-/** Whether a particle is in liquid: from 0 to 1, smooth. */
-SPH2D__INLINE void finish_connection(sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
+/** The filling by other liquid, of the room that walls leave. */
+SPH2D__INLINE void finish_filling(sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
 {
     double others = (double)sums->filling[l] - sph2d__kernel_slope_at(s->method.kernel, 0);
     double room = s->lattice_slopes - (double)walls->filling[l] / s->mass; /* both are negative */
-    double filling = others / fmin(room, ROOM * s->lattice_slopes), t = (filling - ALONE) / (JOINED - ALONE);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    s->fluid.connection[i] = t * t * (3 - 2 * t);
+    s->fluid.filling[i] = others / fmin(room, ROOM * s->lattice_slopes);
 }
 
 /** Distance to the surface. */
@@ -217,7 +211,7 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
         SPH2D__FOR_LANES (g, l) {
             const size_t i = g.first + (size_t)l;
             f->density_rate[i] = total_rate(s, i, &beside, &done, l);
-            finish_connection(s, i, &beside, &done, l);
+            finish_filling(s, i, &beside, &done, l);
             if (layout >= SPH2D__LAYOUT_CROWDED) {
                 finish_shift(s, i);
                 finish_strain(f, i, &done, l);

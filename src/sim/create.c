@@ -130,9 +130,9 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     status = sph2d__sim_aim(sim, 0);
     if (status != SPH2D_OK)
         return status;
-    if (sim->system.fluid.connection)
+    if (sim->system.fluid.filling)
         for (size_t i = 0; i < sim->system.fluid.count; ++i)
-            sim->system.fluid.connection[i] = 1; /* as if a step had found it so: liquid that is placed is connected */
+            sim->system.fluid.filling[i] = 1; /* as if a step had found it so: liquid that is placed is in liquid */
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
     sph2d_summary start;

@@ -13,6 +13,7 @@
  * and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
  * that energy neither grows nor falls in the long run. */
 #include "methods/shift.h"
+#include "methods/wcsph.h"
 #include "sim/integrators.h"
 
 /** Half a drift with the velocities that are set, and the shift. */
@@ -45,7 +46,7 @@ static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        f->density[i] = f->connection[i] > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
+        f->density[i] = sph2d__connection(f->filling[i]) > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }
