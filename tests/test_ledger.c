@@ -146,7 +146,8 @@ START_TEST(forces_of_walls_are_the_whole_change_of_momentum)
     }
     scene.method.name = methods[_i];
     scene.method.max_compression = 0.5; /* nobody is corrected by himself */
-    scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
+    if (_i < 2)
+        scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
     scene.fluid.dynamic_viscosity = 5;
     scene.wall_slip = _i < 2 ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
     sph2d_obstacle disc = sph2d_obstacle_default();

@@ -113,7 +113,8 @@ START_TEST(shifts_lead_away_from_the_crowd)
             gx -= across * nx;
             gy -= across * ny;
         }
-        double d = fmin(f->strain[i] * s->support * s->support, 0.1 * s->support * s->support / s->step);
+        double strain = f->strain[i], sieved = 2 * strain * strain / (strain + 0.001 * C0 / s->support);
+        double d = fmin(sieved * s->support * s->support, 0.1 * s->support * s->support / s->step);
         double wx = -d * gx, wy = -d * gy, crowd = s->support * hypot(gx, gy);
         double less = f->fullness[i] < 0.4 ? 0 : crowd > 0.25 ? 0.25 / crowd : 1; /* none in spray */
         sph2d_vec2 shift = sph2d__shift_velocity(s, i);
@@ -162,7 +163,7 @@ START_TEST(a_shift_meets_the_density_on_its_way)
 }
 END_TEST
 
-/* Density comes to what places say, inside alone: c0/(400 H) of the difference each second. */
+/* Density comes to what places say, inside alone: c0/(100 H) of the difference each second. */
 START_TEST(density_follows_the_packing_inside)
 {
     block.perturb.amplitude = 0.1;
@@ -180,7 +181,7 @@ START_TEST(density_follows_the_packing_inside)
         close_to(f->packing[i], RHO0 * sum / own, RHO0, "packing", i);
         bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support;
         inside += deep;
-        double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (400 * s->support) : 0;
+        double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (100 * s->support) : 0;
         close_to(f->density_rate[i], rate, RHO0, "rate", i);
     }
     ck_assert_uint_gt(inside, 10);
