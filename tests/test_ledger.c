@@ -282,6 +282,42 @@ START_TEST(drains_take_elastic_energy_along)
 }
 END_TEST
 
+/** A particle thrown at a side without damping: at the deepest place its energy is the spring's k d^2/2, k = (c0/dx)^2,
+ * as potential and nowhere else, and all of it comes back. */
+START_TEST(springs_hold_what_they_stop)
+{
+    enum { SPEED = 2 };
+    const double dx = 0.05, c0 = 10;
+    scene = test_scene(dx, 0, 0, 1, 1);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_MULLER;
+    scene.method.sound_speed = c0;
+    scene.wall_damping = 0;
+    scene.method.time_step = 1e-5;
+    block = test_particle(dx, 0.5, 0.6 * dx, 0, -SPEED);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    double start = sph2d_sim_summary(sim).energy_start, most = 0, depth = 0;
+    ck_assert_double_eq_tol(start, 1000 * dx * dx * SPEED * SPEED / 2, 1e-12 * start);
+    while (!(f.vy[0] > 0 && f.y[0] > dx / 2)) {
+        test_steps(sim, 1);
+        f = sph2d_sim_fluid(sim);
+        sph2d_summary s = sph2d_sim_summary(sim);
+        ck_assert_double_eq_tol(energy_of(&s), start, 1e-4 * start);
+        ck_assert(s.elastic == 0);
+        if (s.potential > most) {
+            most = s.potential;
+            depth = dx / 2 - f.y[0];
+        }
+    }
+    ck_assert_double_eq_tol(most, start, 1e-4 * start);
+    ck_assert_double_eq_tol(most, 1000 * dx * dx * pow(c0 / dx * depth, 2) / 2, 1e-12 * start);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* ---- the guard --------------------------------------------------------------------------------------------------- */
 
 /** Energy that somebody puts in unseen stops a run by any method, while a wall moves too; a key lets it pass. */
@@ -337,6 +373,7 @@ Suite *suite_ledger(void)
     tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 2);
     tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
     tcase_add_test(cases, drains_take_elastic_energy_along);
+    tcase_add_test(cases, springs_hold_what_they_stop);
     tcase_add_loop_test(cases, energy_from_nothing_stops_every_method, 0, 8);
     suite_add_tcase(suite, cases);
     return suite;

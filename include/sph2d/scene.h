@@ -389,7 +389,7 @@ typedef struct sph2d_interaction {
 /** What a probe writes: the columns behind `time`. Values without meaning, as where there is no liquid, are NaN. */
 typedef enum sph2d_probe_kind {
     SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
-                                    central force and surface; momentum_x, momentum_y [kg/s]; particles;
+                                    central force, springs of sides and surface; momentum_x, momentum_y [kg/s]; particles;
                                     speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m];
                                     energy_error: what does not add up, over the scene's energy scale
                                     (sph2d_summary) */

@@ -155,7 +155,8 @@ typedef struct sph2d_summary {
     double compression_mean;   /**< mean over particles, time average outside impacts */
     double compression_max;    /**< over all particles and steps */
     double kinetic, potential; /**< energy now [J/m]; potential is that of gravity, 0 at the domain's corner
-                                  min, of the central force and of the surface under tension */
+                                  min, of the central force, of the sides' springs, k d^2/2 a kilogram at depth d,
+                                  and of the surface under tension */
     double elastic;            /**< that of compression, by the equation of state of methods wcsph and muller; 0 for the
                                   others [J/m] */
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */

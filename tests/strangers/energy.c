@@ -51,23 +51,6 @@ static double elastic_to(sph2d_state_equation equation, double c0, double tensio
     return r < torn ? elastic(equation, c0, torn) + tension * c0 * c0 * (1 / r - 1 / torn) : elastic(equation, c0, r);
 }
 
-/** What springs at the sides hold per mass: k d^2/2 with k = (c0/dx)^2, d within half a spacing of a side. */
-static double springs(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid)
-{
-    const bool spring = s->walls == SPH2D_WALL_SPRING || (s->walls == SPH2D_WALL_DEFAULT && s->method.name == SPH2D_METHOD_MULLER);
-    const double range = s->spacing / 2, k = pow(plan->sound_speed / s->spacing, 2);
-    const sph2d_side sides[4] = {s->boundary.left, s->boundary.right, s->boundary.bottom, s->boundary.top};
-    double sum = 0;
-    for (size_t i = 0; spring && i < fluid->count; ++i) {
-        const double from[4] = {fluid->x[i] - s->domain.min.x, s->domain.max.x - fluid->x[i],
-                                fluid->y[i] - s->domain.min.y, s->domain.max.y - fluid->y[i]};
-        for (int n = 0; n < 4; ++n)
-            if (sides[n] == SPH2D_SIDE_WALL)
-                sum += k / 2 * pow(fmax(range - from[n], 0), 2);
-    }
-    return sum;
-}
-
 double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid)
 {
     if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
@@ -84,7 +67,7 @@ double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_
         if (fluid->pressure[i] * (r - 1) > 0) // where a method has no tension, nothing is stretched
             sum += held ? elastic_to(equation, plan->sound_speed, tension, r) : elastic(equation, plan->sound_speed, r);
     }
-    return plan->particle_mass * (sum + springs(s, plan, fluid));
+    return plan->particle_mass * sum;
 }
 
 /** How far a point is above the lowest place along gravity, times g [m^2/s^2]. */
