@@ -149,7 +149,7 @@ VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh examples/*.sh))
+    tests/strangers/*.sh tests/hard/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -336,6 +336,9 @@ strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by in
 strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
 	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
 
+test-hard: $(BUILD)/sph2d ## scenes that nobody tuned, by every method, against their bounds (7 minutes)
+	$(hush)tests/hard/hard.sh $(BUILD)/sph2d $(BUILD)/hard "$$(nproc)"
+
 bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
 	$(hush)$(BUILD)/tests/bench $(BENCH)
 
@@ -470,6 +473,6 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen bench-instructions bench-variants report report-full report-readme \
+    bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -187,6 +187,12 @@ static int create(runner *r)
     return code == CLI_EXIT_SUCCESS && !begin_series(r) ? told(r, SPH2D_NOMEM) : code;
 }
 
+/* A part of the scene's energy; NaN where there is none. */
+static double of_scale(double energy, const sph2d_summary *summary)
+{
+    return summary->energy_scale > 0 ? energy / summary->energy_scale : NAN;
+}
+
 static void fill_record(const runner *r)
 {
     study_record *record = r->record;
@@ -203,6 +209,11 @@ static void fill_record(const runner *r)
     record->summary[SPH2D_SUMMARY_COMPRESSION_MAX] = summary.compression_max;
     double start = fabs(summary.energy_start), scale = start > 0 ? start : 1, steps = (double)summary.steps;
     record->summary[SPH2D_SUMMARY_ENERGY_CHANGE] = summary_energy_change(&summary) / scale;
+    sph2d_densities inside = sph2d_sim_densities(r->sim);
+    record->summary[SPH2D_SUMMARY_ENERGY_RISE] = of_scale(summary.energy_rise, &summary);
+    record->summary[SPH2D_SUMMARY_ENERGY_ERROR] = of_scale(summary.energy_error, &summary);
+    record->summary[SPH2D_SUMMARY_DENSITY_APART] = fmax(summary.density_apart, fabs(inside.told - inside.counted));
+    record->summary[SPH2D_SUMMARY_LEFT] = (double)record->left;
     record->summary[SPH2D_SUMMARY_ITERATIONS] = steps > 0 ? (double)summary.iterations / steps : 0;
     snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
 }

@@ -98,10 +98,14 @@ typedef enum sph2d_summary_value {
     SPH2D_SUMMARY_COMPRESSION_MAX = 2,  /**< compression_max */
     SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential + elastic - energy_start - energy_fed, over |energy_start| unless
                                              that is 0 */
-    SPH2D_SUMMARY_ITERATIONS = 4        /**< iterations over steps */
+    SPH2D_SUMMARY_ITERATIONS = 4,       /**< iterations over steps */
+    SPH2D_SUMMARY_ENERGY_RISE = 5,      /**< energy_rise over energy_scale */
+    SPH2D_SUMMARY_ENERGY_ERROR = 6,     /**< energy_error over energy_scale */
+    SPH2D_SUMMARY_DENSITY_APART = 7,    /**< density_apart, or the difference at the end where that is larger */
+    SPH2D_SUMMARY_LEFT = 8              /**< particles lost through open sides */
 } sph2d_summary_value;
 
-enum { SPH2D_SUMMARY_VALUES = 5 };
+enum { SPH2D_SUMMARY_VALUES = 9 };
 
 /** What is expected of a measure. */
 typedef enum sph2d_expectation {

@@ -21,8 +21,9 @@ static const char *const flag_words[] = {"false", "true", NULL};
 static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
                                          "spread",  "period", "crossing", "value", "decay", NULL};
 static const char *const norm_words[] = {"max", "rms", "mean", NULL};
-static const char *const summary_words[] = {"compression",   "compression_mean", "compression_max",
-                                            "energy_change", "iterations",       NULL};
+static const char *const summary_words[] = {"compression", "compression_mean", "compression_max", "energy_change",
+                                            "iterations",  "energy_rise",      "energy_error",    "density_apart",
+                                            "left",        NULL};
 static const char *const quantity_words[] = {"vx", "vy", "speed", "pressure", "density", NULL};
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */
@@ -80,7 +81,9 @@ static const sph2d_key measure_items[] = {
     {"summary", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, summary),
      CHOICE(sph2d_study_measure, source, SPH2D_MEASURE_SUMMARY), .words = summary_words, .unit = "",
      .text = "what the run says of itself: the compression that 1 % of the particles exceed, its mean, the "
-             "largest; the change of energy over that at the start; iterations of a pressure solver a step"},
+             "largest; the change of energy over that at the start; iterations of a pressure solver a step; the energy "
+             "that came from nothing and what does not add up, as parts of the scene's; how far the density that "
+             "particles tell lies from the one by counting; particles lost through open sides"},
     {"column", SPH2D_KEY_TEXT, false, AT(sph2d_study_measure, column), .unit = "",
      .text = "of the probe, without its unit"},
     {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
