@@ -49,7 +49,7 @@ static double wall_speed(const sph2d_scene *scene)
 double sph2d__scene_reach(const sph2d_scene *scene)
 {
     double support = sph2d__method_resolve(scene->method).support_ratio;
-    return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__DISC_RADIUS : 0) * scene->spacing;
+    return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__OUTER_RADIUS : 0) * scene->spacing;
 }
 
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)

@@ -6,14 +6,14 @@
 
 #include "sph2d/scene.h"
 
-/* Radius of the discs of surface tension (methods/tension.h) in spacings. A square lattice is covered from 0.71 on,
- * what flows from 1.1; up to 1.5, drops rest and swing alike. */
-static const double SPH2D__DISC_RADIUS = 1.25;
+/* Where the band of surface tension (methods/tension.h) begins and ends, in spacings from the particles. Liquid that
+ * flows has no holes of the inner radius; with an outer one of 1.5 a drop swings 1 % too slowly, with 2 by 0.1 %. */
+static const double SPH2D__INNER_RADIUS = 1, SPH2D__OUTER_RADIUS = 2;
 
 /** What follows from a scene. */
 typedef struct sph2d__derived {
     double support_radius; /**< H = support_ratio * spacing [m] */
-    double reach;          /**< how far off particles must be found: H, under surface tension two discs at least [m] */
+    double reach;          /**< how far off particles must be found: H, under surface tension two outer radii of its band at least [m] */
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
     double height;         /**< of liquid above the lowest place that it can get to, along gravity, at most [m] */
     double speed;          /**< fastest start or source [m/s] */
@@ -26,7 +26,7 @@ typedef struct sph2d__derived {
     double sound_speed;      /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
 
-/** How far off particles must be found: H, under surface tension two discs at least [m]. */
+/** How far off particles must be found: H, under surface tension two outer radii of its band at least [m]. */
 double sph2d__scene_reach(const sph2d_scene *scene);
 
 /** Pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is
