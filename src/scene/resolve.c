@@ -31,7 +31,8 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
     bool muller = m.name == SPH2D_METHOD_MULLER, wcsph = m.name == SPH2D_METHOD_WCSPH;
     bool fitted = m.operators == SPH2D_OPERATORS_FITTED;
     m.max_compression = or_else(m.max_compression, muller ? 0.1 : 0.01);
-    m.support_ratio = or_else(m.support_ratio, muller ? 2.0 : !wcsph ? projected_support(m.kernel) : fitted ? 2.5 : 3.0);
+    double support = muller ? 2.0 : !wcsph ? projected_support(m.kernel) : fitted ? 2.5 : 3.0;
+    m.support_ratio = or_else(m.support_ratio, support);
     m.cfl = or_else(m.cfl, muller ? 0.4 : !wcsph ? 0.4 / m.support_ratio : fitted ? 0.25 : 0.3);
     m.artificial_viscosity = or_else(m.artificial_viscosity, muller ? 0.1 : 0);
     m.tolerance = or_else(m.tolerance, m.max_compression / 100);
