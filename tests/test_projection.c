@@ -8,6 +8,7 @@
 
 #include "base/lanes.h"
 #include "common.h"
+#include "kernels/kernel.h"
 #include "methods/pcisph.h"
 #include "methods/projection.h"
 #include "sim/simulation.h"
@@ -91,6 +92,28 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
         ck_assert_double_eq_tol(f->diagonal[i] / factor, 1, 1e-9); /* the gradients sum to nothing */
     }
     ck_assert_double_eq_tol(sim->system.moment, lattices[_i].moment, 1e-9);
+}
+END_TEST
+
+/** The default support of every kernel is wide enough that a lattice that is strained, to 0.7 and 1/0.7 spacings, tells
+ * the density that it has: sums of the kernels' formulas at the lattice's distances. */
+START_TEST(strained_lattices_have_rest_density)
+{
+    static const double told[] = {[SPH2D_KERNEL_WENDLAND_C2] = 1.017506, [SPH2D_KERNEL_WENDLAND_C4] = 1.022448,
+                                  [SPH2D_KERNEL_WENDLAND_C6] = 1.026014, [SPH2D_KERNEL_CUBIC] = 1.005346,
+                                  [SPH2D_KERNEL_QUINTIC] = 1.019607};
+    full_box(_i % 2 ? SPH2D_METHOD_PCISPH : SPH2D_METHOD_CONSTRAINT, 16);
+    make_periodic();
+    scene.method.sound_speed = 10;
+    scene.method.kernel = (sph2d_kernel)(_i / 2);
+    start(1);
+    const double across = 0.7 * DX, along = DX / 0.7, support = sim->system.support, ratio = DX / support;
+    double sum = 0;
+    for (int i = -9; i <= 9; ++i)
+        for (int j = -9; j <= 9; ++j)
+            sum += sph2d__kernel_value_at(scene.method.kernel, hypot(i * across, j * along) / support);
+    double density = sim->system.calibration * sph2d__kernel_constant(scene.method.kernel) * ratio * ratio * sum;
+    ck_assert_double_eq_tol(density, told[scene.method.kernel], 1e-6);
 }
 END_TEST
 
@@ -368,6 +391,7 @@ Suite *suite_projection(void)
     tcase_add_checked_fixture(cases, NULL, finish);
     tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
+    tcase_add_loop_test(cases, strained_lattices_have_rest_density, 0, 10);
     tcase_add_loop_test(cases, the_moment_turns_multipliers_into_pressure, 0, LATTICES);
     tcase_add_test(cases, layered_walls_fill_like_liquid);
     tcase_add_test(cases, the_transpose_is_one);

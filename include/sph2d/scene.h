@@ -268,7 +268,8 @@ typedef struct sph2d_method_options {
                                  the pressure that is told is the one that is carried */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
-                                 3.0 with symmetric and 2.5 with fitted operators, pcisph and constraint 2.4 */
+                                 3.0 with symmetric and 2.5 with fitted operators; pcisph and constraint 2.4 with
+                                 wendland_c2 and cubic, 2.75 with wendland_c4 and quintic, 3.05 with wendland_c6 */
     double cfl; /**< step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9;
                      default 0: the method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators,
                      pcisph and constraint 0.4 dx/H */

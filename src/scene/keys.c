@@ -362,7 +362,7 @@ static const sph2d_key method_items[] = {
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4",
+     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
      .text = "support radius over spacing, H/dx"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",

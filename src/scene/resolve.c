@@ -8,12 +8,31 @@ static double or_else(double value, double standard)
     return value > 0 ? value : standard;
 }
 
+/** H/dx of pcisph and constraint. Kernels that fall off faster reach farther, so that all are as wide, by the standard
+ * deviation (H over it: Dehnen & Aly 2012, table 1), as Wendland's C2 at 2.4: sums of narrower ones tell a lattice that
+ * is strained to 1:2 to be 7 to 13 % denser than it is, so that liquid swells; these 2 to 3 %. */
+static double projected_support(sph2d_kernel kernel)
+{
+    switch (kernel) {
+    case SPH2D_KERNEL_WENDLAND_C4:
+    case SPH2D_KERNEL_QUINTIC:
+        return 2.75;
+    case SPH2D_KERNEL_WENDLAND_C6:
+        return 3.05;
+    case SPH2D_KERNEL_WENDLAND_C2:
+    case SPH2D_KERNEL_CUBIC:
+        break;
+    }
+    return 2.4;
+}
+
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
 {
     bool muller = m.name == SPH2D_METHOD_MULLER, wcsph = m.name == SPH2D_METHOD_WCSPH;
     bool fitted = m.operators == SPH2D_OPERATORS_FITTED;
     m.max_compression = or_else(m.max_compression, muller ? 0.1 : 0.01);
-    m.support_ratio = or_else(m.support_ratio, muller ? 2.0 : !wcsph ? 2.4 : fitted ? 2.5 : 3.0);
+    double support = muller ? 2.0 : !wcsph ? projected_support(m.kernel) : fitted ? 2.5 : 3.0;
+    m.support_ratio = or_else(m.support_ratio, support);
     m.cfl = or_else(m.cfl, muller ? 0.4 : !wcsph ? 0.4 / m.support_ratio : fitted ? 0.25 : 0.3);
     m.artificial_viscosity = or_else(m.artificial_viscosity, muller ? 0.1 : 0);
     m.tolerance = or_else(m.tolerance, m.max_compression / 100);
