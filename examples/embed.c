@@ -11,7 +11,6 @@ int main(void)
     sph2d_scene scene = sph2d_scene_default();
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     scene.spacing = 0.02;
-    scene.fluid.dynamic_viscosity = 2;
     sph2d_block column = sph2d_block_default();
     column.shape.kind = SPH2D_SHAPE_BOX;
     column.shape.box = (sph2d_box){{0, 0}, {0.4, 0.6}};
