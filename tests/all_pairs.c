@@ -92,13 +92,17 @@ void close_to(double value, double expect, double size, const char *what, size_t
 double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
-    double weights = 0, filling = 0;
+    double weights = 0, filling = 0, vx = 0, vy = 0;
     for (size_t j = 0; j < f->count; ++j) {
         other o = other_of(s, j, w, b);
         weights += o.weight;
         filling += o.weight * f->filling[j];
+        vx += o.weight * (f->vx[j] - w->vx[b]);
+        vy += o.weight * (f->vy[j] - w->vy[b]);
     }
-    double t = weights > 0 ? fmin(fmax((0.85 - filling / weights) / 0.25, 0), 1) : 1;
+    if (!(weights > 0) || s->wall_slip != SPH2D_SLIP_FREE || w->bounce[b] >= 0)
+        return 0;
+    double t = fmin(fmax((0.85 - filling / weights) / 0.25, 0), 1);
     *along = (sph2d_vec2){-w->normal_y[b], w->normal_x[b]};
     const sph2d__period *period = &s->fluid_cells.period;
     double front = weight(s->method.kernel, s->support, 0), all = front;
@@ -108,7 +112,8 @@ double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
         if (dx * w->normal_x[b] + dy * w->normal_y[b] > w->depth[b])
             front -= w->mass[j] / s->mass * weight(s->method.kernel, s->support, hypot(dx, dy));
     }
-    return s->wall_slip == SPH2D_SLIP_FREE && w->bounce[b] < 0 ? fmax(front / all, 0) * t * t * (3 - 2 * t) : 0;
+    double past = (vx * along->x + vy * along->y) / weights, ringing = 0.002 * C0;
+    return fmax(front / all, 0) * t * t * (3 - 2 * t) * past * past / (past * past + ringing * ringing);
 }
 
 /** Pair by pair: pressure and the three viscosities. */

@@ -335,7 +335,7 @@ START_TEST(packed_liquid_at_rest_starts_quietly)
     /* Released at rest in a tank that is turned, it moves no faster than in a straight one; in wedges the particles in
      * the two corners of the surface find their places. Places cut out of a lattice made 0.18 of the wedge of 10
      * degrees. */
-    static const double bounds[] = {0.05, 0.02, 0.008, 0.008}; /* 0.015, but for the lines where surface and walls meet */
+    static const double bounds[] = {0.015, 0.02, 0.008, 0.008};
     double depth = _i < 2 ? 0.5 : 0.3;
     if (_i < 2)
         set_wedge(_i ? 30 : 10);

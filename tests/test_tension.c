@@ -400,6 +400,27 @@ START_TEST(methods_have_it)
 }
 END_TEST
 
+/** A square and a smaller one that meets it pull each other round; nothing is fed. */
+START_TEST(drops_that_meet_make_no_energy)
+{
+    scene.method.artificial_viscosity = 0.02;
+    scene.method.sound_speed = 0;
+    blocks[0].perturb.amplitude = 0.1;
+    blocks[1] = test_block(9.5 * DX, DX, 14.5 * DX, 5 * DX);
+    blocks[1].velocity.x = -0.1;
+    scene.block_count = 2;
+    sph2d__system *s = make();
+    double before = sph2d__tension_energy(s);
+    sph2d_report report = {0};
+    while (sph2d_sim_time(sim) < 20 * sqrt(RHO0 * DX * DX * DX / SIGMA))
+        ck_assert_int_eq(sph2d_sim_step(sim, &report), SPH2D_OK);
+    sph2d_summary sum = sph2d_sim_summary(sim);
+    ck_assert_double_lt(sum.energy_rise, 0.001 * sum.energy_scale);
+    ck_assert_double_lt(sph2d__tension_energy(s), 0.9 * before);
+    sph2d_report_clear(&report);
+}
+END_TEST
+
 START_TEST(ripples_limit_the_step)
 {
     scene.fluid.surface_tension = 1e6;
@@ -437,6 +458,7 @@ Suite *suite_tension(void)
     tcase_add_loop_test(tests, strings_go_on_across_periodic_sides, 0, 2);
     tcase_add_test(tests, what_only_reflects_is_no_wall);
     tcase_add_loop_test(tests, methods_have_it, 0, 2);
+    tcase_add_test(tests, drops_that_meet_make_no_energy);
     tcase_add_test(tests, ripples_limit_the_step);
     tcase_add_test(tests, ripples_give_the_sound_speed);
     suite_add_tcase(suite, tests);

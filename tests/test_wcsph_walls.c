@@ -95,6 +95,7 @@ START_TEST(walls_act_like_liquid)
     check_forces(s);
     for (size_t b = 0; b < s->walls.count; ++b)
         s->walls.vx[b] = 0.1 * (double)(b % 3);
+    s->walls_move = true;
     double filling[SIDE * SIDE]; /* that the rate is by, before it finds it anew */
     ck_assert_uint_eq(s->fluid.count, SIDE * SIDE);
     memcpy(filling, s->fluid.filling, sizeof filling);
@@ -201,6 +202,7 @@ START_TEST(a_moving_wall_adds_its_own_velocity)
     sph2d__wcsph.evaluate(s);
     size_t b = wall_particle(w, left);
     double before_x = w->image_vx[b], before_y = w->image_vy[b], before_p = w->pressure[b];
+    s->walls_move = true;
     w->vx[b] = 0.5;
     w->vy[b] = 0.25;
     sph2d__wcsph.evaluate(s);

@@ -16,6 +16,7 @@ typedef struct sph2d__system {
     sph2d__cells fluid_cells, wall_cells;
     sph2d__neighbours neighbours, wall_neighbours; /**< of fluid and boundary particles, in methods that keep them */
     bool walls_press;                              /**< some boundary particle acts by pressure */
+    bool walls_move;                               /**< some boundary particle changes its place */
     bool walls_reflect;                            /**< some boundary particle reflects */
 
     double spacing;         /**< dx [m] */

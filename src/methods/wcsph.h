@@ -38,8 +38,10 @@
  *
  *      dv_i/dt   = ... + sum m_b s_b W_bi/(sum W) t_b t_b . sum_k p_k/rho_k^2 grad_k W_kb
  *
- *  which again is the transpose, so that nothing makes energy. Nothing slides under a cover of liquid, nor where another wall
- *  is in front, as in corners: where a wall ends the liquid the last sum would push.
+ *  which again is the transpose, so that nothing makes energy. Liquid that only rings, by less
+ *  than 0.002 c0, does not slide: its weight would not come to rest. Nothing slides under a cover of liquid, nor where
+ *  another wall is in front, as in corners: where a wall ends the liquid the last sum would push. A side that slides
+ *  along itself has v_b = 0 here: it takes no liquid along but by friction.
  *  A rough wall has viscosity with v_b = 2 v_wall - sum v_j W / sum W; a smooth wall has none.
  *
  *  What flies by itself has the rest density, and no pressure but that of others: what it remembered of the liquid that

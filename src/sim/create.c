@@ -191,6 +191,7 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = allocate_lists(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
+    sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
         status = state ? start_from(sim, state, report) : start_fresh(sim, report);
     if (status == SPH2D_OK)

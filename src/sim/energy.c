@@ -43,16 +43,12 @@ static double start_of(const sph2d_sim *sim)
     return most;
 }
 
-/* The energy of a surface jumps where its particles find others: so many times as far it may rise. */
-static const double TENSION = 3;
-
 sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
 {
     sph2d_method name = sim->scene.method.name;
     double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
-    double most = bounds[name].rise * (sim->system.surface_tension > 0 ? TENSION : 1);
     return (sph2d__bounds){bounds[name].thinnest * rest, bounds[name].densest * rest * start_of(sim),
-                           rise > 0 ? rise : most};
+                           rise > 0 ? rise : bounds[name].rise};
 }
 
 double sph2d__sim_energy_scale(const sph2d_sim *sim)
