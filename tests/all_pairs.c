@@ -41,6 +41,7 @@ void start(void)
     scene.method.density_diffusion = 0;
     scene.method.shifting = 0;
     scene.method.tensile_control = SPH2D_SWITCH_OFF;
+    scene.method.turbulence = SPH2D_TURBULENCE_NONE;
 }
 
 void finish(void)
@@ -62,6 +63,8 @@ sph2d__system *make(sph2d_isa isa)
         f->vy[i] = test_random(&seed, -1, 1);
         f->density[i] = RHO0 * test_random(&seed, 0.97, 1.03);
         f->volume[i] = sim->system.mass / f->density[i];
+        if (f->strain)
+            f->strain[i] = test_random(&seed, 0, 30);
     }
     return &sim->system;
 }
@@ -116,20 +119,23 @@ double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
     return fmax(front / all, 0) * t * t * (3 - 2 * t) * past * past / (past * past + ringing * ringing);
 }
 
-/** Pair by pair: pressure and the three viscosities. */
+/** Pair by pair: pressure, the three viscosities, and the eddies'. */
 static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from, double a[2], double *size)
 {
     const sph2d__store *f = &s->fluid;
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double h = s->support / 2, mu = s->viscosity, rho = f->density[i];
-    double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8;
+    double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8, filter = 0.12 * 4 * h;
+    bool eddies = s->method.turbulence == SPH2D_TURBULENCE_SMAGORINSKY && from == f;
     for (size_t j = 0; j < from->count; ++j) {
         other o = other_of(s, i, from, j);
         if (o.r == 0 || o.slope == 0)
             continue;
         double push = -o.mass * (f->pressure[i] / (rho * rho) + o.pressure / (o.density * o.density)) * o.slope;
         double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
-        double damp = 8 * (artificial + (morris ? 0 : mu)) / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
+        double small = eddies ? RHO0 * filter * filter * (f->strain[i] + f->strain[j]) / 2 : 0;
+        double mu_pair = artificial + small + (morris ? 0 : mu);
+        double damp = 8 * mu_pair / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
                        (o.r * o.r) * o.slope;
         if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
             drag = damp = 0;

@@ -200,6 +200,7 @@ START_TEST(a_shift_leaves_velocities)
     cloud();
     plain_liquid(1e-3); /* hardly a force */
     scene.method.shifting = 1;
+    scene.method.turbulence = SPH2D_TURBULENCE_NONE;
     scene.method.time_step = dt;
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d__store *f = &sim->system.fluid;

@@ -203,6 +203,11 @@ static void set_alpha(stage *s)
     s->scene.method.artificial_viscosity = 0.1;
 }
 
+static void set_eddies(stage *s)
+{
+    s->scene.method.turbulence = SPH2D_TURBULENCE_SMAGORINSKY;
+}
+
 static void set_delta(stage *s)
 {
     s->scene.method.density_diffusion = 0.05;
@@ -286,6 +291,7 @@ static const struct feature {
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
     {"method.artificial_viscosity", MULLER | WCSPH, set_alpha},
+    {"method.turbulence", WCSPH, set_eddies},
     {"method.density_diffusion", WCSPH | FITTED, set_delta},
     {"method.diffusion_form", WCSPH, set_fourtakas},
     {"method.shifting", WCSPH | FITTED, set_shifting},

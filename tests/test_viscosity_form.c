@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_viscosity_form.c
- *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface. */
+ *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface, and
+ *  eddies there alone. */
 #include "hand_made.h"
 
 /** The form that a scene ends with, whose block goes from (0, 0) to (x, y) of a square. */
@@ -18,6 +19,10 @@ static sph2d_viscosity_form form_of(sph2d_boundary boundary, double x, double y,
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d_viscosity_form form = sim->system.method.viscosity_form;
     ck_assert_int_eq(form, sim->scene.method.viscosity_form);
+    sph2d_turbulence eddies = form == SPH2D_VISCOSITY_MORRIS     ? SPH2D_TURBULENCE_NONE
+                              : form == SPH2D_VISCOSITY_MONAGHAN ? SPH2D_TURBULENCE_SMAGORINSKY
+                                                                 : SPH2D_TURBULENCE_DEFAULT;
+    ck_assert_int_eq(sim->system.method.turbulence, eddies);
     sph2d_sim_destroy(sim);
     return form;
 }

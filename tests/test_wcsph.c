@@ -141,6 +141,44 @@ START_TEST(forces_are_those_of_all_pairs)
 }
 END_TEST
 
+START_TEST(eddies_damp_as_smagorinsky_says)
+{
+    scene.method.turbulence = SPH2D_TURBULENCE_SMAGORINSKY;
+    scene.fluid.dynamic_viscosity = _i & 1 ? 3 : 0;
+    scene.method.viscosity_form = _i & 2 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
+    for (int isa = SPH2D_ISA_BASELINE; isa <= SPH2D_ISA_AVX512; ++isa) {
+        if (!sph2d_isa_available((sph2d_isa)isa))
+            continue;
+        sph2d__system *s = make((sph2d_isa)isa);
+        sph2d__wcsph.evaluate(s);
+        check_forces(s);
+        finish();
+    }
+}
+END_TEST
+
+/* What is strained within less than ten steps is strained by an accident, and no step stands the viscosity of it. */
+START_TEST(strain_is_no_more_than_a_step_stands)
+{
+    scene.method.turbulence = SPH2D_TURBULENCE_SMAGORINSKY;
+    sph2d__system *s = make(SPH2D_ISA_AUTO);
+    const sph2d__store *f = &s->fluid;
+    sph2d__wcsph.density_rate(s);
+    double most = 0;
+    for (size_t i = 0; i < f->count; ++i)
+        most = fmax(most, f->strain[i]);
+    ck_assert_double_gt(most, 1);
+    s->step = 0.17 / (most / 2);
+    sph2d__wcsph.density_rate(s);
+    size_t held = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        ck_assert_double_le(f->strain[i], most / 2);
+        held += f->strain[i] == 0.17 / s->step;
+    }
+    ck_assert(held > 0 && held < f->count);
+}
+END_TEST
+
 START_TEST(pressure_follows_the_equation_of_state)
 {
     scene.method.state_equation = _i ? SPH2D_STATE_TAIT : SPH2D_STATE_LINEAR;
@@ -223,6 +261,8 @@ Suite *suite_wcsph(void)
     tcase_add_test(tests, linear_density_is_not_smoothed);
     tcase_add_test(tests, a_dense_spot_spreads);
     tcase_add_loop_test(tests, forces_are_those_of_all_pairs, 0, 32);
+    tcase_add_loop_test(tests, eddies_damp_as_smagorinsky_says, 0, 4);
+    tcase_add_test(tests, strain_is_no_more_than_a_step_stands);
     tcase_add_loop_test(tests, pressure_follows_the_equation_of_state, 0, 2);
     tcase_add_loop_test(tests, viscosity_is_that_of_the_liquid, 0, 2);
     tcase_add_loop_test(tests, steps_are_as_long_as_is_stable, 0, 16);

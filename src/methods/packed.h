@@ -12,13 +12,14 @@
 #include "methods/system.h"
 
 /* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
- * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term reads
- * them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along walls. */
+ * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
+ * reads them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along
+ * walls; rates of strain. */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
-        *wall_rate, *slide, *along_x, *along_y;
+        *strain, *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -56,6 +57,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .excess = sph2d__packed_excess(t),
                            .wall_rate = sph2d__packed_excess(t),
                            .density = sph2d__floats(t, t->packed_density, 0),
+                           .strain = sph2d__floats(t, t->packed_strain, 0),
                            .slide = sph2d__floats(t, t->packed_density, 0),
                            .along_x = sph2d__floats(t, t->packed_slope, 0),
                            .along_y = sph2d__floats(t, t->packed_slope, 1),
@@ -81,6 +83,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->slope_y,
                            t->fullness,
                            t->excess,
+                           t->strain,
                            t->wall_rate,
                            t->slide,
                            t->along_x,

@@ -5,7 +5,8 @@
  *      linear   p = c0^2 (rho - rho0)
  *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
  *
- *  Both have dp/drho = c0^2 at rest density. Pressure falls no further than to -tension (system.h). What it takes to compress a kilogram,
+ *  Both have dp/drho = c0^2 at rest density. Pressure falls no further than to -tension (system.h). What it takes to
+ *  compress a kilogram,
  *
  *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
  *

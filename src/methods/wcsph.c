@@ -252,7 +252,8 @@ const sph2d__method sph2d__wcsph = {
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
-             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
+             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) |
+             SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
     .prepare = prepare,
     .walls_placed = walls_placed,
     .evaluate = evaluate,

@@ -14,9 +14,12 @@ static const double SURFACE = 0.6;
 /* Less full than this, the slope of density is that of few; nor do places say there what density is. */
 static const double BULK = 0.75;
 /* Time in which density comes to what places say, over H/c0. Energy of a dam break to t sqrt(g/H) = 20 never rose above
- * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less the
- * start of a scene sounds. */
+ * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less
+ * the start of a scene sounds. */
 static const double PACKING_TIME = 100;
+/* |S| dt at most. Shifts grow with it up to 0.05 (shift.h); the viscosity of eddies, 0.058 H^2 |S|, stands 0.17 where a
+ * step stands a viscosity of 0.01 H^2/dt in Monaghan's form (wcsph.c). */
+static const double STRAIN = 0.17;
 /* Walls that overlap can fill more than there is. */
 static const double ROOM = 0.1;
 
@@ -90,15 +93,15 @@ SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i)
         f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
 }
 
-/** |S|, by which the next step shifts. */
-SPH2D__INLINE void finish_strain(sph2d__store *f, size_t i, const rate_sums *sums, int l)
+/** |S|, by which the next step shifts and eddies damp; no larger than what a step stands of either. */
+SPH2D__INLINE void finish_strain(const sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     double xx = sums->xx[l], xy = sums->xy[l], yy = sums->yy[l];
     double ux, uy, vx, vy;
     corrected(xx, xy, yy, sums->ux[l], sums->uy[l], &ux, &uy);
     corrected(xx, xy, yy, sums->vx[l], sums->vy[l], &vx, &vy);
     double stretch = ux - vy, shear = uy + vx; /* 2 S:S without its trace */
-    f->strain[i] = sqrt(stretch * stretch + shear * shear);
+    s->fluid.strain[i] = fmin(sqrt(stretch * stretch + shear * shear), STRAIN / s->step);
 }
 
 /** Inside the liquid, density comes to what places say: its rate forgets what surfaces that met or parted did to it. */
@@ -214,7 +217,7 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
             finish_filling(s, i, &beside, &done, l);
             if (layout >= SPH2D__LAYOUT_CROWDED) {
                 finish_shift(s, i);
-                finish_strain(f, i, &done, l);
+                finish_strain(s, i, &done, l);
             }
             if (layout >= SPH2D__LAYOUT_FULL) {
                 finish_surface(s, i, &done, l);

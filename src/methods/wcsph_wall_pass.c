@@ -15,13 +15,13 @@ typedef struct wall_sums {
     sph2d__lanes along; /* of the flux, or of p V^2 grad W: the part along the wall */
 } wall_sums;
 
-/* Liquid slides along a smooth wall where its mean filling is up to the first, as in films, and not at all from the second
- * on; at a flat surface it is 0.5, at H below it 1. */
+/* Liquid slides along a smooth wall where its mean filling is up to the first, as in films, and not at all from the
+ * second on; at a flat surface it is 0.5, at H below it 1. */
 static const double THIN = 0.6, COVERED = 0.85;
-/* Speed of sliding over c0 from which on it counts. Liquid that slides does not press on walls as its weight asks, so that
- * it would not come to rest. Sloshing with 0.003 c0 in a tank 50 spacings wide is 1.2 % too fast where nothing slides, 1.1 %
- * with 0.004, 0.9 % with 0.002, 0.5 % with 0.001 and 0.02 % with 0; a tank at rest keeps 0.001 sqrt(gH) with 0.002, 0.005
- * with 0.001, and water between walls 160 degrees apart 0.04 and 0.05. */
+/* Speed of sliding over c0 from which on it counts. Liquid that slides does not press on walls as its weight asks, so
+ * that it would not come to rest. Sloshing with 0.003 c0 in a tank 50 spacings wide is 1.2 % too fast where nothing
+ * slides, 1.1 % with 0.004, 0.9 % with 0.002, 0.5 % with 0.001 and 0.02 % with 0; a tank at rest keeps 0.001 sqrt(gH)
+ * with 0.002, 0.005 with 0.001, and water between walls 160 degrees apart 0.04 and 0.05. */
 static const double RINGING = 0.002;
 
 /** How far liquid slides along the wall of a boundary particle: from 0 to 1, smooth. */
@@ -37,8 +37,8 @@ SPH2D__INLINE double sliding(const sph2d__system *s, size_t b, const wall_sums *
     return w->front[b] * t * t * (3 - 2 * t) * past * past / (past * past + ringing * ringing);
 }
 
-/** Pressure, density and volume; none where no liquid is near; what slides. `share` is one over the summed weight, or 0.
- *  Under tension the wall is as at rest. */
+/** Pressure, density and volume; none where no liquid is near; what slides. `share` is one over the summed weight, or
+ *  0. Under tension the wall is as at rest. */
 SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     sph2d__store *w = &s->walls;

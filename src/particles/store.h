@@ -68,6 +68,7 @@ enum { SPH2D__PADDING = 16 };
     X(packed_state)                                                                                                    \
     X(packed_slope)                                                                                                    \
     X(packed_density)                                                                                                  \
+    X(packed_strain)                                                                                                   \
     X(start_x) /* position of a boundary particle at time 0 */                                                         \
     X(start_y)                                                                                                         \
     X(old_density_rate) /* one step before */                                                                          \

@@ -61,6 +61,7 @@ static void check_options(sph2d__checker *c)
     refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC | PROJECTED, hint);
     refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);
+    refuse(c, "method.turbulence", m->turbulence != standard.turbulence, SYMMETRIC, hint);
     refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity, MULLER | SYMMETRIC, hint);
     refuse(c, "method.density_diffusion", m->density_diffusion != standard.density_diffusion, SYMMETRIC | FITTED,
            wcsph);
@@ -82,11 +83,12 @@ static void check_options(sph2d__checker *c)
     if (belts && c->scene->wall_slip == SPH2D_SLIP_FREE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
                            "has no effect on free-slip walls; take wall_slip: none");
+    bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
     if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS && solver_of(m) == SYMMETRIC &&
-        (m->shifting > 0 || m->tensile_control == SPH2D_SWITCH_ON)) {
+        (m->shifting > 0 || m->tensile_control == SPH2D_SWITCH_ON || eddies)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.diffusion_form",
-                                                 "shifting and tensile control need the gradients of antuono");
-        sph2d_diagnostic_hint(d, "leave it out, or take `shifting: 0, tensile_control: off`");
+                                                 "shifting, tensile control and eddies need the gradients of antuono");
+        sph2d_diagnostic_hint(d, "leave it out, or take `shifting: 0, tensile_control: off, turbulence: none`");
     }
     if (m->stiffness > 0 && m->sound_speed > 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.sound_speed", "give stiffness or sound_speed, not both");

@@ -47,6 +47,7 @@ static const char *const precision_words[] = {"double", "mixed", NULL};
 static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
+static const char *const turbulence_words[] = {"default", "none", "smagorinsky", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
                                           "axes",   "quality", "momentum", "error",     "volume", "level", NULL};
@@ -350,6 +351,10 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "muller 0.1, else 0",
      .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
              "least"},
+    {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
+     .standard = "none with shifting 0 or where a block fills a domain without open sides, else smagorinsky",
+     .text = "wcsph, symmetric operators: smagorinsky adds the viscosity (0.24 H)^2 |S| of eddies smaller "
+             "than the kernel"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,

@@ -67,6 +67,16 @@ sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene)
     return has_no_surface(scene) ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
 }
 
+sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
+{
+    const sph2d_method_options *m = &scene->method;
+    bool symmetric = m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_SYMMETRIC;
+    if (m->turbulence != SPH2D_TURBULENCE_DEFAULT || !symmetric)
+        return m->turbulence;
+    bool eddies = m->shifting > 0 && !has_no_surface(scene);
+    return eddies ? SPH2D_TURBULENCE_SMAGORINSKY : SPH2D_TURBULENCE_NONE;
+}
+
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene)
 {
     if (scene->walls != SPH2D_WALL_DEFAULT)

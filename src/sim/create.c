@@ -46,10 +46,10 @@ static const double WIDE = 2.8;
  * read walls one by one. */
 static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
 {
-    const sph2d__set sloped = SPH2D__PACKED | SPH2D__BIT(packed_slope), density = SPH2D__BIT(packed_density);
+    const sph2d__set more = SPH2D__BIT(packed_slope) | SPH2D__BIT(packed_strain), sloped = SPH2D__PACKED | more;
     if (fitted)
         return SPH2D__PACKED & ~SPH2D__BIT(packed_state);
-    return unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED & ~density : sloped;
+    return unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : sloped;
 }
 
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
@@ -180,6 +180,7 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
     sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
+    sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)

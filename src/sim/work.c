@@ -210,7 +210,9 @@ static void put_aside(sph2d__store *f)
 /** Whether anything in the scene resists motion. */
 static bool is_viscous(const sph2d__system *s)
 {
-    return s->viscosity > 0 || s->method.artificial_viscosity > 0 || s->body.springs.stiffness > 0;
+    const sph2d_method_options *m = &s->method;
+    bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
+    return s->viscosity > 0 || m->artificial_viscosity > 0 || eddies || s->body.springs.stiffness > 0;
 }
 
 static bool find_viscous_power(sph2d_sim *sim, double *power)
