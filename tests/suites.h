@@ -52,6 +52,7 @@
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
     X(scene_text)                                                                                                      \
+    X(materials)                                                                                                       \
     X(plan)                                                                                                            \
     X(basin)                                                                                                           \
     X(packing)                                                                                                         \

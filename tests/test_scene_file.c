@@ -305,52 +305,6 @@ START_TEST(no_struct_has_more_keys_than_the_reader_takes)
 }
 END_TEST
 
-START_TEST(a_material_is_its_numbers)
-{
-    /* Alone, with numbers of its own wherever they stand, and by overrides. */
-    static const struct {
-        const char *fluid;
-        sph2d_override override;
-        double density, viscosity, tension;
-    } cases[] = {
-        {"fluid: water\n", {NULL, NULL}, 998.2, 1.0016e-3, 0},
-        {"fluid: {material: mercury}\n", {NULL, NULL}, 13546, 1.554e-3, 0},
-        {"fluid: {dynamic_viscosity: 2, surface_tension: 0.06, material: glycerine}\n", {NULL, NULL}, 1261, 2, 0.06},
-        {"fluid: oil\n", {"fluid.density", "900"}, 900, 0.084, 0},
-        {"fluid: {density: 900}\n", {"fluid", "honey"}, 1420, 19, 0},
-        {"fluid: {density: 900}\n", {"fluid.material", "honey"}, 900, 19, 0},
-        {"fluid: none\n", {NULL, NULL}, 1000, 1e-3, 0},
-    };
-    char text[400];
-    sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    snprintf(text, sizeof text, "%s%s%smethod: wcsph\n%s", DOMAIN, SPACING, cases[_i].fluid, BLOCKS);
-    sph2d_status status = parse(text, &cases[_i].override, cases[_i].override.path ? 1 : 0, &file, &report);
-    ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
-    const sph2d_fluid *fluid = &sph2d_scene_file_scene(file)->fluid;
-    ck_assert_double_eq(fluid->density, cases[_i].density);
-    ck_assert_double_eq(fluid->dynamic_viscosity, cases[_i].viscosity);
-    ck_assert_double_eq(fluid->surface_tension, cases[_i].tension);
-    ck_assert_int_eq(sph2d_scene_file_scene(file)->method.name, SPH2D_METHOD_WCSPH);
-    sph2d_scene_file_destroy(file);
-}
-END_TEST
-
-START_TEST(the_materials_are_those_of_the_table)
-{
-    size_t count;
-    const sph2d_material_data *materials = sph2d_materials(&count);
-    ck_assert_uint_eq(count, SPH2D_MATERIAL_MERCURY + 1);
-    for (size_t i = 1; i < count; ++i) {
-        sph2d_fluid fluid = sph2d_fluid_of((sph2d_material)i);
-        ck_assert_int_eq(fluid.material, (int)i);
-        ck_assert(fluid.density == materials[i].density && fluid.density > 900);
-        ck_assert(fluid.dynamic_viscosity == materials[i].dynamic_viscosity && fluid.dynamic_viscosity > 0);
-    }
-    ck_assert_double_eq(sph2d_fluid_of((sph2d_material)99).density, 1000);
-}
-END_TEST
-
 /* ---- overrides --------------------------------------------------------------------------------------------------- */
 
 START_TEST(overrides_change_single_keys)
@@ -524,8 +478,6 @@ Suite *suite_scene_file(void)
     tcase_add_test(text, consequences_of_a_fault_are_not_faults);
     tcase_add_test(text, faults_beyond_the_report_are_counted);
     tcase_add_test(text, every_key_arrives);
-    tcase_add_loop_test(text, a_material_is_its_numbers, 0, 7);
-    tcase_add_test(text, the_materials_are_those_of_the_table);
     tcase_add_test(text, json_works_too);
     tcase_add_test(text, numbers_have_points_in_every_locale);
     tcase_add_test(text, no_struct_has_more_keys_than_the_reader_takes);
