@@ -44,6 +44,7 @@
     X(walls)                                                                                                           \
     X(layers)                                                                                                          \
     X(sides)                                                                                                           \
+    X(thin)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \
