@@ -370,7 +370,7 @@ START_TEST(particles_at_the_support_do_not_meet)
 }
 END_TEST
 
-/* ---- energy and pressure ------------------------------------------------------------------------------------------ */
+/* ---- energy and pressure ----------------------------------------------------------------------------------------- */
 
 /** Energy of two particles on each other at height y, where they press on walls alone. */
 static double energy_at(sph2d_sim *sim, double y)

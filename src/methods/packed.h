@@ -12,8 +12,9 @@
 #include "methods/system.h"
 
 /* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
- * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term reads
- * them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along walls. */
+ * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
+ * reads them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along
+ * walls. */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {

@@ -7,7 +7,8 @@
  *
  *  1 inside liquid of rest density, 1/2 at a straight surface, beside a wall too. Inside it is density over rest
  *  density; where it is above a half liquid covers the place. Walls are the sides of the domain and closed obstacles
- *  where they are now; lines have no inside, and liquid at one covers what is in front of it as it does at a surface. */
+ *  where they are now; lines have no inside, and liquid at one covers what is in front of it as it does at a
+ *  surface. */
 #ifndef SPH2D_SIM_COVERAGE_H
 #define SPH2D_SIM_COVERAGE_H
 
