@@ -2,7 +2,7 @@
 /** @file muller.h
  *  Method `muller`: Mueller, Charypar & Gross 2003 in two dimensions, the report's method.
  *
- *  density       rho_i = c sum_j m W_poly6(r_ij), c making a filled lattice have the rest density          (report eq. 3, 4)
+ *  density       rho_i = c sum_j m W_poly6(r_ij), c making a filled lattice have the rest density      (report eq. 3, 4)
  *  pressure      p = k (rho - rho0), where positive                                                          (6)
  *  pressure      a_i = -(1/rho_i) sum_j m_j/rho_j (p_i + p_j)/2 grad W_spiky                                 (7, 8)
  *  viscosity     a_i = (mu/rho_i) sum_j m_j/rho_j (v_j - v_i) lap W_viscosity                                (9, 10)

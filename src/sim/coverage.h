@@ -14,6 +14,9 @@
 
 #include "sim/simulation.h"
 
+/** Cells a spacing, the kernel's support radius [spacings], and what a cell counts that is all wall. */
+enum { SPH2D__COVERAGE_CELLS = 2, SPH2D__COVERAGE_SUPPORT = 3, SPH2D__COVERAGE_WHOLE = 16 };
+
 typedef struct sph2d__coverage {
     const sph2d_sim *sim;
     sph2d_vec2 origin;
@@ -27,6 +30,13 @@ typedef struct sph2d__coverage {
 /** Counts. False when memory is short or the domain has more than 2^28 cells; then nothing has to be freed. */
 bool sph2d__coverage_make(sph2d__coverage *coverage, const sph2d_sim *sim);
 void sph2d__coverage_free(sph2d__coverage *coverage);
+
+/** Node of a column or row, brought into the period; SIZE_MAX beyond the grid. */
+size_t sph2d__coverage_node(long k, size_t nodes, size_t cells);
+/** The cell of a place in one direction, and how far in it; false beyond the grid. */
+bool sph2d__coverage_cell(double place, double origin, double size, size_t count, size_t *cell, double *in);
+/** Whether a place lies beyond a side of the domain that is a wall. */
+bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p);
 
 /** Area that liquid covers: of the grid, and of particles by themselves, which stand for dx^2 each [m^2]. */
 double sph2d__coverage_area(const sph2d__coverage *coverage);
