@@ -154,6 +154,17 @@ START_TEST(walls_of_one_layer_are_as_thick_as_the_support)
 }
 END_TEST
 
+START_TEST(layers_are_whole_and_the_support_is_not)
+{
+    /* H = 2.6 dx: three layers; of one layer H itself counts. */
+    start_with(2.8);
+    scene.method.name = _i ? SPH2D_METHOD_MULLER : SPH2D_METHOD_WCSPH;
+    scene.method.support_ratio = 2.6;
+    scene.fluid.dynamic_viscosity = 1000;
+    ck_assert_int_eq(is_warned("obstacles[0].box"), !_i);
+}
+END_TEST
+
 START_TEST(a_line_that_becomes_a_solid_is_thick_enough)
 {
     start_with(0);
@@ -177,6 +188,7 @@ Suite *suite_thin(void)
     tcase_add_loop_test(tests, gravity_says_what_is_high, 0, 2);
     tcase_add_loop_test(tests, discs_and_polygons_are_measured_across, 0, 3);
     tcase_add_loop_test(tests, walls_of_one_layer_are_as_thick_as_the_support, 0, 3);
+    tcase_add_loop_test(tests, layers_are_whole_and_the_support_is_not, 0, 2);
     tcase_add_test(tests, a_line_that_becomes_a_solid_is_thick_enough);
     suite_add_tcase(suite, tests);
     return suite;
