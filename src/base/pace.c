@@ -13,9 +13,9 @@ static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
 static const double SHARE = 0.04;
 /* More threads must bring that much, fewer may lose it: threads cost processor time. */
 static const double WORTH = 1.05;
-/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns, unless the
- * comparison before was in doubt. */
-static const double POOR = 0.8;
+/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns that takes so long
+ * that slices of time do not matter [s]. */
+static const double POOR = 0.8, LONG = 0.1;
 /* Beside several jobs that take slices of the same processors one turn in three may get nothing done. A comparison goes
  * on until what it found is so many standard errors off what it asks, or for so many pairs of turns; where pairs
  * scattered by more than the last (of a logarithm) before, for so many at least. */
@@ -91,7 +91,7 @@ static void take_turn(sph2d__pace *p)
     p->squares += pair * pair;
     double asked = more ? log(WORTH) : -log(WORTH);
     if (p->turn == 2) {
-        if (!p->doubtful && (ratio < POOR || (!more && ratio * POOR > 1)))
+        if (spent > LONG && (ratio < POOR || (!more && ratio * POOR > 1)))
             decide(p, ratio > 1, spent);
     } else if (is_sure(p, log(ratio), asked)) {
         p->doubtful = scatter_of(p) > SCATTER;
