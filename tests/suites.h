@@ -24,6 +24,7 @@
     X(cells)                                                                                                           \
     X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
+    X(muller_energy)                                                                                                   \
     X(wcsph)                                                                                                           \
     X(wcsph_walls)                                                                                                     \
     X(wcsph_surface)                                                                                                   \
@@ -44,6 +45,7 @@
     X(walls)                                                                                                           \
     X(layers)                                                                                                          \
     X(sides)                                                                                                           \
+    X(thin)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \
@@ -51,7 +53,9 @@
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \
+    X(overrides)                                                                                                       \
     X(scene_text)                                                                                                      \
+    X(materials)                                                                                                       \
     X(plan)                                                                                                            \
     X(basin)                                                                                                           \
     X(packing)                                                                                                         \
@@ -71,6 +75,7 @@
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \
+    X(study_numbers)                                                                                                   \
     X(study_rows)                                                                                                      \
     X(study_front)                                                                                                     \
     X(study_record)                                                                                                    \

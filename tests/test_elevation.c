@@ -115,7 +115,7 @@ START_TEST(without_liquid_there_is_no_surface)
 }
 END_TEST
 
-/* ---- at rest in tanks that are obstacles -------------------------------------------------------------------------- */
+/* ---- at rest in tanks that are obstacles ------------------------------------------------------------------------- */
 
 enum { PLACES = 9 };
 static const double REST_DX = 0.015, LEVEL = 0.3, STEP = 0.15;

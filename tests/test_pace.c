@@ -93,12 +93,43 @@ START_TEST(it_gives_way_and_comes_back)
 }
 END_TEST
 
+/** A machine whose processors others take for slices of 4 ms, two of three at random: then hardly anything is done. */
+static double twice;
+static uint64_t series;
+static double sliced(int threads, double time)
+{
+    const double slice = 0.004;
+    uint64_t random = series + 1000003 * (uint64_t)(time / slice);
+    test_random(&random, 0, 1);
+    return test_random(&random, 0, 1) < 1 / 3. ? (threads > 1 ? twice : 1) * 1000 : 20;
+}
+
+/* Turns then scatter by a factor of ten, and only many of them tell which is better. */
+START_TEST(slices_of_others_do_not_deceive)
+{
+    enum { SERIES = 8 };
+    double best = 0, own = 0;
+    twice = _i ? 0.8 : 1.8;
+    for (series = 1; series <= SERIES; ++series) {
+        sph2d__pace one = sph2d__pace_start(_i ? 1 : 2), p = sph2d__pace_start(2);
+        own += live(&p, sliced, 0, 5, 0.1).work;
+        if (_i)
+            best += live(&one, sliced, 0, 5, 0.1).work;
+        else
+            for (double time = 0; time < 5; best += 0.1)
+                time += 0.1 / sliced(2, time);
+    }
+    ck_assert_double_ge(own / best, 0.9);
+}
+END_TEST
+
 Suite *suite_pace(void)
 {
     Suite *suite = suite_create("pace");
     TCase *tests = tcase_create("pace");
     tcase_add_test(tests, what_is_best_is_found_and_kept);
     tcase_add_test(tests, it_gives_way_and_comes_back);
+    tcase_add_loop_test(tests, slices_of_others_do_not_deceive, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -305,114 +305,6 @@ START_TEST(no_struct_has_more_keys_than_the_reader_takes)
 }
 END_TEST
 
-START_TEST(a_material_is_its_numbers)
-{
-    /* Alone, with numbers of its own wherever they stand, and by overrides. */
-    static const struct {
-        const char *fluid;
-        sph2d_override override;
-        double density, viscosity, tension;
-    } cases[] = {
-        {"fluid: water\n", {NULL, NULL}, 998.2, 1.0016e-3, 0},
-        {"fluid: {material: mercury}\n", {NULL, NULL}, 13546, 1.554e-3, 0},
-        {"fluid: {dynamic_viscosity: 2, surface_tension: 0.06, material: glycerine}\n", {NULL, NULL}, 1261, 2, 0.06},
-        {"fluid: oil\n", {"fluid.density", "900"}, 900, 0.084, 0},
-        {"fluid: {density: 900}\n", {"fluid", "honey"}, 1420, 19, 0},
-        {"fluid: {density: 900}\n", {"fluid.material", "honey"}, 900, 19, 0},
-        {"fluid: none\n", {NULL, NULL}, 1000, 1e-3, 0},
-    };
-    char text[400];
-    sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    snprintf(text, sizeof text, "%s%s%smethod: wcsph\n%s", DOMAIN, SPACING, cases[_i].fluid, BLOCKS);
-    sph2d_status status = parse(text, &cases[_i].override, cases[_i].override.path ? 1 : 0, &file, &report);
-    ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
-    const sph2d_fluid *fluid = &sph2d_scene_file_scene(file)->fluid;
-    ck_assert_double_eq(fluid->density, cases[_i].density);
-    ck_assert_double_eq(fluid->dynamic_viscosity, cases[_i].viscosity);
-    ck_assert_double_eq(fluid->surface_tension, cases[_i].tension);
-    ck_assert_int_eq(sph2d_scene_file_scene(file)->method.name, SPH2D_METHOD_WCSPH);
-    sph2d_scene_file_destroy(file);
-}
-END_TEST
-
-START_TEST(the_materials_are_those_of_the_table)
-{
-    size_t count;
-    const sph2d_material_data *materials = sph2d_materials(&count);
-    ck_assert_uint_eq(count, SPH2D_MATERIAL_MERCURY + 1);
-    for (size_t i = 1; i < count; ++i) {
-        sph2d_fluid fluid = sph2d_fluid_of((sph2d_material)i);
-        ck_assert_int_eq(fluid.material, (int)i);
-        ck_assert(fluid.density == materials[i].density && fluid.density > 900);
-        ck_assert(fluid.dynamic_viscosity == materials[i].dynamic_viscosity && fluid.dynamic_viscosity > 0);
-    }
-    ck_assert_double_eq(sph2d_fluid_of((sph2d_material)99).density, 1000);
-}
-END_TEST
-
-/* ---- overrides --------------------------------------------------------------------------------------------------- */
-
-START_TEST(overrides_change_single_keys)
-{
-    static const sph2d_override overrides[] = {{"run.until", "0.5"},     {"blocks[0].velocity", "[1, 0]"},
-                                               {"method", "{cfl: 0.2}"}, {"method.support_ratio", "3"},
-                                               {"run.until", "0.25"},    {"name", "'x y'"}};
-    sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    sph2d_status status = parse(SOUND, overrides, 6, &file, &report);
-    ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
-    const sph2d_scene *s = sph2d_scene_file_scene(file);
-    ck_assert(s->run.until == 0.25 && s->blocks[0].velocity.x == 1);
-    ck_assert(s->method.cfl == 0.2 && s->method.support_ratio == 3);
-    ck_assert_str_eq(s->name, "x y");
-    ck_assert_str_eq(sph2d_scene_file_text(file), SOUND);
-    size_t count = 0;
-    const sph2d_override *kept = sph2d_scene_file_overrides(file, &count);
-    ck_assert_uint_eq(count, 6);
-    ck_assert_str_eq(kept[5].path, "name");
-    ck_assert_str_eq(kept[5].value, "'x y'");
-    sph2d_scene_file_destroy(file);
-}
-END_TEST
-
-static const struct {
-    sph2d_override override;
-    sph2d_code code;
-    const char *file, *message;
-} bad_overrides[] = {
-    {{"run.untl", "1"}, SPH2D_CODE_UNKNOWN_KEY, "--set run.untl=1", "unknown key 'untl'"},
-    {{"run.until", "soon"}, SPH2D_CODE_WRONG_TYPE, "--set run.until=soon", "expected a number, got 'soon'"},
-    {{"run.until", ""}, SPH2D_CODE_WRONG_TYPE, "--set run.until=", "expected a number, got nothing"},
-    {{"spacing", "-1"}, SPH2D_CODE_OUT_OF_RANGE, "--set spacing=-1", "-1 is out of range"},
-    {{"blocks[1].velocity", "[0, 0]"}, SPH2D_CODE_UNKNOWN_KEY, "--set blocks[1].velocity=[0, 0]", "the list has 1"},
-    {{"sources[0].at", "[0, 0]"}, SPH2D_CODE_UNKNOWN_KEY, "--set sources[0].at=[0, 0]", "no list"},
-    {{"spacing.x", "1"}, SPH2D_CODE_UNKNOWN_KEY, "--set spacing.x=1", "no mapping that could hold 'x'"},
-    {{"run..until", "1"}, SPH2D_CODE_SYNTAX, "--set run..until=1", "no key path"},
-    {{"", "1"}, SPH2D_CODE_SYNTAX, "--set =1", "no key path"},
-    {{"blocks[", "1"}, SPH2D_CODE_SYNTAX, "--set blocks[=1", "no key path"},
-    {{"blocks[99999999999999999999]", "1"}, SPH2D_CODE_SYNTAX, "--set blocks[99999999999999999999]=1", "no key path"},
-    {{"gravity", "[0"}, SPH2D_CODE_SYNTAX, "--set gravity=[0", "not closed"},
-    {{"gravity", "&a [0, 1]"}, SPH2D_CODE_SYNTAX, "--set gravity=&a [0, 1]", "anchors"},
-    {{"blocks[0].disc", "{center: [0, 0], radius: 1}"},
-     SPH2D_CODE_CONFLICT,
-     "--set blocks[0].disc={center: [0, 0], radius: 1}",
-     "'disc' excludes 'box' on line 4"},
-};
-
-START_TEST(faults_of_overrides_name_the_override)
-{
-    sph2d_report report = {0};
-    sph2d_scene_file *file = NULL;
-    ck_assert_int_eq(parse(SOUND, &bad_overrides[_i].override, 1, &file, &report), SPH2D_SCENE);
-    const sph2d_diagnostic *d = &report.items[0];
-    ck_assert_msg(report.count == 1 && d->code == bad_overrides[_i].code, "%s", test_report_text(&report));
-    ck_assert_str_eq(d->file, bad_overrides[_i].file);
-    ck_assert_int_eq(d->line, 0);
-    ck_assert_msg(strstr(d->message, bad_overrides[_i].message) != NULL, "%s", test_report_text(&report));
-}
-END_TEST
-
 /* ---- places ------------------------------------------------------------------------------------------------------ */
 
 START_TEST(paths_are_located)
@@ -524,13 +416,9 @@ Suite *suite_scene_file(void)
     tcase_add_test(text, consequences_of_a_fault_are_not_faults);
     tcase_add_test(text, faults_beyond_the_report_are_counted);
     tcase_add_test(text, every_key_arrives);
-    tcase_add_loop_test(text, a_material_is_its_numbers, 0, 7);
-    tcase_add_test(text, the_materials_are_those_of_the_table);
     tcase_add_test(text, json_works_too);
     tcase_add_test(text, numbers_have_points_in_every_locale);
     tcase_add_test(text, no_struct_has_more_keys_than_the_reader_takes);
-    tcase_add_test(text, overrides_change_single_keys);
-    tcase_add_loop_test(text, faults_of_overrides_name_the_override, 0, sizeof bad_overrides / sizeof bad_overrides[0]);
     tcase_add_test(text, paths_are_located);
     tcase_add_test(text, a_long_line_is_cut_between_characters);
     tcase_add_test(text, a_message_holds_nothing_for_the_terminal);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_tension.c
- *  Surface tension: its force is the gradient of an energy, which is found here in another way: by the perimeters of the
- *  discs around all particles, for many radii. */
+ *  Surface tension: its force is the gradient of an energy, which is found here in another way: by the perimeters of
+ *  the discs around all particles, for many radii. */
 #include <math.h>
 #include <stdlib.h>
 

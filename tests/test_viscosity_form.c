@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_viscosity_form.c
- *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface, and
- *  eddies there alone. */
+ *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface,
+ *  and eddies there alone. */
 #include "hand_made.h"
 
 /** The form that a scene ends with, whose block goes from (0, 0) to (x, y) of a square. */

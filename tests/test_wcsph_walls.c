@@ -109,7 +109,8 @@ START_TEST(walls_act_like_liquid)
 END_TEST
 
 /* What walls at rest do to the liquid, elastic energy gets and no more: with walls on two sides and a corner, liquid of
- * any density that moves in any way, a lone particle too. No gravity, whose part of the walls' pressure has no potential. */
+ * any density that moves in any way, a lone particle too. No gravity, whose part of the walls' pressure has no
+ * potential. */
 START_TEST(walls_make_no_energy)
 {
     scene.gravity = (sph2d_vec2){0, 0};

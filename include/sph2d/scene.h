@@ -275,9 +275,9 @@ typedef struct sph2d_method_options {
                                  interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph
                                  keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
                                  particles beyond it one by one */
-    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2]; default 0: derived as above. k = c0^2, but for muller,
-                                 whose pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check` prints, and
-                                 the pressure that is told is the one that is carried */
+    double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2]; default 0: derived as above. k = c0^2, but for
+                                 muller, whose pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check`
+                                 prints, and the pressure that is told is the one that is carried */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators; pcisph and constraint 2.4 with
@@ -402,9 +402,9 @@ typedef struct sph2d_interaction {
 /** What a probe writes: the columns behind `time`. Values without meaning, as where there is no liquid, are NaN. */
 typedef enum sph2d_probe_kind {
     SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
-                                    central force, springs of sides and surface; momentum_x, momentum_y [kg/s]; particles;
-                                    speed_max: of the fastest one [m/s]; elastic: energy of compression [J/m];
-                                    energy_error: what does not add up, over the scene's energy scale
+                                    central force, springs of sides and surface; momentum_x, momentum_y [kg/s];
+                                    particles; speed_max: of the fastest one [m/s]; elastic: energy of compression
+                                    [J/m]; energy_error: what does not add up, over the scene's energy scale
                                     (sph2d_summary) */
     SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
                                     particles within the support radius */

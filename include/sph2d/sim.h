@@ -9,10 +9,10 @@
  *      sph2d_view fluid = sph2d_sim_fluid(sim);
  *      sph2d_sim_destroy(sim);
  *
- *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A step
- *  is made by the thread that asks for it and by helpers of the simulation's own, which start when there is enough to
- *  do, take no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They are
- *  left out while they bring nothing, since other jobs have the processors or there is too little to do. A process
+ *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A
+ *  step is made by the thread that asks for it and by helpers of the simulation's own, which start when there is enough
+ *  to do, take no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They
+ *  are left out while they bring nothing, since other jobs have the processors or there is too little to do. A process
  *  that is forked off has none of them and steps alone. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
@@ -160,20 +160,20 @@ typedef struct sph2d_summary {
     double elastic;            /**< that of compression, by the equation of state of methods wcsph and muller; 0 for the
                                   others [J/m] */
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
-    double energy_rise;        /**< how far energy ever rose above an earlier moment, less what was brought: by particles,
-                                  new gravity, moving walls, interactions, forces along periods [J/m]. NaN with fitted
-                                  operators and walls that move, whose work they do not tell */
-    double energy_error;       /**< what does not add up: kinetic + potential + elastic - energy_start less what was brought,
-                                  plus what dissipated, at the last look [J/m]; NaN with fitted operators and obstacles
-                                  that move. What pressure solvers take in impacts counts as lost */
+    double energy_rise;        /**< how far energy ever rose above an earlier moment, less what was brought: by
+                                  particles, new gravity, moving walls, interactions, forces along periods [J/m]. NaN
+                                  with fitted operators and walls that move, whose work they do not tell */
+    double energy_error;       /**< what does not add up: kinetic + potential + elastic - energy_start less what was
+                                  brought, plus what dissipated, at the last look [J/m]; NaN with fitted operators and
+                                  obstacles that move. What pressure solvers take in impacts counts as lost */
     double energy_error_rise;  /**< how far that ever rose above an earlier moment [J/m] */
     double energy_walls;       /**< brought by walls that move, through pressure, friction and the swept test [J/m] */
     double energy_forces;      /**< brought by interactions, the pointer and gravity along periods [J/m] */
     double energy_viscous;     /**< taken by viscosity, artificial viscosity, friction at walls, dampers [J/m] */
     double energy_diffused;    /**< elastic energy taken by diffusion of density [J/m] */
     double energy_stopped;     /**< taken by the swept test against walls at rest and by reflections [J/m] */
-    double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
-                                  the surface of a round drop of its liquid under tension [J/m] */
+    double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene,
+                                  and the surface of a round drop of its liquid under tension [J/m] */
     double density_apart;      /**< largest difference of the densities of sph2d_sim_densities(), looked at in every
                                   500th step; 0 where there was none */
     double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
@@ -193,8 +193,8 @@ typedef struct sph2d_summary {
 
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 
-/** Mean density inside the liquid over rest density. Inside is what has liquid all around it for 5 spacings, and no wall
- *  within 3; NaN where there are less than 20 such particles, and where memory is short. */
+/** Mean density inside the liquid over rest density. Inside is what has liquid all around it for 5 spacings, and no
+ *  wall within 3; NaN where there are less than 20 such particles, and where memory is short. */
 typedef struct sph2d_densities {
     double told;    /**< as particles have it */
     double counted; /**< by counting particles on the area, with a kernel of 3 spacings */

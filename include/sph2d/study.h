@@ -96,8 +96,8 @@ typedef enum sph2d_summary_value {
     SPH2D_SUMMARY_COMPRESSION = 0,      /**< compression_p99 */
     SPH2D_SUMMARY_COMPRESSION_MEAN = 1, /**< compression_mean */
     SPH2D_SUMMARY_COMPRESSION_MAX = 2,  /**< compression_max */
-    SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential + elastic - energy_start - energy_fed, over |energy_start| unless
-                                             that is 0 */
+    SPH2D_SUMMARY_ENERGY_CHANGE = 3,    /**< kinetic + potential + elastic - energy_start - energy_fed, over
+                                             |energy_start| unless that is 0 */
     SPH2D_SUMMARY_ITERATIONS = 4,       /**< iterations over steps */
     SPH2D_SUMMARY_ENERGY_RISE = 5,      /**< energy_rise over energy_scale */
     SPH2D_SUMMARY_ENERGY_ERROR = 6,     /**< energy_error over energy_scale */

@@ -11,11 +11,16 @@ static const double TURN = 0.005;
 static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
 /* A comparison that changes nothing may take no more than this part of all time. */
 static const double SHARE = 0.04;
-/* More threads must bring that much in each pair of turns: they cost processor time, and another job that comes and
- * goes makes turns uneven. */
+/* More threads must bring that much, fewer may lose it: threads cost processor time. */
 static const double WORTH = 1.05;
-/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns. */
-static const double POOR = 0.8;
+/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns that takes so long
+ * that slices of time do not matter [s]. */
+static const double POOR = 0.8, LONG = 0.1;
+/* Beside several jobs that take slices of the same processors one turn in three may get nothing done. A comparison goes
+ * on until what it found is so many standard errors off what it asks, or for so many pairs of turns; where pairs
+ * scattered by more than the last (of a logarithm) before, for so many at least. */
+static const double ERRORS = 2, SCATTER = 0.2;
+enum { LEAST_PAIRS = 2, LEAST_DOUBTFUL = 5, MOST_PAIRS = 16 };
 /* What is slower than this times its usual pace is compared sooner: after this part of the time. */
 static const double DROP = 0.8, SOONER = 0.25;
 
@@ -51,24 +56,47 @@ static void decide(sph2d__pace *p, bool better, double spent)
     p->interval = better ? FIRST : fmax(longer, spent / SHARE);
 }
 
+/** Standard deviation of the logarithm of pairs of turns. */
+static double scatter_of(const sph2d__pace *p)
+{
+    double pairs = p->turn / 2, mean = p->sum / pairs;
+    return sqrt(fmax(p->squares / pairs - mean * mean, 0) * pairs / (pairs - 1));
+}
+
+/** Whether what the pairs of turns found is beyond doubt, or has taken long enough. */
+static bool is_sure(const sph2d__pace *p, double found, double asked)
+{
+    int pairs = p->turn / 2;
+    return pairs >= (p->doubtful ? LEAST_DOUBTFUL : LEAST_PAIRS) &&
+           (fabs(found - asked) * sqrt(pairs) > ERRORS * scatter_of(p) || pairs == MOST_PAIRS);
+}
+
 /** Ends a turn of a comparison. */
 static void take_turn(sph2d__pace *p)
 {
-    sph2d__stint now = p->now;
+    sph2d__stint now = p->now, *whole = p->turn % 2 == 0 ? &p->of_rival : &p->of_choice;
     p->now = (sph2d__stint){0, 0};
+    whole->work += now.work;
+    whole->spent += now.spent;
     if (p->turn++ % 2 == 0) {
-        p->of_rival = now;
+        p->last = now;
         return;
     }
-    double ratio = p->of_rival.work * now.spent / (now.work * p->of_rival.spent);
-    double pair = now.spent + p->of_rival.spent;
+    const sph2d__stint *rival = &p->of_rival, *choice = &p->of_choice;
+    double pair = log(p->last.work * now.spent / (now.work * p->last.spent));
+    double ratio = rival->work * choice->spent / (choice->work * rival->spent), spent = rival->spent + choice->spent;
     bool more = p->rival > p->chosen;
-    p->usual = now.work / now.spent;
-    p->ratios[p->turn / 2 - 1] = ratio;
-    if (p->turn == 2 && (ratio < POOR || (!more && ratio * POOR > 1)))
-        decide(p, ratio > 1, pair);
-    else if (p->turn == 4)
-        decide(p, more ? fmin(p->ratios[0], ratio) > WORTH : (p->ratios[0] + ratio) / 2 * WORTH > 1, 2 * pair);
+    p->usual = choice->work / choice->spent;
+    p->sum += pair;
+    p->squares += pair * pair;
+    double asked = more ? log(WORTH) : -log(WORTH);
+    if (p->turn == 2) {
+        if (spent > LONG && (ratio < POOR || (!more && ratio * POOR > 1)))
+            decide(p, ratio > 1, spent);
+    } else if (is_sure(p, log(ratio), asked)) {
+        p->doubtful = scatter_of(p) > SCATTER;
+        decide(p, log(ratio) > asked, spent);
+    }
 }
 
 /** Begins a comparison when it is time. */
@@ -80,6 +108,8 @@ static void question(sph2d__pace *p)
         return;
     p->rival = rival_of(p);
     p->turn = 0;
+    p->of_rival = p->of_choice = (sph2d__stint){0, 0};
+    p->sum = p->squares = 0;
 }
 
 int sph2d__pace_note(sph2d__pace *p, double work, double seconds)

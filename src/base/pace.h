@@ -4,7 +4,8 @@
  *
  *  Beside another job, or where loops are short, fewer threads may be faster, and nothing but the pace tells. From time
  *  to time, and sooner when it drops, the pace is compared with that of half or twice as many threads, in short turns
- *  one after the other. The longer a choice proves right, the rarer it is questioned. */
+ *  one after the other, until the difference is larger than the scatter. The longer a choice proves right, the rarer it
+ *  is questioned. */
 #ifndef SPH2D_BASE_PACE_H
 #define SPH2D_BASE_PACE_H
 
@@ -22,8 +23,10 @@ typedef struct sph2d__pace {
     bool upwards;          /**< the next comparison is with more threads, where there are */
     int turn;              /**< of the comparison: the rival's are even */
     sph2d__stint now;      /**< this turn, or as much time between comparisons */
-    sph2d__stint of_rival; /**< in its last turn */
-    double ratios[2];      /**< pace of the rival over that of the choice, in each pair of turns */
+    sph2d__stint last;     /**< the rival's last turn */
+    sph2d__stint of_rival, of_choice; /**< all turns of the comparison */
+    double sum, squares;   /**< over its pairs of turns: logarithm of the rival's pace over that of the choice */
+    bool doubtful;         /**< pairs of the comparison before scattered much */
     double usual;          /**< work a second of the choice when it was last compared */
     double age;            /**< time since then [s] */
     double interval;       /**< until it is compared again [s] */

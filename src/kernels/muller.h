@@ -55,8 +55,8 @@ static inline double sph2d__poly6_lattice_sum(double support, double spacing)
     return sum * sph2d__poly6_constant(support) * spacing * spacing;
 }
 
-/** The pressure that pairs in a lattice carry over the p of its particles. Pair forces m/rho_i m/rho_j p |W'_spiky| carry,
- *  by the virial,
+/** The pressure that pairs in a lattice carry over the p of its particles. Pair forces m/rho_i m/rho_j p |W'_spiky|
+ *  carry, by the virial,
  *
  *      P = 1/4 sum_j (dx^2 p |W'_spiky(r_ij)|) r_ij,
  *

@@ -10,8 +10,8 @@
 #include "kernels/muller.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator stands nu dt/H^2 < 0.145; in a
- * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. With the viscosity that there is
- * at least, 0.1 c0 H, this is 0.4 H/c0. */
+ * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. With the viscosity that there
+ * is at least, 0.1 c0 H, this is 0.4 H/c0. */
 static const double VISCOUS = 0.04;
 static const double FORCE = 0.25;
 

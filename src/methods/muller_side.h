@@ -4,11 +4,11 @@
  *
  *      rho_side(d) = rho0 F w(d),   w(d) = (1 - n^2/H^2)^m / (1 - dx^2/H^2)^m,   n = d + dx/2 >= 0,
  *
- *  to the density, and at the distances d and e from two sides of a corner rho0 (F w(d) + F w(e) + Q w(d) w(e)). F and Q
- *  are what rows on one side and particles in one quarter of a filled lattice have of its density: a lattice that starts
- *  half a spacing off the sides has rest density everywhere. Without it the first row would have to be pressed together
- *  before it can carry anything. What it takes to press a particle against a side comes back: the energy per mass
- *  e(rho), the integral of p/rho^2, gives
+ *  to the density, and at the distances d and e from two sides of a corner rho0 (F w(d) + F w(e) + Q w(d) w(e)). F and
+ *  Q are what rows on one side and particles in one quarter of a filled lattice have of its density: a lattice that
+ *  starts half a spacing off the sides has rest density everywhere. Without it the first row would have to be pressed
+ *  together before it can carry anything. What it takes to press a particle against a side comes back: the energy per
+ *  mass e(rho), the integral of p/rho^2, gives
  *
  *      a_n = -(p/rho^2) d rho_side/dd.
  *

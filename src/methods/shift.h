@@ -5,11 +5,11 @@
  *      w = -D grad C,   grad C = sum V (1 + 0.2 (W/W(dx))^4) grad W                   (Sun et al. 2017, eqs. 7, 8)
  *      D = gain H^2 |S|^2/(|S| + S0)
  *
- *  with the rate of strain |S| = sqrt(2 S:S) of the liquid around, without that of volume, in place of the largest speed
- *  over H: what disorders a lattice is that neighbours pass each other. Liquid that rests, flies or turns as a whole is
- *  not shifted, and no moving frame changes anything. Below S0 = 0.001 c0/H strain is the noise of sound in liquid at
- *  rest, which shifts by it would feed: a tank at rest kept a speed of 0.02 sqrt(gH), with S0 it falls below 0.001.
- *  Particles carry H grad C and |S|. */
+ *  with the rate of strain |S| = sqrt(2 S:S) of the liquid around, without that of volume, in place of the largest
+ *  speed over H: what disorders a lattice is that neighbours pass each other. Liquid that rests, flies or turns as a
+ *  whole is not shifted, and no moving frame changes anything. Below S0 = 0.001 c0/H strain is the noise of sound in
+ *  liquid at rest, which shifts by it would feed: a tank at rest kept a speed of 0.02 sqrt(gH), with S0 it falls below
+ *  0.001. Particles carry H grad C and |S|. */
 #ifndef SPH2D_METHODS_SHIFT_H
 #define SPH2D_METHODS_SHIFT_H
 
@@ -17,8 +17,8 @@
 
 #include "methods/system.h"
 
-/* D over |S| H^2, for shifting: 1. With 1 a patch that turns was under too little tension, by 0.015 of rho w^2 L^2, with
- * 2 and 3 by 0.004. */
+/* D over |S| H^2, for shifting: 1. With 1 a patch that turns was under too little tension, by 0.015 of rho w^2 L^2,
+ * with 2 and 3 by 0.004. */
 static const double SPH2D__SHIFT_GAIN = 2;
 /* S0 H/c0. */
 static const double SPH2D__SHIFT_NOISE = 0.001;

@@ -56,8 +56,8 @@ static void add(crowd *c, double x, double y, kind what)
     c->kind[k] = what;
 }
 
-/** Adds the particles of `from` whose cells can meet that of a particle at (x, y) in the band, without the one there and
- *  without those that only reflect. False when there is no room. */
+/** Adds the particles of `from` whose cells can meet that of a particle at (x, y) in the band, without the one there
+ *  and without those that only reflect. False when there is no room. */
 static bool gather(crowd *c, const sph2d__system *s, const sph2d__store *from, const sph2d__ranges *ranges, double x,
                    double y)
 {

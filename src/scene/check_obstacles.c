@@ -26,7 +26,7 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
     check_points_inside(c, points, path);
     for (size_t i = 1; i < points.count; ++i) {
         sph2d_vec2 p = points.items[i];
-        if ( p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
+        if (p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
             sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
     }
 }
@@ -135,4 +135,6 @@ void sph2d__check_obstacles(checker *c)
         check_obstacle(c, i);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
         check_side(c, i);
+    if (c->errors == 0)
+        sph2d__check_thin(c);
 }

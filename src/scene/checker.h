@@ -40,6 +40,9 @@ void sph2d__check_way(sph2d__checker *c, sph2d_path way, const char *path);
 /** Every obstacle, and where it has its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
 
+/** Warns of obstacles so thin that liquids on their two sides feel each other through them. */
+void sph2d__check_thin(sph2d__checker *c);
+
 /** Ranges, words and lists, by the key table. */
 void sph2d__check_ranges(sph2d__checker *c);
 

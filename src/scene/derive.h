@@ -13,7 +13,8 @@ static const double SPH2D__INNER_RADIUS = 1, SPH2D__OUTER_RADIUS = 2;
 /** What follows from a scene. */
 typedef struct sph2d__derived {
     double support_radius; /**< H = support_ratio * spacing [m] */
-    double reach;          /**< how far off particles must be found: H, under surface tension two outer radii of its band at least [m] */
+    double reach;          /**< how far off particles must be found: H, under surface tension two outer radii of its
+                                band at least [m] */
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
     double height;         /**< of liquid above the lowest place that it can get to, along gravity, at most [m] */
     double speed;          /**< fastest start or source [m/s] */

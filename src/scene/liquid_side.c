@@ -24,7 +24,7 @@ bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *ob
            sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
 }
 
-static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
+bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
 {
     for (size_t i = 0; i < scene->block_count; ++i)
         if (sph2d__shape_contains(&scene->blocks[i].shape, p))
@@ -63,7 +63,7 @@ static void look_beside(const sph2d_scene *scene, const sph2d_outline *outline, 
                 sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x) - way * (s.b.y - s.a.y),
                                 s.a.y + t * (s.b.y - s.a.y) + way * (s.b.x - s.a.x)};
                 bool *wet = d > 0 ? left : right;
-                if (!*wet && in_block(scene, p) && look_at_line(outline, p, &side) >= 0.999 * fabs(d))
+                if (!*wet && sph2d__in_block(scene, p) && look_at_line(outline, p, &side) >= 0.999 * fabs(d))
                     *wet = true;
             }
     }

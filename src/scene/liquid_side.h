@@ -10,6 +10,9 @@
 /** Thickness of the layers of a generalised wall: whole spacings, the support radius at least [m]. */
 double sph2d__layer_thickness(const sph2d_scene *scene);
 
+/** Whether a place lies in a block of liquid. */
+bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p);
+
 /** Whether an obstacle has layers on one side of an open line, so that its side matters. */
 bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle);
 

@@ -20,10 +20,10 @@
 #include "base/pi.h"
 #include "sim/simulation.h"
 
-/* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound, and
- * the upper one of liquid that collapses into a point. Energy: fifteen times what sound scenes do, with muller,
- * wcsph and pcisph. What soft constraints hold (SPOOK's compliance) is not told and comes back: 9 % of the scale where a
- * wall moves in liquid of max_compression 0.3; of pcisph 2 % there, of constraint at 0.01 less than 0.1 %. */
+/* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound,
+ * and the upper one of liquid that collapses into a point. Energy: fifteen times what sound scenes do, with muller,
+ * wcsph and pcisph. What soft constraints hold (SPOOK's compliance) is not told and comes back: 9 % of the scale where
+ * a wall moves in liquid of max_compression 0.3; of pcisph 2 % there, of constraint at 0.01 less than 0.1 %. */
 static const struct {
     double thinnest, densest, rise;
 } bounds[] = {

@@ -4,8 +4,8 @@
  *
  *  Places start on the cells of a grid, one for each cell's worth of area that is covered, and move until the gradient
  *  of concentration, sum_j dx^2 grad W_ij over the liquid, the boundary particles and what fills the rest of the room,
- *  is gone: equal pressure then pushes no particle (Colagrossi, Bouscasse, Antuono & Marrone 2012). The gradient is that
- *  of an energy, sum W_ij, so that the descent ends. */
+ *  is gone: equal pressure then pushes no particle (Colagrossi, Bouscasse, Antuono & Marrone 2012). The gradient is
+ *  that of an energy, sum W_ij, so that the descent ends. */
 #ifndef SPH2D_SIM_PACKING_H
 #define SPH2D_SIM_PACKING_H
 

@@ -3,8 +3,8 @@
  *  A probe of the free surface above a place.
  *
  *  Liquid fills a place by the fraction sum_j V W(r_j), V the volume of a particle at rest, W Wendland's C2: 1 inside,
- *  1/2 at a surface, where half the kernel is empty. Beside a wall the liquid's half is cut by what the wall takes of it:
- *  there the surface is where liquid and the part of the wall below it fill a half,
+ *  1/2 at a surface, where half the kernel is empty. Beside a wall the liquid's half is cut by what the wall takes of
+ *  it: there the surface is where liquid and the part of the wall below it fill a half,
  *
  *      sum_j V W(r_j) + sum_b V_b c_b W(r_b) = 1/2,   c_b from 1 below to 0 above, over a spacing,
  *

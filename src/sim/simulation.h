@@ -95,8 +95,8 @@ bool sph2d__sim_rise_is_known(const sph2d_sim *sim);
 sph2d_status sph2d__sim_book(sph2d_sim *sim);
 /** Books the work of walls that move and of forces, in every few steps. */
 void sph2d__sim_book_drives(sph2d_sim *sim);
-/** Parts of the work that schemes have to book: in the middle of a step of `dt`, once rates of density are known; behind a
- *  pressure solver; and in place of a fitted method's evaluation, which is false when memory is short. */
+/** Parts of the work that schemes have to book: in the middle of a step of `dt`, once rates of density are known;
+ *  behind a pressure solver; and in place of a fitted method's evaluation, which is false when memory is short. */
 void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt);
 void sph2d__sim_book_projection(sph2d_sim *sim, double dt);
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);

@@ -23,9 +23,9 @@ static double lowest_of(const sph2d_sim *sim, size_t first)
     return lowest - sim->scene.spacing / 2;
 }
 
-/** Moves a particle of liquid that is still, or was until a blow, down to where the liquid below it, compressed by the weight on it, leaves it:
- * spacing and density then agree, and the column does not sink when it is let go. A height s of the lattice becomes y
- * with dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
+/** Moves a particle of liquid that is still, or was until a blow, down to where the liquid below it, compressed by the
+ * weight on it, leaves it: spacing and density then agree, and the column does not sink when it is let go. A height s
+ * of the lattice becomes y with dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
  *
  *      linear   y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2))
  *      tait     y = 7/(6k) ((1 + k S)^(6/7) - (1 + k (S - s))^(6/7)),  k = 7 g/c0^2 */

@@ -23,8 +23,8 @@
 #include "sim/simulation.h"
 
 /* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins
- * with much friction. Friction and diffusion take a step's sums once more in so many. Walls that move are few, what they
- * press changes with the sound, and liquid passes an interaction in some steps. */
+ * with much friction. Friction and diffusion take a step's sums once more in so many. Walls that move are few, what
+ * they press changes with the sound, and liquid passes an interaction in some steps. */
 enum { LOOK_STEPS = 40, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)

@@ -19,7 +19,7 @@ expect 0 "$SPH2D" help exit && lines 12 && prints '^  75  EX_TEMPFAIL'
 expect 0 "$SPH2D" help codes && prints '^S104  '
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
-expect 0 "$SPH2D" help materials && lines 9 && prints '^water  *998.2  *0.0010016  *0.07275  *IAPWS'
+expect 0 "$SPH2D" help materials && lines 9 && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
 # every material that a scene may name is in the table
 "$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >materials
 [ "$(wc -l <materials)" = 5 ] || fail 'not five materials'

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Scenes as strangers would write them: every method, shape, wall and drive, sizes from millimetres to hundreds
- * of metres, liquids from light ones to mercury, a few of them faulty. Numbers have four digits, as people write them. */
+ * of metres, liquids from light ones to mercury, a few of them faulty. Numbers have four digits, as people write
+ * them. */
 #include <math.h>
 
 #include "draft.h"
