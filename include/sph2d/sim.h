@@ -173,8 +173,8 @@ typedef struct sph2d_summary {
     double energy_viscous;     /**< taken by viscosity, artificial viscosity, friction at walls, dampers [J/m] */
     double energy_diffused;    /**< elastic energy taken by diffusion of density [J/m] */
     double energy_stopped;     /**< taken by the swept test against walls at rest and by reflections [J/m] */
-    double energy_pressed;     /**< taken by the pressures of methods pcisph and constraint, which let no liquid bounce: their
-                                  work less that of moving walls and what is stored, where it is below 0 [J/m] */
+    double energy_pressed;     /**< taken by the pressures of methods pcisph and constraint, which let no liquid bounce:
+                                  their work less that of moving walls and what is stored, where it is below 0 [J/m] */
     double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
                                   the surface of a round drop of its liquid under tension [J/m] */
     double density_apart;      /**< largest difference of the densities of sph2d_sim_densities(), looked at in every

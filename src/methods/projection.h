@@ -61,9 +61,10 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *system, size
 
 /** Elastic energy of particle i [J/kg]: c0^2 e^2/2, the potential m g^2/(2 e) of a constraint g = rho/rho0 - 1 with the
  *  compliance 1/(m c0^2) of constraint.h, at the compression e that a pressure holds: the smaller of g and
- *  p/(rho0 c0^2). More is an error, which is put right without giving energy back. Before the first step (not `pressed`)
- *  nobody has a pressure, and density tells it. Method pcisph does not know of what it stops at, max_compression: there
- *  e is what is beyond. 0 without a speed of sound. */
+ *  p/(rho0 c0^2). More is an error, which is put right without giving energy back. Before the first step (not
+ *  `pressed`) nobody has a pressure, and density tells it. Method pcisph does not know of what it stops at,
+ *  max_compression:
+ *  there e is what is beyond. 0 without a speed of sound. */
 double sph2d__projection_elastic(const sph2d__system *system, size_t i, bool pressed);
 
 /** The shortest of the limits of method.h, without sound: no particle goes farther than cfl H, and none would under

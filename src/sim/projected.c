@@ -6,9 +6,10 @@
  *      v(n+1)   = v(n) + dt (a(y, v(n)) + a_p)
  *      x(n+1)   = y + dt/2 v(n+1)
  *
- *  Neighbours, density and all forces belong to the middle y, and a_p keeps the density where the step leads from there,
- *  at y + dt v(n+1), which is the next middle. From middle to middle that is the symplectic Euler scheme of the papers;
- *  places and velocities between steps belong to the same moment, so that forces that have a potential keep energy to
+ *  Neighbours, density and all forces belong to the middle y, and a_p keeps the density where the step leads from
+ *  there, at y + dt v(n+1), which is the next middle. From middle to middle that is the symplectic Euler scheme of the
+ *  papers; places and velocities between steps belong to the same moment, so that forces that have a potential keep
+ *  energy to
  *  second order in dt (Hairer, Lubich & Wanner 2006, sec. I.1: position Verlet) and free fall is exact. Density and
  *  pressure between steps are those of the middle of the last one, and so is the acceleration, which is that without
  *  pressure.
