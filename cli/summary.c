@@ -64,8 +64,9 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
              s->kinetic + s->potential + s->elastic,
              s->energy_fed);
-    text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g J/m", s->energy_walls,
-             s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped);
+    text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
+             s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped,
+             s->energy_pressed);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
         text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up", 100 * s->energy_error / s->energy_scale,
                  s->energy_scale);
@@ -192,6 +193,7 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_number(line, "energy_viscous", s->energy_viscous);
     json_number(line, "energy_diffused", s->energy_diffused);
     json_number(line, "energy_stopped", s->energy_stopped);
+    json_number(line, "energy_pressed", s->energy_pressed);
     json_number(line, "energy_scale", s->energy_scale);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);

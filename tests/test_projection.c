@@ -11,7 +11,7 @@
 #include "kernels/kernel.h"
 #include "methods/pcisph.h"
 #include "methods/projection.h"
-#include "sim/simulation.h"
+#include "sim/integrators.h"
 
 static sph2d_scene scene;
 static sph2d_block block;
@@ -297,12 +297,11 @@ END_TEST
 
 /* ---- one row ----------------------------------------------------------------------------------------------------- */
 
-/** One particle above the middle of a heavy floor: one constraint, one way to go. A wall that moves far away leaves the
- *  velocities whole that the constraint makes (projected.c). */
+/** One particle above the middle of a heavy floor: one constraint, one way to go. */
 static void one_particle(double height, double steps, double sound_speed, double dt)
 {
-    static sph2d_obstacle walls[2];
-    static const sph2d_vec2 line[2] = {{0.1, 0.1}, {0.9, 0.1}}, far[2] = {{0.4, 0.9}, {0.6, 0.9}};
+    static sph2d_obstacle wall;
+    static const sph2d_vec2 line[2] = {{0.1, 0.1}, {0.9, 0.1}};
     full_box(SPH2D_METHOD_CONSTRAINT, 50);
     scene.gravity.y = -9.81;
     scene.fluid.dynamic_viscosity = 0;
@@ -310,15 +309,12 @@ static void one_particle(double height, double steps, double sound_speed, double
     scene.method.tolerance = 1e-12;
     scene.method.time_step = dt;
     scene.method.sound_speed = sound_speed;
-    for (int k = 0; k < 2; ++k) {
-        walls[k] = sph2d_obstacle_default();
-        walls[k].outline.kind = SPH2D_OUTLINE_LINE;
-        walls[k].outline.line = (sph2d_points){k == 0 ? line : far, 2};
-        walls[k].form = SPH2D_WALL_HEAVY;
-    }
-    walls[1].motion = (sph2d_motion){.amplitude = {0, 0.01}, .frequency = 1};
-    scene.obstacles = walls;
-    scene.obstacle_count = 2;
+    wall = sph2d_obstacle_default();
+    wall.outline.kind = SPH2D_OUTLINE_LINE;
+    wall.outline.line = (sph2d_points){line, 2};
+    wall.form = SPH2D_WALL_HEAVY;
+    scene.obstacles = &wall;
+    scene.obstacle_count = 1;
     particle = (sph2d_particle){0.51, 0.1 + height, 0, 0, RHO0};
     scene.block_count = 0;
     scene.particles = (sph2d_particles){NULL, &particle, 1};
@@ -328,6 +324,18 @@ static void one_particle(double height, double steps, double sound_speed, double
 static double height_now(void)
 {
     return sim->system.fluid.y[0];
+}
+
+/** From middle to middle with the velocity whole that the constraint makes, whatever its energy (projected.c). */
+static void whole_step(double dt)
+{
+    sph2d__store *f = &sim->system.fluid;
+    sim->system.step = dt;
+    ck_assert_int_eq(sph2d__sort_fluid(sim), SPH2D_OK);
+    ck_assert(sim->method->evaluate(&sim->system));
+    sim->method->project(&sim->system);
+    f->vy[0] += dt * f->ay[0];
+    f->y[0] += dt * f->vy[0];
 }
 
 /** The height at which the particle comes to rest. */
@@ -351,7 +359,7 @@ START_TEST(one_rigid_row_follows_the_map_of_spook)
     one_particle(rest - small, damping[_i], c0, dt);
     x[0] = -small;
     for (int n = 1; n < 12; ++n) {
-        test_steps(sim, 1);
+        whole_step(dt);
         x[n] = height_now() - 0.1 - rest;
     }
     for (int n = 2; n < 12; ++n)

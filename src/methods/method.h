@@ -22,7 +22,7 @@ const char *sph2d__limit_name(sph2d__limit limit);
 typedef enum sph2d__integrator {
     SPH2D__LEAPFROG,  /**< kick, drift, evaluate, kick: density is a sum */
     SPH2D__MIDPOINT,  /**< kick, half drift, density by its rate, half drift, evaluate, kick: reversible too */
-    SPH2D__PROJECTED, /**< evaluate, project, kick, drift: pressures keep the density of the places that come next */
+    SPH2D__PROJECTED, /**< drift, evaluate, project, kick, drift: pressures keep the density of places that come next */
     SPH2D__ADAMS_BASHFORTH /**< third order, from the rates of velocity and density of three steps */
 } sph2d__integrator;
 

@@ -194,6 +194,15 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
     return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
 }
 
+double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
+{
+    double c2 = s->sound_speed * s->sound_speed, held = s->fluid.density[i] / s->rest_density - 1;
+    double unknown = s->method.name == SPH2D_METHOD_PCISPH ? s->method.max_compression : 0;
+    if (pressed)
+        held = fmin(held, s->fluid.pressure[i] / (s->rest_density * c2));
+    return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;
+}
+
 /* Step limits as fractions of H^2/nu, viscosity being explicit, and of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. */
 static const double VISCOUS = 0.03;
 static const double FORCE = 0.18;

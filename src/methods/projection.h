@@ -59,6 +59,14 @@ void sph2d__projection_end(sph2d__system *system);
 /** The force of a boundary particle by the pressures that the solver left: method.h. */
 sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
 
+/** Elastic energy of particle i [J/kg]: c0^2 e^2/2, the potential m g^2/(2 e) of a constraint g = rho/rho0 - 1 with the
+ *  compliance 1/(m c0^2) of constraint.h, at the compression e that a pressure holds: the smaller of g and
+ *  p/(rho0 c0^2). More is an error, which is put right without giving energy back. Before the first step (not
+ *  `pressed`) nobody has a pressure, and density tells it. Method pcisph does not know of what it stops at,
+ *  max_compression:
+ *  there e is what is beyond. 0 without a speed of sound. */
+double sph2d__projection_elastic(const sph2d__system *system, size_t i, bool pressed);
+
 /** The shortest of the limits of method.h, without sound: no particle goes farther than cfl H, and none would under
  * the largest pressure, for which the gradients of a step must hold. */
 double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
@@ -83,6 +91,8 @@ void sph2d__projection_prepare(sph2d__system *system);
 #define SPH2D__PROJECTION_FLUID                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |        \
      SPH2D__BIT(old_ay) | SPH2D__BIT(push))
+#define SPH2D__PROJECTION_CARRIED                                                                                      \
+    (SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(ax) | SPH2D__BIT(ay))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \

@@ -136,8 +136,10 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
     sph2d_summary start;
+    sim->record.energy_elastic = INFINITY;
     sph2d__sim_sum_energy(sim, &start);
     sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic;
+    sim->record.energy_elastic = start.elastic;
     sph2d__sim_start_gauges(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
@@ -151,12 +153,6 @@ static void renew_slopes(sph2d_sim *sim)
     sph2d__keep_accelerations(&sim->system.fluid);
 }
 
-/** The neighbours that a step starts with, and what follows from them. */
-static sph2d_status renew_neighbours(sph2d_sim *sim)
-{
-    return sim->method->evaluate(&sim->system) ? SPH2D_OK : SPH2D_NOMEM;
-}
-
 /** Goes on from a state: density, pressure and acceleration are part of it. */
 static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
@@ -167,8 +163,6 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
     status = sph2d__sim_aim(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(slope_x)))
         renew_slopes(sim);
-    if (status == SPH2D_OK && sim->method->project)
-        status = renew_neighbours(sim);
     return status;
 }
 

@@ -11,9 +11,7 @@
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
 /** Kick-drift-kick with density moved at the half step (midpoint.c). */
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
-/** Finds the neighbours again that the next step projects with, after particles came or went. */
-sph2d_status sph2d__projected_renew(sph2d_sim *sim);
-/** Pressure for the places that come next, kick, drift (projected.c). */
+/** Half a drift, pressure for the places that come next, kick, half a drift (projected.c). */
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
 /** Third order from the rates of three steps (adams_bashforth.c). */
 sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);

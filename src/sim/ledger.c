@@ -3,6 +3,7 @@
  *  What a run sums up: compression, energy, momentum, counts. */
 #include <math.h>
 
+#include "methods/projection.h"
 #include "methods/state_equation.h"
 #include "methods/tension.h"
 #include "sim/simulation.h"
@@ -107,30 +108,34 @@ static double mean_neighbours(const sph2d__system *s)
     return f->count > 0 ? (double)pairs / (double)f->count : 0;
 }
 
-bool sph2d__sim_is_elastic(const sph2d_sim *sim)
+double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)
 {
-    sph2d_method name = sim->system.method.name;
-    return name == SPH2D_METHOD_WCSPH || name == SPH2D_METHOD_MULLER;
+    if (sim->method->integrator == SPH2D__PROJECTED)
+        return sph2d__projection_elastic(&sim->system, i, sim->record.steps > 0);
+    return sph2d__elastic_of(&sim->system, sim->system.fluid.density[i]);
+}
+
+bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
+{
+    return sim->system.method.name == SPH2D_METHOD_PCISPH;
 }
 
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const bool elastic = sph2d__sim_is_elastic(sim);
     double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         kinetic += v2 / 2;
         total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-        if (elastic)
-            squeezed += sph2d__elastic_of(&sim->system, f->density[i]);
+        squeezed += sph2d__sim_elastic_of(sim, i);
         px += f->vx[i];
         py += f->vy[i];
         speed2 = v2 > speed2 ? v2 : speed2;
     }
     out->kinetic = m * kinetic;
     out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
-    out->elastic = m * squeezed;
+    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * squeezed, sim->record.energy_elastic) : m * squeezed;
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;
     out->speed_max = sqrt(speed2);
@@ -159,6 +164,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .energy_viscous = r->energy_viscous,
         .energy_diffused = r->energy_diffused,
         .energy_stopped = r->energy_stopped,
+        .energy_pressed = r->energy_pressed,
         .energy_scale = sph2d__sim_energy_scale(sim),
         .fed = r->fed,
         .blocked = r->blocked,

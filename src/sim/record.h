@@ -29,6 +29,9 @@
     X(energy_viscous, "EnergyViscous", 1, 1, -2, "energy that viscosity took, per metre")                              \
     X(energy_diffused, "EnergyDiffused", 1, 1, -2, "elastic energy that diffusion of density took, per metre")         \
     X(energy_stopped, "EnergyStopped", 1, 1, -2, "energy that the swept test and reflections took, per metre")         \
+    X(energy_pressed, "EnergyPressed", 1, 1, -2, "energy that pressures which keep the density took, per metre")       \
+    X(work_pressed, "WorkPressed", 1, 1, -2, "work of those pressures but for walls since the last look, per metre")   \
+    X(energy_elastic, "EnergyElastic", 1, 1, -2, "elastic energy at the last look, per metre")                         \
     X(power_walls, "PowerWalls", 1, 1, -3, "of walls that move, when it was looked at last, per metre")                \
     X(power_friction, "PowerFriction", 1, 1, -3, "of their friction, per metre")                                       \
     X(drives_time, "DrivesTime", 0, 0, 1, "time of the last look at walls and forces")                                 \

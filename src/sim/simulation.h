@@ -39,6 +39,7 @@ struct sph2d_sim {
     size_t doomed_capacity;
 
     double weights[3]; /**< of the rates in the step that is being made: adams_bashforth.c */
+    double split;      /**< theta of the step that is being made: projected.c */
 
     sph2d__record record;
     sph2d_status stopped; /**< why no step can follow: SPH2D_GUARD, SPH2D_NOMEM; SPH2D_OK otherwise */
@@ -95,17 +96,22 @@ bool sph2d__sim_rise_is_known(const sph2d_sim *sim);
 sph2d_status sph2d__sim_book(sph2d_sim *sim);
 /** Books the work of walls that move and of forces, in every few steps. */
 void sph2d__sim_book_drives(sph2d_sim *sim);
-/** Parts of the work that schemes have to book: in the middle of a step of `dt`, once rates of density are known;
- *  behind a pressure solver; and in place of a fitted method's evaluation, which is false when memory is short. */
+/** Parts of the work that schemes have to book: in the middle of a step of `dt`, once rates of density are known, or
+ *  accelerations without pressure; behind a pressure solver, returning what walls bring; and in place of a fitted
+ *  method's evaluation. False when memory is short. */
 void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt);
-void sph2d__sim_book_projection(sph2d_sim *sim, double dt);
+bool sph2d__sim_book_middle(sph2d_sim *sim, double dt);
+double sph2d__sim_book_projection(sph2d_sim *sim, double dt);
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
 
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
 
-/** Whether density tells the elastic energy of the method's liquid (state_equation.h). */
-bool sph2d__sim_is_elastic(const sph2d_sim *sim);
+/** Elastic energy of a kilogram of particle i (state_equation.h, projection.h) [J/kg]. */
+double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i);
+/** Whether all of it is what a compressed start held, and only falls: pressures of method pcisph, which end where a
+ *  compression is small enough, store nothing. */
+bool sph2d__sim_elastic_falls(const sph2d_sim *sim);
 
 /** Sums energy and momentum over the fluid, and finds the largest speed, into those members of a summary. */
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out);

@@ -211,8 +211,9 @@ static void count_lost(sph2d_sim *sim, size_t i)
     int side = side_left(&sim->scene, f->x[i], f->y[i]);
     ++*(side >= 0 ? left[side] : &r->drained);
     r->energy_fed -= sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-    if (sph2d__sim_is_elastic(sim))
-        r->energy_fed -= sim->system.mass * sph2d__elastic_of(&sim->system, f->density[i]);
+    double elastic = sph2d__sim_elastic_falls(sim) ? 0 : sim->system.mass * sph2d__sim_elastic_of(sim, i);
+    r->energy_fed -= elastic;
+    r->energy_elastic -= elastic;
 }
 
 static bool can_lose(const sph2d_scene *scene)

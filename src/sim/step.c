@@ -48,18 +48,11 @@ static sph2d_status move(sph2d_sim *sim, double dt)
     return sph2d__leapfrog(sim, dt);
 }
 
-/** Sources feed, drains and open sides take; what a projection found before is then found again. */
+/** Sources feed, drains and open sides take. */
 static sph2d_status come_and_go(sph2d_sim *sim)
 {
-    uint64_t fed = sim->record.fed;
-    size_t count = sim->system.fluid.count;
     sph2d_status status = sph2d__sim_feed(sim);
-    if (status == SPH2D_OK)
-        status = sph2d__sim_drain(sim);
-    bool same = sim->record.fed == fed && sim->system.fluid.count == count;
-    if (status != SPH2D_OK || same || sim->method->integrator != SPH2D__PROJECTED)
-        return status;
-    return sph2d__projected_renew(sim);
+    return status == SPH2D_OK ? sph2d__sim_drain(sim) : status;
 }
 
 sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)

@@ -99,9 +99,11 @@ static double sum_up(double *last, double power, double span)
     return work;
 }
 
-void sph2d__sim_book_projection(sph2d_sim *sim, double dt)
+double sph2d__sim_book_projection(sph2d_sim *sim, double dt)
 {
-    sim->record.energy_walls += dt * powers_of_walls(sim).all;
+    double work = dt * powers_of_walls(sim).all;
+    sim->record.energy_walls += work;
+    return work;
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
@@ -285,11 +287,23 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
 
 /* ---- the books --------------------------------------------------------------------------------------------------- */
 
+bool sph2d__sim_book_middle(sph2d_sim *sim, double dt)
+{
+    sph2d__record *r = &sim->record;
+    double viscous = r->power_viscous;
+    if (!sph2d__sim_looks(sim, r->steps + 1))
+        return true;
+    if (!find_viscous_power(sim, &viscous))
+        return false;
+    r->energy_viscous -= sum_up(&r->power_viscous, viscous, r->time + dt - r->booked_time);
+    return true;
+}
+
 sph2d_status sph2d__sim_book(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    if (!is_fitted(sim)) {
+    if (!is_fitted(sim) && sim->method->integrator != SPH2D__PROJECTED) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
         r->energy_viscous -= sum_up(&r->power_viscous, viscous, span);

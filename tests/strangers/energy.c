@@ -51,10 +51,25 @@ static double elastic_to(sph2d_state_equation equation, double c0, double tensio
     return r < torn ? elastic(equation, c0, torn) + tension * c0 * c0 * (1 / r - 1 / torn) : elastic(equation, c0, r);
 }
 
+double held_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid, bool start)
+{
+    const double c2 = plan->sound_speed * plan->sound_speed;
+    const double asked = s->method.max_compression > 0 ? s->method.max_compression : 0.01;
+    const double unknown = s->method.name == SPH2D_METHOD_PCISPH ? asked : 0;
+    double sum = 0;
+    for (size_t i = 0; i < fluid->count && isfinite(c2); ++i) {
+        const double compression = fluid->density[i] / s->fluid.density - 1;
+        const double pressed = fluid->pressure[i] / (s->fluid.density * c2);
+        const double held = (start ? compression : fmin(compression, pressed)) - unknown;
+        sum += held > 0 ? c2 * held * held / 2 : 0;
+    }
+    return plan->particle_mass * sum;
+}
+
 double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid)
 {
     if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
-        return 0;
+        return 0; // held_energy() tells it, and a start's does not make the scale larger
     const sph2d_state_equation equation =
         s->method.name == SPH2D_METHOD_WCSPH ? s->method.state_equation : SPH2D_STATE_LINEAR;
     const bool held = s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_SYMMETRIC &&

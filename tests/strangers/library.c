@@ -13,7 +13,7 @@ typedef struct watch {
     const sph2d_sim *sim;
     verdict *verdict;
     bool energy, ruined;
-    double lowest;
+    double lowest, held; // least energy; of pcisph, whose solver stores nothing, least elastic energy
 } watch;
 
 /** Finite, and of a density that a liquid can have. */
@@ -52,8 +52,14 @@ static void look_at_energy(watch *w, library_run *run)
     if (!w->energy)
         return;
     const sph2d_view fluid = sph2d_sim_fluid(w->sim);
-    const double energy =
-        s.kinetic + s.potential - s.energy_fed + elastic_energy(w->scene, sph2d_sim_plan(w->sim), &fluid);
+    const sph2d_plan *plan = sph2d_sim_plan(w->sim);
+    const bool projected =
+        w->scene->method.name == SPH2D_METHOD_PCISPH || w->scene->method.name == SPH2D_METHOD_CONSTRAINT;
+    double elastic = projected ? held_energy(w->scene, plan, &fluid, sph2d_sim_steps(w->sim) == 0)
+                               : elastic_energy(w->scene, plan, &fluid);
+    if (w->scene->method.name == SPH2D_METHOD_PCISPH)
+        elastic = w->held = fmin(w->held, elastic);
+    const double energy = s.kinetic + s.potential - s.energy_fed + elastic;
     w->lowest = fmin(w->lowest, energy);
     const double rise = (energy - w->lowest) / run->scale;
     if (rise > run->rise) {
@@ -164,7 +170,8 @@ library_run judge_by_library(const judge_request *request, const sph2d_scene *sc
         return run;
     run.started = true;
     run.scale = energy_scale(scene, *sim);
-    watch w = {.scene = scene, .sim = *sim, .verdict = v, .energy = scene_is_closed(scene), .lowest = INFINITY};
+    watch w = {.scene = scene, .sim = *sim, .verdict = v, .lowest = INFINITY, .held = INFINITY};
+    w.energy = scene_is_closed(scene);
     if (w.energy)
         run.rise = 0;
     const size_t inside = count_inside(scene, *sim);
