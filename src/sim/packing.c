@@ -20,9 +20,10 @@ enum { MOST_ROUNDS = 400 };
 static const double SKIN = 0.5;
 /* Values of the kernel's slope that are kept, by q^2: between them straight lines are right to 1e-6. */
 enum { SLOPES = 2048 };
-/* A boundary particle stands for what is nearer to it than this many spacings; and for what is missing of the quarter
- * of a cell whose middle is nearer than that. */
+/* A boundary particle stands for what is nearer to it than this many spacings, on its side of the wall's surface. It may
+ * be as near to part of a quarter of a cell whose middle is nearer than that. In quarters so many points are looked at. */
 static const double COVERED = 0.72, COVERED_IN_PART = 1.1;
+enum { LOOKS = 8 };
 
 /** One packing under way. */
 typedef struct packer {
@@ -141,7 +142,20 @@ static bool has_area(const sph2d__store *walls, size_t j)
     return walls->mass && walls->mass[j] > 0 && walls->bounce[j] < 0;
 }
 
-static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance)
+/** Whether the way between two places crosses a wall, where the walls are at the start. */
+static bool crosses(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to)
+{
+    bool crossed = !sph2d__barrier_far(&sim->barrier, from, to) && sph2d__barrier_crosses(&sim->barrier, from, to);
+    for (size_t k = 0; k < sim->moving_count && !crossed; ++k) {
+        const sph2d__barrier *b = &sim->moving[k].barrier;
+        crossed = !sph2d__barrier_far(b, from, to) && sph2d__barrier_crosses(b, from, to);
+    }
+    return crossed;
+}
+
+/** Whether a boundary particle is nearer to a place than a distance; `behind`: and on the same side of all surfaces, as
+ *  it is not of a gap between the liquid and a wall. */
+static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance, bool behind)
 {
     const sph2d__store *w = &sim->system.walls;
     uint32_t cell = w->count > 0 ? sph2d__cells_find(&sim->system.wall_cells, at.x, at.y) : UINT32_MAX;
@@ -149,10 +163,12 @@ static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance)
         return false;
     sph2d__ranges ranges;
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
-    SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
-        if (has_area(w, j) &&
-            hypot(at.x + ranges.x[r] - w->x[j], at.y + ranges.y[r] - w->y[j]) < distance * sim->scene.spacing)
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+        sph2d_vec2 image = {at.x + ranges.x[r], at.y + ranges.y[r]}, wall = {w->x[j], w->y[j]};
+        if (has_area(w, j) && hypot(image.x - wall.x, image.y - wall.y) < distance * sim->scene.spacing &&
+            !(behind && crosses(sim, image, wall)))
             return true;
+    }
     return false;
 }
 
@@ -163,6 +179,21 @@ static sph2d_vec2 quarter_middle(const packer *p, size_t cell, int q)
                                (double)(cell / r->nx) + (q & 2 ? 0.75 : 0.25));
 }
 
+/** What is missing of a quarter of a cell near boundary particles, in points. */
+static int missing_beside_walls(const packer *p, sph2d_vec2 middle, size_t cell, int q)
+{
+    const sph2d__region *r = p->region;
+    bool wet = r->quarters[4 * cell + (size_t)q] > 0;
+    int missing = 0;
+    for (int k = 0; k < LOOKS * LOOKS; ++k) {
+        double x = ((k % LOOKS + 0.5) / LOOKS - 0.5) / 2, y = ((k / LOOKS + 0.5) / LOOKS - 0.5) / 2;
+        sph2d_vec2 at = {middle.x + (x * r->axis.x - y * r->axis.y) * r->size,
+                         middle.y + (x * r->axis.y + y * r->axis.x) * r->size};
+        missing += !(wet && sph2d__region_contains(r, at)) && !is_covered(p->sim, at, COVERED, true);
+    }
+    return missing * SPH2D__REGION_QUARTER / (LOOKS * LOOKS);
+}
+
 /** Turns the cover of each quarter of a cell into what is missing, where no boundary particle stands for it. */
 static void turn_to_missing(packer *p)
 {
@@ -170,10 +201,11 @@ static void turn_to_missing(packer *p)
     for (size_t cell = 0; cell < cells; ++cell) {
         unsigned char *quarters = p->region->quarters + 4 * cell;
         for (int q = 0; q < 4; ++q) {
-            if (quarters[q] < SPH2D__REGION_QUARTER &&
-                is_covered(p->sim, quarter_middle(p, cell, q), quarters[q] > 0 ? COVERED_IN_PART : COVERED))
-                quarters[q] = SPH2D__REGION_QUARTER;
-            quarters[q] = (unsigned char)(SPH2D__REGION_QUARTER - quarters[q]);
+            sph2d_vec2 middle = quarter_middle(p, cell, q);
+            int missing = SPH2D__REGION_QUARTER - quarters[q];
+            if (missing > 0 && is_covered(p->sim, middle, COVERED_IN_PART, false))
+                missing = missing_beside_walls(p, middle, cell, q);
+            quarters[q] = (unsigned char)missing;
             p->near_edge[cell] |= quarters[q] > 0;
         }
     }
@@ -342,7 +374,7 @@ static bool may_go(const packer *p, sph2d_vec2 from, sph2d_vec2 to)
 {
     if (p->near_edge[cell_of(p, to)] && !sph2d__region_contains(p->region, to))
         return false;
-    return sph2d__barrier_far(&p->sim->barrier, from, to) || !sph2d__barrier_crosses(&p->sim->barrier, from, to);
+    return !crosses(p->sim, from, to);
 }
 
 /** Moves all down their gradients. Inertia is lost where it leads up. */
