@@ -10,8 +10,10 @@
 
 /* Places move that are within so many cells of an edge which passes through cells. */
 enum { BAND = 12 };
-/* Support radius over spacing, at least. */
-static const double LEAST_SUPPORT = 2.4;
+/* Support radius over spacing: half as much again as the method's between these two, or the method's where that is more.
+ * By 2.4 places lie 0.1 to 0.4 % too dense inside, by 3 within 0.15 %; at H/dx = 1.6, where density is what the nearest
+ * few make of it, the largest is 4 % too much by 2.4 and 7 % by 3. */
+static const double LEAST_SUPPORT = 2.4, FAIR_SUPPORT = 3, WIDER = 1.5;
 /* The descent: length of a step for a gradient of 1 over the spacing, the part of the last step that goes on, both in
  * spacings; the farthest step; and when it is done. */
 static const double RATE = 0.5, INERTIA = 0.9, FARTHEST = 0.1, DONE = 3e-4;
@@ -429,7 +431,8 @@ static sph2d_kernel packing_kernel(sph2d_kernel kernel)
 static packer packer_of(sph2d_sim *sim, sph2d__region *region)
 {
     packer p = {.sim = sim, .region = region, .kernel = packing_kernel(sim->system.method.kernel), .size = region->size};
-    p.support = fmax(sim->system.support / sim->system.spacing, LEAST_SUPPORT) * p.size;
+    double own = sim->system.support / sim->system.spacing;
+    p.support = fmax(own, fmin(fmax(WIDER * own, LEAST_SUPPORT), FAIR_SUPPORT)) * p.size;
     double h2 = p.support * p.support;
     for (int k = 0; k <= SLOPES; ++k)
         p.slope[k] = p.size * p.size * sph2d__kernel_constant(p.kernel) / (h2 * h2) *
