@@ -395,6 +395,21 @@ START_TEST(a_gap_between_liquid_and_a_wall_is_nobodys)
 }
 END_TEST
 
+START_TEST(packed_places_stay_out_of_springs)
+{
+    scene.method.name = SPH2D_METHOD_MULLER;
+    scene.walls = SPH2D_WALL_SPRING;
+    scene.boundary.bottom = SPH2D_SIDE_WALL;
+    scene.domain = (sph2d_box){{0, 0}, {1.2, 1.2}};
+    block = test_block(0.0099, 0, 0.1533, 0.2885); /* 14.34 by 28.85: the first row was 0.41 spacings from the side */
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert_double_ge(f.y[i], 0.45 * DX);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(packed_places_are_the_same_for_any_threads)
 {
     set_wedge(33);
@@ -493,6 +508,7 @@ Suite *suite_packing(void)
     tcase_add_loop_test(tests, no_kernel_packs_particles_in_pairs, SPH2D_KERNEL_WENDLAND_C2, SPH2D_KERNEL_QUINTIC + 1);
     tcase_add_loop_test(tests, packed_liquid_is_as_dense_inside_as_it_was_asked_for, 0, 9);
     tcase_add_loop_test(tests, a_gap_between_liquid_and_a_wall_is_nobodys, 0, 3);
+    tcase_add_test(tests, packed_places_stay_out_of_springs);
     tcase_add_test(tests, packed_places_are_the_same_for_any_threads);
     tcase_add_loop_test(tests, packed_liquid_at_rest_starts_quietly, 0, 4);
     tcase_add_test(tests, a_packing_without_memory_is_no_harm);

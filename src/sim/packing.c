@@ -371,9 +371,26 @@ static double take_gradients(packer *p)
     return largest;
 }
 
-/** Whether a place may be taken: in the area, on its side of every wall. */
+/** Distance to the nearest side of the domain that is a wall of springs; they push what is nearer than half a spacing. */
+static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
+{
+    const sph2d_boundary b = sim->scene.boundary;
+    const sph2d_box d = sim->scene.domain;
+    if (sim->scene.walls != SPH2D_WALL_SPRING)
+        return INFINITY;
+    double left = b.left == SPH2D_SIDE_WALL ? at.x - d.min.x : INFINITY;
+    double right = b.right == SPH2D_SIDE_WALL ? d.max.x - at.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? at.y - d.min.y : INFINITY;
+    double top = b.top == SPH2D_SIDE_WALL ? d.max.y - at.y : INFINITY;
+    return fmin(fmin(left, right), fmin(bottom, top));
+}
+
+/** Whether a place may be taken: in the area, on its side of every wall, not into springs. */
 static bool may_go(const packer *p, sph2d_vec2 from, sph2d_vec2 to)
 {
+    double apart = distance_to_springs(p->sim, to);
+    if (apart < p->size / 2 && apart < distance_to_springs(p->sim, from))
+        return false;
     if (p->near_edge[cell_of(p, to)] && !sph2d__region_contains(p->region, to))
         return false;
     return !crosses(p->sim, from, to);
