@@ -127,7 +127,7 @@ typedef struct slope {
     double pressure; /**< bound of its error, in rho g times the depth */
 } slope;
 static const slope slopes[] = {
-    {90, 0.05, 0.01}, {60, 0.1, 0.025}, {45, 0.15, 0.02}, {120, 0.1, 0.015}, {0, 0.05, 0.0125}};
+    {90, 0.05, 0.01}, {60, 0.1, 0.025}, {45, 0.15, 0.02}, {120, 0.1, 0.015}, {0, 0.05, 0.01}};
 enum { SLOPES = sizeof slopes / sizeof *slopes };
 
 /** Where the wall is at a height. */

@@ -5,10 +5,11 @@
  *
  *      rho_i = c sum_j m W(r_ij) + sum_b m_b W(r_ib),  W = 4/(pi H^8) (H^2 - r^2)^3
  *      p_i   = max(k (rho_i - rho0), 0), told as P p_i
- *      a_i   = 1/rho_i sum_j V_j (p_i + p_j)/2 30/(pi H^5) (H - r)^2 r_ij/r + mu/rho_i sum_k V_k (v_k - v_i) 40/(pi
+ *      a_i   = 1/rho_i sum_j V_j (q_i + q_j)/2 30/(pi H^5) (H - r)^2 r_ij/r + mu/rho_i sum_k V_k (v_k - v_i) 40/(pi
  * H^5) (H - r) - P p_i/rho_i^2 sum_b m_b grad W(r_ib)
  *
- *  with V = m/rho, j over fluid, b over heavy boundary particles and k over both, c = 1/(dx^2 sum of W over a filled
+ *  with q = G(rho) p, G by which the pairs of a compressed lattice do the work that P p tells, V = m/rho, j over fluid,
+ *  b over heavy boundary particles and k over both, c = 1/(dx^2 sum of W over a filled
  * lattice), boundary masses m_b = rho0 / sum_b' W(r_bb') and boundary densities rho0 + c sum_j m W(r_bj). P is what the
  * pairs of a filled lattice carry, dx^2/4 sum r 30/(pi H^5) (H - r)^2, and mu 0.1 rho0 c0 H at least, where
  *  c0^2 = P k D and D is by how much c sum m W grows when a lattice is compressed. */
@@ -26,10 +27,11 @@ static const double DX = 0.01;
 typedef struct cloud {
     size_t count;
     double x[4 * COUNT], y[4 * COUNT], vx[4 * COUNT], vy[4 * COUNT], mass[4 * COUNT], rho[4 * COUNT], p[4 * COUNT];
+    double gain[4 * COUNT];
 } cloud;
 
 typedef struct liquid {
-    double support, rho0, mass, stiffness, mu, calibration, carried;
+    double support, rho0, mass, stiffness, mu, calibration, carried, dx;
 } liquid;
 
 static cloud fluid, walls;
@@ -44,7 +46,7 @@ static liquid liquid_of(const sph2d_scene *scene)
 {
     double dx = scene->spacing, lattice = 0, pressed = 0;
     liquid l = {scene->method.support_ratio * dx, scene->fluid.density,           scene->fluid.density * dx * dx,
-                0,                                scene->fluid.dynamic_viscosity, 0, 0};
+                0,                                scene->fluid.dynamic_viscosity, 0, 0, dx};
     for (int i = -7; i <= 7; ++i)
         for (int j = -7; j <= 7; ++j) {
             double r = hypot(i, j) * dx, near = fmax(l.support - r, 0), d = near * (l.support + r);
@@ -72,6 +74,50 @@ static double summed(const liquid *l, const cloud *from, double x, double y)
 static double pressure(const liquid *l, double rho)
 {
     return fmax(l->stiffness * (rho - l->rho0), 0);
+}
+
+/** Of a filled lattice of spacing s: sums of m W, and of r |W'|, the pair force's kernel, for particles of area dx^2.
+ *  */
+static void lattice_sums(const liquid *l, double s, double *density, double *push)
+{
+    *density = *push = 0;
+    for (int i = -20; i <= 20; ++i)
+        for (int j = -20; j <= 20; ++j) {
+            double r = hypot(i, j) * s, near = fmax(l->support - r, 0);
+            *density += l->calibration * l->dx * l->dx * kernel(l->support, r * r);
+            *push += l->dx * l->dx * r * 30 / (TEST_PI * pow(l->support, 5)) * near * near;
+        }
+}
+
+/** G at a density over rest density: growth of density with the number on the area, over what pairs push, each over
+ *  that of the lattice at rest. */
+static double pair_gain(const liquid *l, double density)
+{
+    const double h = 1e-5;
+    double near = 0.25 * l->dx, far = l->dx, rho[3], push[3], ratio[2];
+    if (density <= 1)
+        return 1;
+    for (int k = 0; k < 60; ++k) {
+        double middle = (near + far) / 2;
+        lattice_sums(l, middle, &rho[0], &push[0]);
+        *(rho[0] > density ? &near : &far) = middle;
+    }
+    for (int k = 0; k < 2; ++k) {
+        double s = k == 0 ? far : l->dx;
+        for (int step = -1; step <= 1; ++step)
+            lattice_sums(l, s * (1 + step * h), &rho[step + 1], &push[step + 1]);
+        ratio[k] = (rho[0] - rho[2]) / (4 * h) / push[1]; /* d ln n = -2 d ln s */
+    }
+    return ratio[0] / ratio[1];
+}
+
+/** G as the simulation has it, between the two densities next to one. */
+static double gain_of(const sph2d_sim *sim, double density)
+{
+    double place = fmin(fmax(density - 1, 0) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1), SPH2D__PAIR_GAINS);
+    size_t k = (size_t)fmin(place, SPH2D__PAIR_GAINS - 1);
+    const double *gain = sim->system.pair_gain;
+    return gain[k] * ((double)k + 1 - place) + gain[k + 1] * (place - (double)k);
 }
 
 static void sum_densities(const liquid *l)
@@ -111,7 +157,8 @@ static void add_forces(const liquid *l, size_t i, const cloud *from, double a[2]
             a[0] += push * dx;
             a[1] += push * dy;
         } else if (r > 0) {
-            double push = volume * (fluid.p[i] + from->p[j]) / 2 * slope / fluid.rho[i];
+            double q = fluid.gain[i] * fluid.p[i] + from->gain[j] * from->p[j];
+            double push = volume * q / 2 * slope / fluid.rho[i];
             a[0] += push * dx / r;
             a[1] += push * dy / r;
         }
@@ -191,6 +238,8 @@ static void compare(const sph2d_sim *sim, sph2d_vec2 g)
     liquid l = liquid_of(sph2d_sim_scene(sim));
     look(sim);
     sum_densities(&l);
+    for (size_t i = 0; i < fluid.count; ++i)
+        fluid.gain[i] = gain_of(sim, fluid.rho[i] / l.rho0);
     sph2d_view f = sph2d_sim_fluid(sim), w = sph2d_sim_walls(sim);
     double rho_error = 0, p_error = 0, a_error = 0;
     for (size_t i = 0; i < f.count; ++i) {
@@ -342,7 +391,7 @@ START_TEST(particles_on_each_other_stay_finite)
         /* V p slope(0) / rho is the force at r -> 0+; no distance may give more. */
         liquid l = liquid_of(sph2d_sim_scene(sim));
         double rho = sim->system.fluid.density[0], p = sim->system.fluid.pressure[0] / l.carried;
-        double most = l.mass / rho * p * 30 / (TEST_PI * pow(l.support, 3)) / rho;
+        double most = l.mass / rho * gain_of(sim, rho / l.rho0) * p * 30 / (TEST_PI * pow(l.support, 3)) / rho;
         ck_assert_double_le(-a.x, most * (1 + 1e-12));
         ck_assert_double_ge(-a.x, 0);
         if (distances[k] == 0)
@@ -365,6 +414,19 @@ START_TEST(particles_at_the_support_do_not_meet)
         ck_assert_double_le(fabs(a.x), 1e-20);
         ck_assert_double_eq_tol(sim->system.fluid.density[0] / alone, 1, 1e-14);
         ck_assert_double_eq_tol(sim->system.fluid.density[1] / alone, 1, 1e-14);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(pairs_of_a_pressed_lattice_do_the_work_that_is_told)
+{
+    static const double ratios[] = {1.32, 1.6, 2, 2.4, 3};
+    sph2d_sim *sim = make(SPH2D_ISA_AUTO, ratios[_i], 0, false, SIDE, 1);
+    liquid l = liquid_of(sph2d_sim_scene(sim));
+    for (int k = 0; k <= SPH2D__PAIR_GAINS; k += 8) {
+        double density = 1 + (double)k * (SPH2D__PAIR_GAIN_TOP - 1) / SPH2D__PAIR_GAINS;
+        ck_assert_double_eq_tol(sim->system.pair_gain[k] / pair_gain(&l, density), 1, 1e-6);
     }
     sph2d_sim_destroy(sim);
 }
@@ -408,6 +470,7 @@ Suite *suite_muller(void)
     tcase_add_loop_test(places, a_filled_lattice_has_rest_density, 0, 6);
     tcase_add_loop_test(places, particles_on_each_other_stay_finite, SPH2D_ISA_BASELINE, SPH2D_ISA_AVX512 + 1);
     tcase_add_test(places, particles_at_the_support_do_not_meet);
+    tcase_add_loop_test(places, pairs_of_a_pressed_lattice_do_the_work_that_is_told, 0, 5);
     tcase_add_test(places, tension_is_cut_off);
     tcase_add_loop_test(places, steps_are_as_long_as_is_stable, 0, 2);
     suite_add_tcase(suite, places);

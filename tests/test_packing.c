@@ -186,6 +186,34 @@ START_TEST(a_tank_that_is_turned_is_filled_by_its_own_lattice)
 }
 END_TEST
 
+START_TEST(a_polygon_is_packed_from_the_sides_that_fit_its_rows)
+{
+    /* A tank with a step, whose longest side is the surface, 53.37 spacings long: its columns begin at the other two
+     * upright sides, so that the lattice stays but for those beside the third. */
+    static const sph2d_vec2 tank[6] = {{0, 0.4}, {0, 0}, {0.4, 0}, {0.4, 0.1}, {0.5337, 0.1}, {0.5337, 0.4}};
+    static const sph2d_vec2 liquid[6] = {{0.5337, 0.25}, {0, 0.25}, {0, 0}, {0.4, 0}, {0.4, 0.1}, {0.5337, 0.1}};
+    static sph2d_vec2 wall[6];
+    for (int k = 0; k < 6; ++k) {
+        wall[k] = tank[k];
+        corners[k] = liquid[k];
+    }
+    set_polygon(6);
+    obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
+    obstacle.outline.polyline = (sph2d_points){wall, 6};
+    scene.obstacle_count = 1;
+    check_area(0.4 * 0.25 + 0.1337 * 0.15);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    size_t on = 0;
+    for (size_t i = 0; i < f.count; ++i) {
+        double column = f.x[i] / DX, row = f.y[i] / DX;
+        on += fabs(column - floor(column) - 0.5) < 0.02 && fabs(row - floor(row) - 0.5) < 0.02;
+    }
+    ck_assert_uint_gt(on, f.count * 8 / 10); /* 12 columns of 53 move */
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* ---- lattices that stay ------------------------------------------------------------------------------------------ */
 
 START_TEST(a_lattice_that_fits_stays_bit_for_bit)
@@ -315,6 +343,73 @@ START_TEST(equal_pressure_pushes_no_packed_particle)
 }
 END_TEST
 
+START_TEST(no_kernel_packs_particles_in_pairs)
+{
+    /* A lattice as dense has 1; by the cubic spline itself places came within 2e-7. */
+    scene.method.kernel = (sph2d_kernel)_i;
+    scene.method.support_ratio = 4;
+    block = test_block(0.1, 0.1, 0.2893, 0.3451);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    double nearest = 1;
+    for (size_t i = 0; i < f.count; ++i)
+        for (size_t j = 0; j < i; ++j)
+            nearest = fmin(nearest, hypot(f.x[i] - f.x[j], f.y[i] - f.y[j]) / DX);
+    ck_assert_double_gt(nearest, 0.75);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(packed_liquid_is_as_dense_inside_as_it_was_asked_for)
+{
+    /* By counting, in boxes that are packed all over: up to 0.26 % denser against quarters of cells at H/dx = 3, and up to
+     * 0.38 % packed by less than that. */
+    static const double width[] = {0.1893, 0.1917, 0.1943}, ratio[] = {3, 2.4, 2};
+    block = test_block(0.1, 0.1, 0.1 + width[_i % 3], 0.3451);
+    scene.method.support_ratio = ratio[_i / 3];
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_double_eq_tol(sph2d_sim_densities(sim).counted, 1, _i < 3 ? 0.0012 : 0.0016);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(a_gap_between_liquid_and_a_wall_is_nobodys)
+{
+    /* A disc that comes within a quarter of a spacing of both walls of a wedge, boxes 0.3 and 0.9 spacings from a side
+     * of the domain: their liquid does not go into the gap, which left up to 1.1 % too little inside. */
+    if (_i == 0) {
+        set_wedge(60);
+        block = sph2d_block_default();
+        block.shape.kind = SPH2D_SHAPE_DISC;
+        block.shape.disc = (sph2d_disc){{0.5, 2 * (0.1105 + 0.0025)}, 0.1105};
+    } else {
+        double gap = _i == 1 ? 0.003 : 0.009;
+        scene.boundary.left = SPH2D_SIDE_WALL;
+        scene.domain = (sph2d_box){{0, 0}, {0.6, 0.8}};
+        block = test_block(gap, 0.1, gap + 0.1893, 0.3451);
+    }
+    scene.method.support_ratio = 3;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_double_eq_tol(sph2d_sim_densities(sim).counted, 1, 0.0015);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(packed_places_stay_out_of_springs)
+{
+    scene.method.name = SPH2D_METHOD_MULLER;
+    scene.walls = SPH2D_WALL_SPRING;
+    scene.boundary.bottom = SPH2D_SIDE_WALL;
+    scene.domain = (sph2d_box){{0, 0}, {1.2, 1.2}};
+    block = test_block(0.0099, 0, 0.1533, 0.2885); /* 14.34 by 28.85: the first row was 0.41 spacings from the side */
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_view f = sph2d_sim_fluid(sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert_double_ge(f.y[i], 0.45 * DX);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(packed_places_are_the_same_for_any_threads)
 {
     set_wedge(33);
@@ -405,10 +500,15 @@ Suite *suite_packing(void)
     tcase_add_loop_test(tests, liquid_around_a_solid_fills_the_rest, 0, 4);
     tcase_add_test(tests, a_polygon_with_an_arc_is_filled);
     tcase_add_test(tests, a_tank_that_is_turned_is_filled_by_its_own_lattice);
+    tcase_add_test(tests, a_polygon_is_packed_from_the_sides_that_fit_its_rows);
     tcase_add_loop_test(tests, a_lattice_that_fits_stays_bit_for_bit, 0, 2);
     tcase_add_test(tests, far_from_a_wall_that_takes_places_the_lattice_stays);
     tcase_add_test(tests, a_box_that_nearly_fits_is_stretched);
     tcase_add_loop_test(tests, equal_pressure_pushes_no_packed_particle, 0, 2);
+    tcase_add_loop_test(tests, no_kernel_packs_particles_in_pairs, SPH2D_KERNEL_WENDLAND_C2, SPH2D_KERNEL_QUINTIC + 1);
+    tcase_add_loop_test(tests, packed_liquid_is_as_dense_inside_as_it_was_asked_for, 0, 9);
+    tcase_add_loop_test(tests, a_gap_between_liquid_and_a_wall_is_nobodys, 0, 3);
+    tcase_add_test(tests, packed_places_stay_out_of_springs);
     tcase_add_test(tests, packed_places_are_the_same_for_any_threads);
     tcase_add_loop_test(tests, packed_liquid_at_rest_starts_quietly, 0, 4);
     tcase_add_test(tests, a_packing_without_memory_is_no_harm);

@@ -60,6 +60,37 @@ static void fill_sides(sph2d__system *s)
     s->side_power = (1 - q * q) / (2 * q * q * beside);
 }
 
+/** Spacing of a lattice that is compressed evenly until its summed density is `compressed` times that at rest. */
+static double compressed_spacing(const sph2d__system *s, double compressed)
+{
+    double near = 0, far = s->spacing;
+    for (int k = 0; k < 40; ++k) {
+        double middle = (near + far) / 2;
+        bool more = sph2d__poly6_compressed(s->support, s->spacing, fmax(middle, 0.2 * s->spacing)) > compressed;
+        near = more ? middle : near;
+        far = more ? far : middle;
+    }
+    return far;
+}
+
+static void fill_pair_gains(sph2d__system *s)
+{
+    for (int k = 0; k <= SPH2D__PAIR_GAINS; ++k) {
+        double density = 1 + (double)k * (SPH2D__PAIR_GAIN_TOP - 1) / SPH2D__PAIR_GAINS;
+        s->pair_gain[k] = sph2d__muller_pair_gain(s->support, s->spacing, compressed_spacing(s, density));
+    }
+}
+
+/** What pairs take for a pressure at a density over rest density. */
+static double pair_gain(const sph2d__system *s, double density)
+{
+    double place = (density - 1) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1);
+    if (!(place < SPH2D__PAIR_GAINS))
+        return s->pair_gain[SPH2D__PAIR_GAINS];
+    int k = place > 0 ? (int)place : 0;
+    return s->pair_gain[k] + fmax(place - k, 0) * (s->pair_gain[k + 1] - s->pair_gain[k]);
+}
+
 static void prepare(sph2d__system *s)
 {
     s->calibration = 1 / sph2d__poly6_lattice_sum(s->support, s->spacing);
@@ -68,6 +99,7 @@ static void prepare(sph2d__system *s)
     s->modulus = s->sound_speed * s->sound_speed / sph2d__poly6_lattice_response(s->support, s->spacing);
     double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
     s->viscosity = s->viscosity > calm ? s->viscosity : calm;
+    fill_pair_gains(s);
     weigh_walls(s);
 }
 
@@ -85,6 +117,7 @@ static void set_pressures(void *system, size_t first, size_t last)
     const sph2d__store *fluid = &s->fluid;
     for (size_t i = first; i < last; ++i) {
         fluid->pressure[i] = pressure_of(s, fluid->density[i]);
+        fluid->pair_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];
         fluid->volume[i] = s->mass / fluid->density[i];
     }
 }
@@ -131,7 +164,7 @@ const sph2d__method sph2d__muller = {
     .name = "muller",
     .integrator = SPH2D__LEAPFROG,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
-             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(pair_pressure) | SPH2D__BIT(volume),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) |
              SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),

@@ -108,7 +108,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
     sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
     sph2d__lanes wv = w * from->volume[j];
-    sph2d__lanes press = wv * w * (i->pressure + from->pressure[j]) / r;
+    sph2d__lanes press = wv * w * (i->pressure + from->pair_pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
     sums->drag_x += wv * (from->vx[j] - i->vx);
@@ -137,7 +137,7 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
     force_sums sums = {{0}, {0}, {0}, {0}};
     receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
                    .vy = sph2d__lanes_load(fluid->vy + g->first),
-                   .pressure = sph2d__lanes_load(fluid->pressure + g->first)};
+                   .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, ranges, s->support);
     while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {

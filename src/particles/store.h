@@ -55,6 +55,7 @@ enum { SPH2D__PADDING = 16 };
     X(slope_y)                                                                                                         \
     X(excess) /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */                \
     X(push)   /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */                 \
+    X(pair_pressure) /* that pairs of particles carry [Pa] */                                                          \
     X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
     X(next_y)                                                                                                          \
     X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \

@@ -7,6 +7,9 @@
 
 #include "scene/resolve.h"
 
+/* A side lies on a line between cells that is so many cells away at most. */
+static const double ON_LINE = 0.02;
+
 /** Point `k` of a cell of size 1: a Hammersley set, one point in each sixteenth by sixteenth, each in a column and a
  *  row of its own, so that edges of any slope are seen. */
 static sph2d_vec2 point_of(unsigned k)
@@ -145,6 +148,43 @@ static sph2d__segment longest_side(sph2d_points corners)
     return longest;
 }
 
+/** Side k of the shape's polygon, in cells from the region's origin; `turned`: with x and y exchanged. */
+static sph2d__segment side_in_cells(const sph2d__region *r, size_t k, bool turned)
+{
+    sph2d_points corners = r->shape->polygon;
+    sph2d_vec2 a = sph2d__region_in_cells(r, corners.items[k]);
+    sph2d_vec2 b = sph2d__region_in_cells(r, corners.items[(k + 1) % corners.count]);
+    return turned ? (sph2d__segment){{a.y, a.x}, {b.y, b.x}} : (sph2d__segment){a, b};
+}
+
+/** Length of a polygon's sides that lie on columns of cells which begin at x = `from`, or on rows. */
+static double length_on_lines(const sph2d__region *r, double from, bool rows)
+{
+    double length = 0;
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d__segment s = side_in_cells(r, k, rows);
+        double x = s.a.x - from;
+        if (fabs(s.b.x - s.a.x) < ON_LINE && fabs(x - floor(x + 0.5)) < ON_LINE)
+            length += fabs(s.b.y - s.a.y);
+    }
+    return length;
+}
+
+/** Where the columns of cells, or the rows, begin so that the most of a polygon's sides lie on them; in cells. */
+static double best_begin(const sph2d__region *r, bool rows)
+{
+    double best = 0, longest = length_on_lines(r, 0, rows);
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d__segment s = side_in_cells(r, k, rows);
+        double length = fabs(s.b.x - s.a.x) < ON_LINE ? length_on_lines(r, s.a.x, rows) : 0;
+        if (length > longest * (1 + 1e-9)) {
+            longest = length;
+            best = s.a.x - floor(s.a.x);
+        }
+    }
+    return best;
+}
+
 /** Bounds of the shape, in cells from the region's origin. */
 static sph2d_box bounds_in_cells(const sph2d__region *r)
 {
@@ -168,6 +208,7 @@ bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const s
         double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
         region->axis = (sph2d_vec2){(side.b.x - side.a.x) / length, (side.b.y - side.a.y) / length};
         region->origin = side.a;
+        region->origin = sph2d__region_place(region, best_begin(region, false), best_begin(region, true));
     }
     sph2d_box b = bounds_in_cells(region);
     double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;

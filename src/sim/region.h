@@ -22,8 +22,8 @@ typedef struct sph2d__region {
 } sph2d__region;
 
 /** Looks at the grid of cells of a size that has a corner at `corner` and covers the shape, with `margin` cells around.
- *  Of a polygon the grid lies along its longest side, from a corner of that. The caller frees it. False when memory is
- *  short. */
+ *  Of a polygon the grid lies along its longest side, and its columns and rows begin where the most of the polygon's
+ *  sides lie on them. The caller frees it. False when memory is short. */
 bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
                         double size, int margin, sph2d__memory *memory);
 
