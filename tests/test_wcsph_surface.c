@@ -104,7 +104,8 @@ static void add_crowd(const sph2d__system *s, size_t i, const sph2d__store *from
     }
 }
 
-/* In the air, and on a wall, along whose surface the shift fades where the wall is a tenth of what is around. */
+/* In the air, and on a wall, beside which the shift fades at the surface, to none where the wall is 0.3 of what is
+ * around. */
 START_TEST(shifts_lead_away_from_the_crowd)
 {
     if (_i == 1) {
@@ -129,7 +130,7 @@ START_TEST(shifts_lead_away_from_the_crowd)
             gy -= across * n.y;
         }
         if (f->surface[i] < s->support) {
-            double edge = fmax(1 - of_walls / s->lattice_values / 0.1, 0);
+            double edge = fmax(1 - of_walls / s->lattice_values / 0.3, 0);
             gx *= edge;
             gy *= edge;
             faded += edge < 1;
