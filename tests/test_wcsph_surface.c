@@ -118,6 +118,7 @@ START_TEST(shifts_lead_away_from_the_crowd)
     s->step = 1e-4;
     for (size_t i = 0; i < f->count; ++i)
         f->strain[i] = 3 + (double)(i % 4);
+    sph2d__wcsph.evaluate(s);
     for (size_t i = 0; i < f->count; ++i) {
         sph2d_vec2 g = {0, 0}, n = {0, 0};
         double packing = 0, of_walls = 0;
@@ -130,7 +131,8 @@ START_TEST(shifts_lead_away_from_the_crowd)
             gy -= across * n.y;
         }
         if (f->surface[i] < s->support) {
-            double edge = fmax(1 - of_walls / s->lattice_values / 0.3, 0);
+            double calm = 0.1 * C0 / s->support, rate = f->strain[i];
+            double edge = 1 - fmin(of_walls / s->lattice_values / 0.3, 1) * calm * calm / (calm * calm + rate * rate);
             gx *= edge;
             gy *= edge;
             faded += edge < 1;
