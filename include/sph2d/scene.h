@@ -136,8 +136,8 @@ typedef enum sph2d_viscosity_form {
 
 /** What eddies smaller than the smoothing kernel do. */
 typedef enum sph2d_turbulence {
-    SPH2D_TURBULENCE_DEFAULT = 0,    /**< none with shifting 0, and where a block fills the whole domain and no side
-                                          is open; else smagorinsky */
+    SPH2D_TURBULENCE_DEFAULT = 0,    /**< none with shifting 0, with artificial viscosity, and where a block fills the
+                                          whole domain and no side is open; else smagorinsky */
     SPH2D_TURBULENCE_NONE = 1,       /**< nothing */
     SPH2D_TURBULENCE_SMAGORINSKY = 2 /**< Smagorinsky 1963: they add the kinematic viscosity (0.24 H)^2 |S|, with the
                                           support radius H and the rate of strain |S| = sqrt(2 S:S), in the form

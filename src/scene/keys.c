@@ -352,7 +352,8 @@ static const sph2d_key method_items[] = {
      .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
              "least"},
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
-     .standard = "none with shifting 0 or where a block fills a domain without open sides, else smagorinsky",
+     .standard = "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
+                 "else smagorinsky",
      .text = "wcsph, symmetric operators: smagorinsky adds the viscosity (0.24 H)^2 |S| of eddies smaller "
              "than the kernel"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",

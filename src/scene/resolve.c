@@ -73,7 +73,7 @@ sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
     bool symmetric = m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_SYMMETRIC;
     if (m->turbulence != SPH2D_TURBULENCE_DEFAULT || !symmetric)
         return m->turbulence;
-    bool eddies = m->shifting > 0 && !has_no_surface(scene);
+    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !has_no_surface(scene);
     return eddies ? SPH2D_TURBULENCE_SMAGORINSKY : SPH2D_TURBULENCE_NONE;
 }
 

@@ -13,8 +13,8 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m);
  *  forms keep the default. */
 sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene);
 
-/** The model of eddies that a scene without one gets: Smagorinsky's at a free surface, unless shifting is off. Methods
- *  without eddies keep the default. */
+/** The model of eddies that a scene without one gets: Smagorinsky's at a free surface, unless shifting is off, or
+ *  the scene damps by an artificial viscosity of its own. Methods without eddies keep the default. */
 sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene);
 
 /** The form of the domain's sides that are walls. */
