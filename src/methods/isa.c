@@ -47,8 +47,3 @@ sph2d_isa sph2d__isa_choose(sph2d_isa wish)
         return SPH2D_ISA_AVX512;
     return sph2d_isa_available(SPH2D_ISA_AVX2) ? SPH2D_ISA_AVX2 : SPH2D_ISA_BASELINE;
 }
-
-size_t sph2d__isa_lanes(sph2d_isa isa)
-{
-    return isa == SPH2D_ISA_AVX512 ? 8 : isa == SPH2D_ISA_AVX2 ? 4 : 2;
-}

@@ -9,9 +9,6 @@
 /** The set to use for a wish: `auto` becomes the widest that is there; one that is not there becomes auto (0). */
 sph2d_isa sph2d__isa_choose(sph2d_isa wish);
 
-/** Lanes of doubles that the loops of a set have: particles in a slice (neighbours.h). */
-size_t sph2d__isa_lanes(sph2d_isa isa);
-
 #ifdef SPH2D__ISA_X86
 #define SPH2D__ISA_COUNT 3
 #else

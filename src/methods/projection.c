@@ -67,6 +67,7 @@ bool sph2d__projection_gather(sph2d__system *s)
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
             (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
             return false;
+        s->neighbours.lanes = s->wall_neighbours.lanes = gathers(s->isa)->lanes;
         if (sph2d__over_rows(s, gather_slab, NULL).most == 0)
             break;
     }

@@ -101,6 +101,7 @@ void sph2d__projection_prepare(sph2d__system *system);
 /** Gathering for the particles of one slab, compiled once for each instruction set and kernel; false when it is full.
  */
 typedef struct sph2d__projection_gather_pass {
+    size_t lanes; /**< that it is compiled with */
     bool (*fluid[5])(sph2d__system *system, size_t slab);
     bool (*walls[5])(sph2d__system *system, size_t slab);
 } sph2d__projection_gather_pass;

@@ -245,5 +245,6 @@ FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
 
 #define NAME_(isa) sph2d__projection_gather_##isa
 #define NAME(isa) NAME_(isa)
-const sph2d__projection_gather_pass NAME(SPH2D__ISA) = {{fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
+const sph2d__projection_gather_pass NAME(SPH2D__ISA) = {SPH2D__LANES,
+                                                        {fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
                                                         {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic}};

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "kernels/kernel.h"
-#include "methods/isa.h"
 #include "methods/shortest.h"
 
 /* What is not right after so many turns, each a look at all particles and then sweeps over those in want of it, is left
@@ -27,7 +26,6 @@ typedef struct correction {
     double pressure; /**< of a multiplier */
     double hardest;  /**< largest pressure without corrections */
     double hurry;    /**< acceleration for a way */
-    size_t stride;   /**< from pair to pair of a row */
 } correction;
 
 /** The pairs of a row: those with the fluid from `first` to `fluid`, those with boundary particles from there on. */
@@ -35,11 +33,11 @@ typedef struct row {
     size_t first, fluid, walls;
 } row;
 
-static row row_of(const sph2d__neighbours *n, size_t i, size_t stride)
+static row row_of(const sph2d__neighbours *n, size_t i)
 {
-    const sph2d__slice *at = &n->slices[i / stride];
-    size_t first = at->begin + i % stride, fluid = first + at->fluid * stride;
-    return (row){first, fluid, fluid + at->walls * stride};
+    const sph2d__slice *at = &n->slices[i / n->lanes];
+    size_t first = at->begin + i % n->lanes, fluid = first + at->fluid * n->lanes;
+    return (row){first, fluid, fluid + at->walls * n->lanes};
 }
 
 /** f(q) of particles at a distance. */
@@ -56,11 +54,11 @@ static double compression(const sph2d__system *s, const correction *c, const row
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double x = f->next_x[i], y = f->next_y[i], sum = c->own;
-    for (size_t k = r->first; k < r->fluid; k += c->stride) {
+    for (size_t k = r->first; k < r->fluid; k += s->neighbours.lanes) {
         uint32_t j = s->neighbours.index[k];
         sum += s->mass * value_at(s, x - f->next_x[j], y - f->next_y[j]);
     }
-    for (size_t k = r->fluid; k < r->walls; k += c->stride) {
+    for (size_t k = r->fluid; k < r->walls; k += s->neighbours.lanes) {
         uint32_t b = s->neighbours.index[k];
         sum += w->mass[b] * value_at(s, x - w->x[b] - s->step * w->vx[b], y - w->y[b] - s->step * w->vy[b]);
     }
@@ -83,7 +81,7 @@ static void push(sph2d__system *s, const correction *c, const row *r, size_t i, 
 {
     sph2d__store *f = &s->fluid;
     double x = 0, y = 0;
-    for (size_t k = r->first; k < r->walls; k += c->stride) {
+    for (size_t k = r->first; k < r->walls; k += s->neighbours.lanes) {
         float gradient[2];
         memcpy(gradient, &s->neighbours.gradient[k], sizeof gradient);
         double px = more * gradient[0], py = more * gradient[1];
@@ -105,7 +103,7 @@ static bool sweep(sph2d__system *s, const correction *c)
     for (size_t i = 0; i < f->count; ++i) {
         if (!(f->residual[i] > c->limit))
             continue;
-        row r = row_of(&s->neighbours, i, c->stride);
+        row r = row_of(&s->neighbours, i);
         double explained = c->share * f->multiplier[i], left = f->residual[i] = compression(s, c, &r, i);
         if (!(left > c->limit && left > explained))
             continue;
@@ -147,8 +145,7 @@ void sph2d__stragglers_correct(sph2d__system *s, double limit, double share)
                     .scale = s->calibration * sph2d__kernel_constant(s->method.kernel) / (h2 * s->rest_density),
                     .own = s->mass * sph2d__kernel_value_at(s->method.kernel, 0),
                     .pressure = s->moment * s->rest_density / (s->step * s->step),
-                    .hurry = 1 / (s->step * s->step),
-                    .stride = sph2d__isa_lanes(s->isa)};
+                    .hurry = 1 / (s->step * s->step)};
     c.hardest = sph2d__over_fluid(s, step_slab, NULL).most;
     s->fluid.next_x[s->fluid.count] = s->fluid.next_y[s->fluid.count] = 1e30;
     double found = INFINITY;

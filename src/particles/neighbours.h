@@ -48,6 +48,8 @@ typedef struct sph2d__neighbours {
     sph2d__slab_sum *sums; /**< of each slab: room for what a loop sums up, so that the order of sums is always one */
     size_t particles;      /**< room */
     size_t each;           /**< pairs of a particle that there is room for, on average in a slab */
+    size_t lanes; /**< particles of a slice, and the way from slot to slot: those of the loops that filled it last. The
+                     name of an instruction set does not tell them, as a compiler's flags may widen all of them */
 } sph2d__neighbours;
 
 /** Most neighbours that one particle can have. */
