@@ -10,7 +10,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 files=("$@")
 [ $# -gt 0 ] || mapfile -t files < <(sed '/^#/d;/^$/d' "$root/tests/mutants/files")
 suites=(kernels smoothing wcsph wcsph_walls wcsph_surface muller muller_energy terms tension fitted fitted_walls cells periodic leapfrog
-    layers walls invariance tunnelling conservation flows flows_channels flows_free)
+    layers walls invariance tunnelling conservation symmetry flows flows_channels flows_free)
 workers=${JOBS:-$(nproc)}
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/sph2d-mutants.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT

@@ -40,6 +40,7 @@
     X(solver_limits)                                                                                                   \
     X(features)                                                                                                        \
     X(conservation)                                                                                                    \
+    X(symmetry)                                                                                                        \
     X(leapfrog)                                                                                                        \
     X(invariance)                                                                                                      \
     X(walls)                                                                                                           \
@@ -59,11 +60,13 @@
     X(plan)                                                                                                            \
     X(basin)                                                                                                           \
     X(packing)                                                                                                         \
+    X(packing_rest)                                                                                                    \
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(guards)                                                                                                          \
     X(ledger)                                                                                                          \
+    X(ledger_pressure)                                                                                                 \
     X(memory)                                                                                                          \
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
