@@ -193,8 +193,7 @@ static void print_materials(void)
 static const struct {
     const char *name;
     void (*print)(void);
-} topics[] = {
-    {"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}, {"materials", print_materials}};
+} topics[] = {{"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}, {"materials", print_materials}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
 static void unknown_topic(const char *topic)

@@ -62,14 +62,13 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     else
         text_row("energy", "%+.4g J/m", change);
     text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
-             s->kinetic + s->potential + s->elastic,
-             s->energy_fed);
+             s->kinetic + s->potential + s->elastic, s->energy_fed);
     text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
              s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped,
              s->energy_pressed);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
-        text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up", 100 * s->energy_error / s->energy_scale,
-                 s->energy_scale);
+        text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up",
+                 100 * s->energy_error / s->energy_scale, s->energy_scale);
     if (s->energy_scale > 0 && isfinite(s->energy_rise))
         text_row("", "%.3g %% came from nothing at most", 100 * s->energy_rise / s->energy_scale);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);

@@ -135,8 +135,7 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
         double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
         double small = eddies ? RHO0 * filter * filter * (f->strain[i] + f->strain[j]) / 2 : 0;
         double mu_pair = artificial + small + (morris ? 0 : mu);
-        double damp = 8 * mu_pair / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) /
-                       (o.r * o.r) * o.slope;
+        double damp = 8 * mu_pair / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) / (o.r * o.r) * o.slope;
         if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
             drag = damp = 0;
         a[0] += push * o.dx + drag * o.vx + damp * o.dx;

@@ -104,7 +104,7 @@ START_TEST(down_is_where_gravity_points)
     ck_assert_double_eq_tol(height(), 0.8, 1e-12); /* and it runs out over its bottom's rim: the block is as high */
     block = test_block(0.6, 1.5, 0.8, 1.7);
     basin[0].x = basin[1].x = 0.5;
-    basin[3].y = 1.9; /* the floor of the turned basin is longer than its other wall */
+    basin[3].y = 1.9;                              /* the floor of the turned basin is longer than its other wall */
     ck_assert_double_eq_tol(height(), 0.4, 1e-12); /* still open at the top of the picture */
     basin[3].y = 2;
     ck_assert_double_eq_tol(height(), 0.2, 0.02 + 1e-9);

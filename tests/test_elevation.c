@@ -122,8 +122,8 @@ static const double REST_DX = 0.015, LEVEL = 0.3, STEP = 0.15;
 
 /** A tank whose right wall rises at an angle from the foot at x = 0.6, or with a step in it. */
 typedef struct slope {
-    double angle;  /**< to the floor outside, 0 for the step */
-    double bound;  /**< of the surface beside the wall over that in the middle, in spacings */
+    double angle;    /**< to the floor outside, 0 for the step */
+    double bound;    /**< of the surface beside the wall over that in the middle, in spacings */
     double pressure; /**< bound of its error, in rho g times the depth */
 } slope;
 static const slope slopes[] = {
@@ -139,8 +139,10 @@ static double wall_at(double angle, double y)
 /** Liquid that has come to rest in the tank, with elevation probes at places. */
 static sph2d_sim *rested(double angle, const double places[PLACES], int threads)
 {
-    sph2d_vec2 wall[] = {{0, 0.45}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, 0.45), 0.45}};
-    sph2d_vec2 liquid[] = {{0, LEVEL}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, LEVEL), LEVEL}};
+    sph2d_vec2 wall[] = {
+        {0, 0.45}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, 0.45), 0.45}};
+    sph2d_vec2 liquid[] = {
+        {0, LEVEL}, {0, 0}, {0.6, 0}, {0.6, STEP}, {wall_at(angle, STEP), STEP}, {wall_at(angle, LEVEL), LEVEL}};
     size_t count = 6;
     if (angle > 0) {
         wall[3] = wall[5];
@@ -179,8 +181,15 @@ START_TEST(still_liquid_is_as_high_beside_walls_as_elsewhere)
     /* 0.32 dx low half a spacing from a wall where the wall is not counted; 0.15 high where all of it is. */
     const slope *s = &slopes[_i];
     double wall = wall_at(s->angle, LEVEL), half = REST_DX / 2, values[SPH2D_PROBE_MAX_COLUMNS];
-    const double places[PLACES] = {0.3, half, wall - half, 2 * half, wall - 2 * half, 3 * half, wall - 3 * half, 0,
-                                    s->angle > 0 ? wall - 4 * half : 0.595};
+    const double places[PLACES] = {0.3,
+                                   half,
+                                   wall - half,
+                                   2 * half,
+                                   wall - 2 * half,
+                                   3 * half,
+                                   wall - 3 * half,
+                                   0,
+                                   s->angle > 0 ? wall - 4 * half : 0.595};
     sph2d_sim *sim = rested(s->angle, places, 1), *other = rested(s->angle, places, 3);
     sph2d_sim_probe(sim, 0, values);
     double middle = values[0];

@@ -117,7 +117,8 @@ START_TEST(sums_in_floats_are_those_in_doubles)
     ck_assert_double_le(difference(a->fullness, b->fullness, a->count), 1e-5);
     ck_assert_double_le(difference(a->density_rate, b->density_rate, a->count), 1e-5);
     ck_assert_double_le(difference(v->pressure, w->pressure, v->count), 5e-5);
-    ck_assert_double_le(difference(v->wall_rate, w->wall_rate, v->count), 5e-4); /* sums that nearly cancel, over sums */
+    ck_assert_double_le(difference(v->wall_rate, w->wall_rate, v->count),
+                        5e-4); /* sums that nearly cancel, over sums */
     ck_assert_double_le(difference(a->strain, b->strain, a->count), 1e-4);
     ck_assert_double_le(difference(a->packing, b->packing, a->count), 1e-5);
     ck_assert_double_le(difference(a->filling, b->filling, a->count), 1e-4);

@@ -62,7 +62,7 @@ START_TEST(what_is_best_is_found_and_kept)
         int limit, best;
         double least;
     } cases[] = {
-        {ideal, 1, 1, 1},          {ideal, 2, 2, 0.985},     {ideal, 8, 8, 0.985},
+        {ideal, 1, 1, 1},       {ideal, 2, 2, 0.985},   {ideal, 8, 8, 0.985},
         {hopeless, 2, 1, 0.98}, {hopeless, 8, 1, 0.95}, {crowded, 8, 2, 1.9 / 3},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)

@@ -99,8 +99,10 @@ END_TEST
  * the density that it has: sums of the kernels' formulas at the lattice's distances. */
 START_TEST(strained_lattices_have_rest_density)
 {
-    static const double told[] = {[SPH2D_KERNEL_WENDLAND_C2] = 1.017506, [SPH2D_KERNEL_WENDLAND_C4] = 1.022448,
-                                  [SPH2D_KERNEL_WENDLAND_C6] = 1.026014, [SPH2D_KERNEL_CUBIC] = 1.005346,
+    static const double told[] = {[SPH2D_KERNEL_WENDLAND_C2] = 1.017506,
+                                  [SPH2D_KERNEL_WENDLAND_C4] = 1.022448,
+                                  [SPH2D_KERNEL_WENDLAND_C6] = 1.026014,
+                                  [SPH2D_KERNEL_CUBIC] = 1.005346,
                                   [SPH2D_KERNEL_QUINTIC] = 1.019607};
     full_box(_i % 2 ? SPH2D_METHOD_PCISPH : SPH2D_METHOD_CONSTRAINT, 16);
     make_periodic();

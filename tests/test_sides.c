@@ -247,8 +247,7 @@ END_TEST
 START_TEST(a_polygon_is_a_solid_whichever_way_round)
 {
     /* A hexagon, and the same with a notch. */
-    sph2d_vec2 corners[7] = {{0.7, 0.5},  {0.6, 0.67}, {0.4, 0.67}, {0.3, 0.5},
-                             {0.4, 0.33}, {0.6, 0.33}, {0.52, 0.5}};
+    sph2d_vec2 corners[7] = {{0.7, 0.5}, {0.6, 0.67}, {0.4, 0.67}, {0.3, 0.5}, {0.4, 0.33}, {0.6, 0.33}, {0.52, 0.5}};
     size_t count = _i / 2 ? 7 : 6;
     for (size_t k = 0; _i % 2 && k < count / 2; ++k) {
         sph2d_vec2 other = corners[k];

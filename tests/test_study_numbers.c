@@ -38,10 +38,9 @@ END_TEST
 
 START_TEST(what_a_series_cannot_give_is_no_number)
 {
-    static const sph2d_take all[] = {SPH2D_TAKE_LAST,   SPH2D_TAKE_MAX,      SPH2D_TAKE_MIN,
-                                     SPH2D_TAKE_MEAN,   SPH2D_TAKE_RMS,      SPH2D_TAKE_SPREAD,
-                                     SPH2D_TAKE_PERIOD, SPH2D_TAKE_CROSSING, SPH2D_TAKE_VALUE,
-                                     SPH2D_TAKE_DECAY};
+    static const sph2d_take all[] = {SPH2D_TAKE_LAST,  SPH2D_TAKE_MAX,    SPH2D_TAKE_MIN,    SPH2D_TAKE_MEAN,
+                                     SPH2D_TAKE_RMS,   SPH2D_TAKE_SPREAD, SPH2D_TAKE_PERIOD, SPH2D_TAKE_CROSSING,
+                                     SPH2D_TAKE_VALUE, SPH2D_TAKE_DECAY};
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i)
         ck_assert(isnan(reduce(all[i], 0, 0, 0)));
     ck_assert(isnan(reduce(SPH2D_TAKE_CROSSING, 4, 5, NAN)));

@@ -125,13 +125,13 @@ typedef enum sph2d_state_equation {
 
 /** The pair form of viscosity of the symmetric operators. */
 typedef enum sph2d_viscosity_form {
-    SPH2D_VISCOSITY_DEFAULT = 0,  /**< morris where a block fills the whole domain and no side is open, else monaghan */
-    SPH2D_VISCOSITY_MORRIS = 1,   /**< Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named,
-                                       on a lattice, too. A free surface has no stress of its own: waves decay half as
-                                       fast as they should, and a drop that turns is slowed down */
-    SPH2D_VISCOSITY_MONAGHAN = 2  /**< Monaghan & Gingold 1983: keeps angular momentum too, and a free surface without
-                                       stress (Colagrossi et al. 2011). Shear along the rows of a lattice finds 0.89 of
-                                       the viscosity (wendland_c2, H/dx = 3), disordered liquid the whole */
+    SPH2D_VISCOSITY_DEFAULT = 0, /**< morris where a block fills the whole domain and no side is open, else monaghan */
+    SPH2D_VISCOSITY_MORRIS = 1,  /**< Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named,
+                                      on a lattice, too. A free surface has no stress of its own: waves decay half as
+                                      fast as they should, and a drop that turns is slowed down */
+    SPH2D_VISCOSITY_MONAGHAN = 2 /**< Monaghan & Gingold 1983: keeps angular momentum too, and a free surface without
+                                      stress (Colagrossi et al. 2011). Shear along the rows of a lattice finds 0.89 of
+                                      the viscosity (wendland_c2, H/dx = 3), disordered liquid the whole */
 } sph2d_viscosity_form;
 
 /** What eddies smaller than the smoothing kernel do. */
@@ -386,10 +386,10 @@ typedef struct sph2d_motion {
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
     sph2d_liquid_side liquid; /**< lines and polylines with layers: where the liquid is; default auto */
-    sph2d_motion motion;  /**< default: none, it stands */
-    sph2d_wall_form form; /**< muller: heavy or reflect; wcsph: generalised or reflect; the others: all
-                               three; default: the method's */
-    double restitution;   /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
+    sph2d_motion motion;      /**< default: none, it stands */
+    sph2d_wall_form form;     /**< muller: heavy or reflect; wcsph: generalised or reflect; the others: all
+                                   three; default: the method's */
+    double restitution;       /**< reflect only: normal speed after over before, 0 to 1; default 0.5 */
 } sph2d_obstacle;
 
 /** A pull or push towards a moving point: acceleration * (1 - r/radius) inside `radius`. */
@@ -427,12 +427,12 @@ typedef enum sph2d_probe_kind {
                                     liquid over rest density, as particles have it and by counting them on the area */
     SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
                                    anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */
-    SPH2D_PROBE_ERROR = 8, /**< difference from the exact solution that a block starts with, at the particles' places:
-                               speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
-                               vector_max: largest error of v over the flow's speed U (a flow at rest: over the
-                               speed that its largest pressure could make); pressure_l1: mean error over mean exact
-                               |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
-                               kinetic energy over the exact one, - 1 */
+    SPH2D_PROBE_ERROR = 8,  /**< difference from the exact solution that a block starts with, at the particles' places:
+                                speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
+                                vector_max: largest error of v over the flow's speed U (a flow at rest: over the
+                                speed that its largest pressure could make); pressure_l1: mean error over mean exact
+                                |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
+                                kinetic energy over the exact one, - 1 */
     SPH2D_PROBE_VOLUME = 9, /**< volume: area that liquid covers, to a surface where half of a kernel is filled, and of
                                particles by themselves, dx^2 each; placed: what the particles stand for at rest density
                                [m^2] */
@@ -446,13 +446,13 @@ typedef enum sph2d_probe_kind {
 typedef struct sph2d_probe {
     const char *name; /**< file name without `.csv`: letters, digits, `_` and `-`, unique */
     sph2d_probe_kind kind;
-    sph2d_vec2 at;   /**< [m]; for the kinds at a point; an elevation has no use for y */
+    sph2d_vec2 at;    /**< [m]; for the kinds at a point; an elevation has no use for y */
     double size;      /**< pressure: diameter of the gauge's round face around `at`, over which pressure is averaged
                            [m], >= 0; default 0, a point */
     sph2d_vec2 along; /**< pressure: direction of the face, of any length > 0; default (0, 1), upright */
     double rise_time; /**< pressure: time in which the gauge goes from 10 to 90 % of a jump of pressure, as a low pass
                            of first order [s], >= 0; default 0, at once */
-    sph2d_rate rate; /**< must be given */
+    sph2d_rate rate;  /**< must be given */
 } sph2d_probe;
 
 /** How a frame looks. */

@@ -161,35 +161,35 @@ typedef struct sph2d_summary {
                                   constraint m c0^2 e^2/2 at the compression e that pressure holds; with pcisph what
                                   a start held beyond max_compression, until it expanded [J/m] */
     double energy_start;       /**< kinetic + potential + elastic at the start [J/m] */
-    double energy_rise;        /**< how far energy ever rose above an earlier moment, less what was brought: by particles,
-                                  new gravity, moving walls, interactions, forces along periods [J/m]. NaN with fitted
-                                  operators and walls that move, whose work they do not tell */
-    double energy_error;       /**< what does not add up: kinetic + potential + elastic - energy_start less what was brought,
-                                  plus what dissipated, at the last look [J/m]; NaN with fitted operators and obstacles
-                                  that move */
-    double energy_error_rise;  /**< how far that ever rose above an earlier moment [J/m] */
-    double energy_walls;       /**< brought by walls that move, through pressure, friction and the swept test [J/m] */
-    double energy_forces;      /**< brought by interactions, the pointer and gravity along periods [J/m] */
-    double energy_viscous;     /**< taken by viscosity, artificial viscosity, friction at walls, dampers [J/m] */
-    double energy_diffused;    /**< elastic energy taken by diffusion of density [J/m] */
-    double energy_stopped;     /**< taken by the swept test against walls at rest and by reflections [J/m] */
-    double energy_pressed;     /**< taken by the pressures of methods pcisph and constraint, which let no liquid bounce:
-                                  their work less that of moving walls and what is stored, where it is below 0 [J/m] */
-    double energy_scale;       /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
-                                  the surface of a round drop of its liquid under tension [J/m] */
-    double density_apart;      /**< largest difference of the densities of sph2d_sim_densities(), looked at in every
-                                  500th step; 0 where there was none */
-    double energy_fed;         /**< that sources and new gravity brought less what drains and open sides took [J/m] */
-    double momentum[2];        /**< now [kg/s] */
-    double speed_max;          /**< now [m/s] */
-    uint64_t fed, blocked;     /**< particles that sources fed, and places that were taken */
-    uint64_t drained;          /**< lost to drains */
-    uint64_t left_open[4];     /**< lost through open sides: left, right, bottom, top */
-    uint64_t backstop_hits;    /**< times the swept test against walls had to hold a particle */
-    uint64_t reflections;      /**< immediate reflections at boundary particles */
-    uint64_t iterations;       /**< of the pressure solver, summed over the steps */
-    uint64_t unconverged;      /**< steps after which the pressure solver was not done */
-    uint64_t limited_by[4];    /**< steps whose length was set by: acoustic, force, viscous limit, the scene */
+    double energy_rise;  /**< how far energy ever rose above an earlier moment, less what was brought: by particles,
+                            new gravity, moving walls, interactions, forces along periods [J/m]. NaN with fitted
+                            operators and walls that move, whose work they do not tell */
+    double energy_error; /**< what does not add up: kinetic + potential + elastic - energy_start less what was brought,
+                            plus what dissipated, at the last look [J/m]; NaN with fitted operators and obstacles
+                            that move */
+    double energy_error_rise; /**< how far that ever rose above an earlier moment [J/m] */
+    double energy_walls;      /**< brought by walls that move, through pressure, friction and the swept test [J/m] */
+    double energy_forces;     /**< brought by interactions, the pointer and gravity along periods [J/m] */
+    double energy_viscous;    /**< taken by viscosity, artificial viscosity, friction at walls, dampers [J/m] */
+    double energy_diffused;   /**< elastic energy taken by diffusion of density [J/m] */
+    double energy_stopped;    /**< taken by the swept test against walls at rest and by reflections [J/m] */
+    double energy_pressed;    /**< taken by the pressures of methods pcisph and constraint, which let no liquid bounce:
+                                 their work less that of moving walls and what is stored, where it is below 0 [J/m] */
+    double energy_scale;    /**< what a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and
+                               the surface of a round drop of its liquid under tension [J/m] */
+    double density_apart;   /**< largest difference of the densities of sph2d_sim_densities(), looked at in every
+                               500th step; 0 where there was none */
+    double energy_fed;      /**< that sources and new gravity brought less what drains and open sides took [J/m] */
+    double momentum[2];     /**< now [kg/s] */
+    double speed_max;       /**< now [m/s] */
+    uint64_t fed, blocked;  /**< particles that sources fed, and places that were taken */
+    uint64_t drained;       /**< lost to drains */
+    uint64_t left_open[4];  /**< lost through open sides: left, right, bottom, top */
+    uint64_t backstop_hits; /**< times the swept test against walls had to hold a particle */
+    uint64_t reflections;   /**< immediate reflections at boundary particles */
+    uint64_t iterations;    /**< of the pressure solver, summed over the steps */
+    uint64_t unconverged;   /**< steps after which the pressure solver was not done */
+    uint64_t limited_by[4]; /**< steps whose length was set by: acoustic, force, viscous limit, the scene */
     double time_step_min, time_step_max; /**< [s] */
     double neighbours; /**< mean number inside the support at the last sample, without the particle itself */
 } sph2d_summary;

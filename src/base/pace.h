@@ -17,19 +17,19 @@ typedef struct sph2d__stint {
 } sph2d__stint;
 
 typedef struct sph2d__pace {
-    int limit;             /**< most threads */
-    int chosen;            /**< what was best when it was last asked */
-    int rival;             /**< what it is being compared with; 0 when nothing is */
-    bool upwards;          /**< the next comparison is with more threads, where there are */
-    int turn;              /**< of the comparison: the rival's are even */
-    sph2d__stint now;      /**< this turn, or as much time between comparisons */
-    sph2d__stint last;     /**< the rival's last turn */
+    int limit;                        /**< most threads */
+    int chosen;                       /**< what was best when it was last asked */
+    int rival;                        /**< what it is being compared with; 0 when nothing is */
+    bool upwards;                     /**< the next comparison is with more threads, where there are */
+    int turn;                         /**< of the comparison: the rival's are even */
+    sph2d__stint now;                 /**< this turn, or as much time between comparisons */
+    sph2d__stint last;                /**< the rival's last turn */
     sph2d__stint of_rival, of_choice; /**< all turns of the comparison */
-    double sum, squares;   /**< over its pairs of turns: logarithm of the rival's pace over that of the choice */
-    bool doubtful;         /**< pairs of the comparison before scattered much */
-    double usual;          /**< work a second of the choice when it was last compared */
-    double age;            /**< time since then [s] */
-    double interval;       /**< until it is compared again [s] */
+    double sum, squares; /**< over its pairs of turns: logarithm of the rival's pace over that of the choice */
+    bool doubtful;       /**< pairs of the comparison before scattered much */
+    double usual;        /**< work a second of the choice when it was last compared */
+    double age;          /**< time since then [s] */
+    double interval;     /**< until it is compared again [s] */
 } sph2d__pace;
 
 /** Starts with as many threads as there may be. */

@@ -18,12 +18,12 @@
 
 /* In the order of their enums; a flag is a word. */
 static const char *const flag_words[] = {"false", "true", NULL};
-static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean", "rms",
+static const char *const take_words[] = {"default", "last",   "max",      "min",   "mean",  "rms",
                                          "spread",  "period", "crossing", "value", "decay", NULL};
 static const char *const norm_words[] = {"max", "rms", "mean", NULL};
-static const char *const summary_words[] = {"compression", "compression_mean", "compression_max", "energy_change",
-                                            "iterations",  "energy_rise",      "energy_error",    "density_apart",
-                                            "left",        NULL};
+static const char *const summary_words[] = {
+    "compression", "compression_mean", "compression_max", "energy_change", "iterations",
+    "energy_rise", "energy_error",     "density_apart",   "left",          NULL};
 static const char *const quantity_words[] = {"vx", "vy", "speed", "pressure", "density", NULL};
 
 /* ---- runs -------------------------------------------------------------------------------------------------------- */

@@ -147,9 +147,11 @@ static bool evaluate(sph2d__system *s)
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
-    double h2 = s->support * s->support, d = h2 - dx * dx - dy * dy, density = f->density[i], volume = s->mass / density;
+    double h2 = s->support * s->support, d = h2 - dx * dx - dy * dy, density = f->density[i],
+           volume = s->mass / density;
     double press = volume * 6 * sph2d__poly6_constant(s->support) * f->pressure[i] / density * d * d * w->mass[b];
-    double drag = s->viscosity * sph2d__viscosity_constant(s->support) * volume * (s->support - sqrt(h2 - d)) * w->volume[b];
+    double drag =
+        s->viscosity * sph2d__viscosity_constant(s->support) * volume * (s->support - sqrt(h2 - d)) * w->volume[b];
     return (sph2d__wall_force){.pressure = {press * dx, press * dy},
                                .friction = {drag * (w->vx[b] - f->vx[i]), drag * (w->vy[b] - f->vy[i])}};
 }

@@ -99,8 +99,7 @@ typedef struct receiver {
     sph2d__lanes x, y, vx, vy, pressure;
 } receiver;
 
-SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i,
-                             const sph2d__store *from, size_t j)
+SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i, const sph2d__store *from, size_t j)
 {
     sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
     /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
@@ -130,8 +129,8 @@ SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiv
 }
 
 /** Adds the forces of the particles in `ranges` on a group whose box is laid. */
-SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *g,
-                                    const sph2d__ranges *ranges, const sph2d__store *from)
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *g, const sph2d__ranges *ranges,
+                                    const sph2d__store *from)
 {
     const sph2d__store *fluid = &s->fluid;
     force_sums sums = {{0}, {0}, {0}, {0}};
@@ -155,7 +154,8 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
 static void force(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    const double press = sph2d__spiky_constant(s->support) / (2 * s->moment), laplacian = sph2d__viscosity_constant(s->support);
+    const double press = sph2d__spiky_constant(s->support) / (2 * s->moment),
+                 laplacian = sph2d__viscosity_constant(s->support);
     const double wall_press = 6 * sph2d__poly6_constant(s->support);
     const double drag = s->viscosity * laplacian;
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
@@ -167,7 +167,8 @@ static void force(sph2d__system *s, size_t first, size_t last)
         sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
         if (sph2d__group_near(&by, &g, &ranges)) {
             sums = sum_forces(s, &g, &ranges, &s->walls);
-            sph2d__lanes hard = wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);
+            sph2d__lanes hard =
+                wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);
             fx += hard * sums.press_x + drag * sums.drag_x;
             fy += hard * sums.press_y + drag * sums.drag_y;
         }

@@ -189,8 +189,8 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
 {
     double h2 = s->support * s->support, q = hypot(dx, dy) / s->support;
     double weight = s->calibration * s->walls.mass[b] / s->rest_density;
-    double g = weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
-               sph2d__kernel_slope_at(s->method.kernel, q);
+    double g =
+        weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) * sph2d__kernel_slope_at(s->method.kernel, q);
     double press = s->mass / (s->moment * s->rest_density) * (s->fluid.pressure[i] + s->walls.pressure[b]);
     return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
 }

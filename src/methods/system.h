@@ -38,11 +38,11 @@ typedef struct sph2d__system {
     double modulus;         /**< muller: pressure over summed density beyond rest density [m^2/s^2] */
     double pair_gain[SPH2D__PAIR_GAINS + 1]; /**< muller: pressure that pairs take over that which is told, at densities
                                                   from 1 to SPH2D__PAIR_GAIN_TOP times rest density */
-    double moment;          /**< of a projection's gradients on a filled lattice, where 1 would be exact */
-    double residual_gain;   /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
-    double shift_gain;      /**< wcsph, fitted: shift velocity over U and the crowding; set for each step */
-    double lattice_values;  /**< wcsph: sum of f(r/H)/f(dx/H) over a filled lattice, the particle itself with them */
-    double lattice_slopes;  /**< wcsph: sum of g(r/H) over the others of a filled lattice */
+    double moment;         /**< of a projection's gradients on a filled lattice, where 1 would be exact */
+    double residual_gain;  /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */
+    double shift_gain;     /**< wcsph, fitted: shift velocity over U and the crowding; set for each step */
+    double lattice_values; /**< wcsph: sum of f(r/H)/f(dx/H) over a filled lattice, the particle itself with them */
+    double lattice_slopes; /**< wcsph: sum of g(r/H) over the others of a filled lattice */
     sph2d_method_options method; /**< the scene's, every default filled in */
     sph2d_slip wall_slip;
     sph2d__body body;

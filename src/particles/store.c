@@ -5,7 +5,6 @@
 
 #include <string.h>
 
-
 _Static_assert(sizeof(double) == sizeof(uint64_t), "numbers of particles are reordered where their values are");
 
 /** Length of the arrays for a capacity. */

@@ -125,8 +125,7 @@ static void visit_block(grid *g, const sph2d_shape *shape)
     double j1 = fmin(ceil((b.max.y - g->origin.y) / g->size_y), (double)g->ny);
     for (double j = j0; j < j1; ++j)
         for (double i = i0; i < i1; ++i) {
-            sph2d_vec2 middle = {g->origin.x + (i + MIDDLE_X) * g->size_x,
-                                 g->origin.y + (j + MIDDLE_Y) * g->size_y};
+            sph2d_vec2 middle = {g->origin.x + (i + MIDDLE_X) * g->size_x, g->origin.y + (j + MIDDLE_Y) * g->size_y};
             if (sph2d__shape_contains(shape, middle))
                 visit(g, (size_t)i, (size_t)j);
         }

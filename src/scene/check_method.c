@@ -62,7 +62,8 @@ static void check_options(sph2d__checker *c)
     refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
     refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);
     refuse(c, "method.turbulence", m->turbulence != standard.turbulence, SYMMETRIC, hint);
-    refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity, MULLER | SYMMETRIC, hint);
+    refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity,
+           MULLER | SYMMETRIC, hint);
     refuse(c, "method.density_diffusion", m->density_diffusion != standard.density_diffusion, SYMMETRIC | FITTED,
            wcsph);
     refuse(c, "method.diffusion_form", m->diffusion_form != standard.diffusion_form, SYMMETRIC, hint);

@@ -111,8 +111,7 @@ static void check_side(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     char path[PATH_SIZE];
     sph2d_diagnostic *d;
-    if (!sph2d__obstacle_has_side(c->scene, obstacle) ||
-        sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
+    if (!sph2d__obstacle_has_side(c->scene, obstacle) || sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
         return;
     bool line = obstacle->outline.kind == SPH2D_OUTLINE_LINE;
     sph2d__check_path(path, "obstacles", i, line ? ".line" : ".polyline");

@@ -76,7 +76,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
     d.soft_compression = (method.name == SPH2D_METHOD_PCISPH ? SOFT_PART : 1) * method.max_compression;
-    d.stiffness_part = method.name == SPH2D_METHOD_MULLER ? sph2d__muller_stiffness(d.support_radius, scene->spacing) : 1;
+    d.stiffness_part =
+        method.name == SPH2D_METHOD_MULLER ? sph2d__muller_stiffness(d.support_radius, scene->spacing) : 1;
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
         d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);

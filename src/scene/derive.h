@@ -23,7 +23,7 @@ typedef struct sph2d__derived {
     double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
     double ripple_speed;     /**< least c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
     double soft_compression; /**< what the sound speed is for: max_compression, of method pcisph a tenth */
-    double stiffness_part; /**< c0^2 over the stiffness k: 1, of method muller what its pair force makes of it */
+    double stiffness_part;   /**< c0^2 over the stiffness k: 1, of method muller what its pair force makes of it */
     double sound_speed;      /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
 

@@ -49,8 +49,8 @@ static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
 static const char *const turbulence_words[] = {"default", "none", "smagorinsky", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
-static const char *const probe_words[] = {"energy", "speed",   "pressure", "elevation", "extent",
-                                          "axes",   "quality", "momentum", "error",     "volume", "level", NULL};
+static const char *const probe_words[] = {"energy",  "speed",    "pressure", "elevation", "extent", "axes",
+                                          "quality", "momentum", "error",    "volume",    "level",  NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
@@ -180,8 +180,7 @@ static const sph2d_key obstacle_items[] = {
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
      .text = "a solid: corners, 3 or more, closed by itself"},
-    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
-     .standard = "auto",
+    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "", .standard = "auto",
      .text = "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
              "sources lie; both: a solid of the layers' thickness, centred on the line"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
@@ -349,8 +348,9 @@ static const sph2d_key method_items[] = {
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
      .unit = "", .standard = "muller 0.1, else 0",
-     .text = "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
-             "least"},
+     .text =
+         "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
+         "least"},
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
      .standard = "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
                  "else smagorinsky",
@@ -364,7 +364,8 @@ static const sph2d_key method_items[] = {
      .unit = "", .standard = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
-     .standard = "from max_compression", .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
+     .standard = "from max_compression",
+     .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),

@@ -131,8 +131,14 @@ bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
     const sph2d_box d = sim->scene.domain;
     axis x = axis_of(d.min.x, d.max.x, p->length_x, sim->system.spacing, f->x, f->count);
     axis y = axis_of(d.min.y, d.max.y, p->length_y, sim->system.spacing, f->y, f->count);
-    *c = (sph2d__coverage){.sim = sim, .origin = {x.origin, y.origin}, .size_x = x.size, .size_y = y.size,
-                           .nx = x.count, .ny = y.count, .nodes_x = x.nodes, .nodes_y = y.nodes};
+    *c = (sph2d__coverage){.sim = sim,
+                           .origin = {x.origin, y.origin},
+                           .size_x = x.size,
+                           .size_y = y.size,
+                           .nx = x.count,
+                           .ny = y.count,
+                           .nodes_x = x.nodes,
+                           .nodes_y = y.nodes};
     if (!((double)x.nodes * (double)y.nodes < MOST_CELLS))
         return false;
     size_t nodes = x.nodes * y.nodes;

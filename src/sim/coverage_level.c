@@ -136,8 +136,8 @@ double sph2d__coverage_level(const sph2d__coverage *c, double area)
     void *queue = sph2d__alloc(memory, cells, sizeof(uint32_t));
     double level = NAN;
     if (closed && wet && queue)
-        level = level_of(&(flood){.grid = c, .closed = closed, .wet = wet, .queue = queue},
-                         area / (c->size_x * c->size_y));
+        level =
+            level_of(&(flood){.grid = c, .closed = closed, .wet = wet, .queue = queue}, area / (c->size_x * c->size_y));
     sph2d__release(memory, &closed, closed ? cells : 0, 1);
     sph2d__release(memory, &wet, wet ? cells : 0, 1);
     sph2d__release(memory, &queue, queue ? cells : 0, sizeof(uint32_t));

@@ -101,8 +101,8 @@ sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
     bool starts = sim->scene.method.name != SPH2D_METHOD_WCSPH && r->steps <= START_STEPS;
     r->energy_low = starts ? energy : fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
-    r->energy_error = energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped +
-                      r->energy_pressed;
+    r->energy_error =
+        energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped + r->energy_pressed;
     r->error_low = fmin(r->error_low, r->energy_error);
     r->error_rise = fmax(r->error_rise, r->energy_error - r->error_low);
     return SPH2D_OK;
@@ -154,7 +154,9 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
         r->energy_rise, 100 * r->energy_rise / scale, scale, (unsigned long long)r->steps, r->time,
         (unsigned long long)f->id[i], f->x[i], f->y[i], sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where),
         f->vx[i], f->vy[i]);
-    sph2d_diagnostic_hint(d, "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
-                             "more than %g times the scale pass", calming_key(sim), most);
+    sph2d_diagnostic_hint(d,
+                          "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
+                          "more than %g times the scale pass",
+                          calming_key(sim), most);
     return false;
 }

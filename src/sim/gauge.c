@@ -44,8 +44,9 @@ double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe)
     for (int k = 1; k <= (int)n; ++k) {
         double angle = k * SPH2D__PI / (n + 1), s = probe->size / 2 * cos(angle) / length;
         double weight = 2 / (n + 1) * sin(angle) * sin(angle);
-        sum += weight * sample_at(sim, (sph2d_vec2){probe->at.x + s * probe->along.x,
-                                                    probe->at.y + s * probe->along.y}).pressure;
+        sum +=
+            weight *
+            sample_at(sim, (sph2d_vec2){probe->at.x + s * probe->along.x, probe->at.y + s * probe->along.y}).pressure;
     }
     return sum;
 }

@@ -60,9 +60,12 @@ static void find_some_extremes(void *with, size_t first, size_t last)
     }
     sph2d__team_lock(s->sim->system.team);
     extremes *e = &s->found;
-    *e = (extremes){fmax(e->speed2, speed2),   fmax(e->acceleration2, acceleration2),
-                    fmax(e->density, density), fmax(e->pressure, pressure),
-                    bad < e->bad ? bad : e->bad, escaped < e->escaped ? escaped : e->escaped,
+    *e = (extremes){fmax(e->speed2, speed2),
+                    fmax(e->acceleration2, acceleration2),
+                    fmax(e->density, density),
+                    fmax(e->pressure, pressure),
+                    bad < e->bad ? bad : e->bad,
+                    escaped < e->escaped ? escaped : e->escaped,
                     strange < e->strange ? strange : e->strange};
     sph2d__team_unlock(s->sim->system.team);
 }
@@ -70,7 +73,10 @@ static void find_some_extremes(void *with, size_t first, size_t last)
 static extremes find_extremes(const sph2d_sim *sim)
 {
     sph2d__bounds bounds = sph2d__sim_bounds(sim);
-    search s = {sim, walled_box(&sim->scene), bounds.thinnest, bounds.densest,
+    search s = {sim,
+                walled_box(&sim->scene),
+                bounds.thinnest,
+                bounds.densest,
                 {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
     sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
     return s.found;
@@ -101,8 +107,8 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
         sph2d_diagnostic *d = sph2d_report_add(
             report, SPH2D_ERROR, SPH2D_CODE_DENSITY, NULL,
             "a density is none that a liquid has: %g kg/m^3, particle %llu at (%g, %g), %s, step %llu, time %g s",
-            f->density[e->strange], (unsigned long long)f->id[e->strange], at.x, at.y,
-            sph2d__sim_where(sim, at, where), (unsigned long long)sim->record.steps, sim->record.time);
+            f->density[e->strange], (unsigned long long)f->id[e->strange], at.x, at.y, sph2d__sim_where(sim, at, where),
+            (unsigned long long)sim->record.steps, sim->record.time);
         sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
                               sim->scene.method.name == SPH2D_METHOD_WCSPH
                                   ? "; method.shifting: 1 and method.tensile_control: on keep particles apart"

@@ -46,7 +46,8 @@ static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        f->density[i] = sph2d__connection(f->filling[i]) > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
+        f->density[i] =
+            sph2d__connection(f->filling[i]) > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }

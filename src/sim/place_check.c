@@ -63,7 +63,7 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
             if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
                 return sph2d__sim_refuse_particle((size_t)(f->id[i] - first), "where another particle is",
-                                       (sph2d_vec2){f->x[i], f->y[i]}, report);
+                                                  (sph2d_vec2){f->x[i], f->y[i]}, report);
     }
     return SPH2D_OK;
 }
@@ -120,7 +120,8 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
                               sph2d__layer_thickness(&sim->scene));
     else
         sph2d_diagnostic_hint(
-            d, "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on "
+            d,
+            "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on "
             "the %s, try `liquid: %s` or `both`, or join lines that meet to one polyline or polygon",
             sph2d__layer_thickness(&sim->scene), dry, wet, dry);
     return SPH2D_SCENE;

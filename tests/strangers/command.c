@@ -125,8 +125,8 @@ static void judge_summary(const ending *checked, const ending *run, const librar
     const double now = number(particles, "now");
     if (now + gone != placed + fed)
         verdict_fail(v, "particles", "%g placed by check, %g fed, %g lost, %g left now", placed, fed, gone, now);
-    static const char *const finite[] = {"compression_p99", "compression_mean", "compression_max", "energy_kinetic",
-                                         "energy_potential", "energy_change", "speed_max"};
+    static const char *const finite[] = {"compression_p99",  "compression_mean", "compression_max", "energy_kinetic",
+                                         "energy_potential", "energy_change",    "speed_max"};
     for (size_t i = 0; i < sizeof finite / sizeof finite[0]; ++i)
         if (!isfinite(number(run->out, finite[i])))
             verdict_fail(v, "finite", "the summary's %s is not a finite number", finite[i]);
@@ -301,7 +301,9 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
                          "check accepts the scene, a guard stops it: %s", message);
         if (library.finished != (run.code == 0))
             verdict_fail(v, "agree", "the command ends with %d, the library %s", run.code,
-                         library.finished ? "runs to the end" : library.started ? "is stopped" : "does not start");
+                         library.finished  ? "runs to the end"
+                         : library.started ? "is stopped"
+                                           : "does not start");
         if (run.code == 0) {
             judge_summary(checked, &run, &library, v);
             run_in_parts(p, snapshots, until, &parts);

@@ -54,8 +54,7 @@ static void write_wcsph(draft *d)
     if (d->fitted)
         return;
     if (chance(d, 0.35))
-        fprintf(d->out, ", kernel: %s",
-                ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
+        fprintf(d->out, ", kernel: %s", ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
     if (chance(d, 0.25))
         fputs(", viscosity_form: monaghan", d->out);
     if (chance(d, 0.4))
@@ -73,8 +72,7 @@ static void write_wcsph(draft *d)
 static void write_solver(draft *d)
 {
     if (chance(d, 0.3))
-        fprintf(d->out, ", kernel: %s",
-                ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
+        fprintf(d->out, ", kernel: %s", ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
     if (chance(d, 0.2))
         fprintf(d->out, ", max_iterations: %s", ONE_OF(d, "50", "200", "3000"));
     if (is(d, "pcisph")) {
@@ -93,9 +91,9 @@ static void write_solver(draft *d)
 void write_method(draft *d)
 {
     const bool named = !chance(d, 0.15);
-    strcpy(d->method, !named                        ? "muller"
+    strcpy(d->method, !named                      ? "muller"
                       : d->full && chance(d, 0.7) ? "wcsph"
-                                                    : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
+                                                  : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
     const bool soft = is(d, "muller");
     d->max_compression = soft ? 0.1 : 0.01;
     d->support = soft ? 2 : is(d, "wcsph") ? 3 : 2.4;
@@ -111,8 +109,7 @@ void write_method(draft *d)
         fprintf(d->out, ", max_compression: %.2g",
                 d->max_compression = soft ? decades(d, 0.02, 0.3) : decades(d, 0.003, 0.1));
     if (chance(d, 0.25))
-        fprintf(d->out, ", support_ratio: %.2g",
-                d->support = is(d, "wcsph") ? between(d, 2.4, 4) : between(d, 1.6, 3));
+        fprintf(d->out, ", support_ratio: %.2g", d->support = is(d, "wcsph") ? between(d, 2.4, 4) : between(d, 1.6, 3));
     if (chance(d, 0.15))
         fprintf(d->out, ", cfl: %.2g", d->cfl = between(d, 0.08, is(d, "wcsph") && !d->fitted ? 0.5 : 0.3));
     fputs("}\n", d->out);

@@ -225,8 +225,8 @@ static void write_obstacles(draft *d, places *taken)
         if (shape[0] == 'c')
             fprintf(d->out, "  - circle: {center: [%.4g, %.4g], radius: %.4g}\n", at.x, at.y, half);
         else if (shape[0] == 'b')
-            fprintf(d->out, "  - box: {min: [%.4g, %.4g], max: [%.4g, %.4g]}\n", at.x - half, at.y - half,
-                    at.x + half, at.y + half * 0.6);
+            fprintf(d->out, "  - box: {min: [%.4g, %.4g], max: [%.4g, %.4g]}\n", at.x - half, at.y - half, at.x + half,
+                    at.y + half * 0.6);
         else if (shape[0] == 'l')
             fprintf(d->out, "  - line: [[%.4g, %.4g], [%.4g, %.4g]]\n", at.x - x, at.y - y, at.x + x, at.y + y);
         else
@@ -234,7 +234,7 @@ static void write_obstacles(draft *d, places *taken)
                     at.y, at.x - y, at.y + x);
         if (chance(d, 0.3))
             fprintf(d->out, "    form: %s\n",
-                    is(d, "muller") ? ONE_OF(d, "heavy", "reflect")
+                    is(d, "muller")  ? ONE_OF(d, "heavy", "reflect")
                     : is(d, "wcsph") ? ONE_OF(d, "generalised", "reflect")
                                      : ONE_OF(d, "heavy", "generalised", "reflect"));
         if (chance(d, 0.25))
