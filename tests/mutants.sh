@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Does a wrong formula fail a test? Changes each constant and sign of the formulas once, builds, and runs the suites of
-# physics: mutants.sh [FILE...]
+# physics: mutants.sh [FILE...]; SUITES='solvers projection' JOBS=1 for others, one at a time
 #
 # A mutant is killed when a suite fails, crashes, or takes longer than ten seconds. Survivors are compared with
 # tests/mutants/survivors, which says of each why it may live; the script fails when another one lives. Takes about an hour
@@ -9,8 +9,10 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 files=("$@")
 [ $# -gt 0 ] || mapfile -t files < <(sed '/^#/d;/^$/d' "$root/tests/mutants/files")
-suites=(kernels smoothing wcsph wcsph_walls wcsph_surface muller muller_energy terms tension fitted fitted_walls cells periodic leapfrog
-    layers walls invariance tunnelling conservation symmetry flows flows_channels flows_free)
+usual="kernels smoothing wcsph wcsph_walls wcsph_surface muller muller_energy terms tension fitted fitted_walls
+    cells periodic leapfrog layers walls invariance tunnelling conservation symmetry flows flows_channels
+    flows_free"
+read -ra suites -d "" <<<"${SUITES:-$usual}" || true
 workers=${JOBS:-$(nproc)}
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/sph2d-mutants.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
