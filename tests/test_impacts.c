@@ -103,6 +103,10 @@ START_TEST(no_jet_passes_a_thin_wall)
     }
     ck_assert_double_gt(most, speed);
     ck_assert_double_le(most, 3 * speed);
+    /* Walls that press let it be compressed by 5.4 % in the corner; 7.1 % in the worst of 20 jets at 10 to 25 m/s, at
+     * other places. */
+    if (tank.obstacle.form == SPH2D_WALL_GENERALISED)
+        ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_max, 0.1);
 }
 END_TEST
 
