@@ -253,6 +253,53 @@ START_TEST(corrections_push_like_multipliers)
 }
 END_TEST
 
+/* A pressure is that of its multiplier, up to the largest that there was. */
+START_TEST(corrections_raise_pressures)
+{
+    sph2d__system *s = passing(SPH2D_ISA_AUTO);
+    sph2d__store *f = &s->fluid;
+    const double share = s->moment * RHO0 / (s->step * s->step);
+    f->pressure[0] = 1e12;
+    sph2d__stragglers_correct(s, 0.05, 0);
+    double most = 0;
+    for (size_t i = 1; i < f->count; ++i) {
+        ck_assert_double_eq_tol(f->pressure[i], share * f->multiplier[i], 1e-9 * share);
+        most = fmax(most, f->multiplier[i]);
+    }
+    ck_assert_double_gt(most, 1e-6);
+}
+END_TEST
+
+/* Liquid at rest that a wall will come nearer to by a third of a spacing is pushed ahead of it, and one that a wall
+ * will leave is let be. */
+START_TEST(walls_that_come_push_stragglers)
+{
+    bool up = _i / 2, comes = _i % 2 == 0;
+    column(SPH2D_METHOD_CONSTRAINT, 0.3, 0.3);
+    tank.scene.method.sound_speed = 10;
+    tank_start();
+    sph2d__system *s = &tank.sim->system;
+    sph2d__store *f = &s->fluid, *w = &s->walls;
+    s->step = 1e-3;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = f->multiplier[i] = f->pressure[i] = 0;
+        f->diagonal[i] = 1 / f->diagonal[i];
+    }
+    for (size_t b = 0; b < w->count; ++b)
+        (up ? w->vy : w->vx)[b] = (comes ? 1 : -1) * 0.33 * DX / s->step;
+    sph2d__stragglers_correct(s, 0.05, 0);
+    double ahead = 0, any = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        ahead = fmax(ahead, up ? f->ay[i] : f->ax[i]);
+        any = fmax(any, hypot(f->ax[i], f->ay[i]));
+    }
+    if (comes)
+        ck_assert_double_gt(ahead * s->step * s->step, 0.01 * DX);
+    else
+        ck_assert_double_eq(any, 0);
+}
+END_TEST
+
 /* A column that falls together at large steps: the largest of all compressions. */
 START_TEST(the_largest_compression_is_bounded)
 {
@@ -350,6 +397,8 @@ Suite *suite_solvers(void)
     tcase_add_loop_test(cases, stragglers_are_brought_back, 0, ISAS);
     tcase_add_loop_test(cases, what_pressure_explains_stays, 0, ISAS);
     tcase_add_loop_test(cases, corrections_push_like_multipliers, 0, ISAS);
+    tcase_add_test(cases, corrections_raise_pressures);
+    tcase_add_loop_test(cases, walls_that_come_push_stragglers, 0, 4);
     tcase_add_test(cases, the_largest_compression_is_bounded);
     tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
     tcase_add_loop_test(cases, instruction_sets_do_not_matter, 0, 2);
