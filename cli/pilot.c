@@ -94,7 +94,7 @@ static void fit_end(const line_fit *f, double *of_step, double *of_particle)
 
 static cli_pilot follow(sph2d_sim *sim, double until, double longest)
 {
-    const double begun = clock_cpu(), first_step = sph2d_sim_time_step(sim);
+    const double begun = clock_cpu(), first_step = sph2d_sim_plan(sim)->time_step;
     double start = (double)sph2d_sim_fluid(sim).count, before = begun, count_time = 0;
     double first_cost = 0;
     line_fit fit = {0};

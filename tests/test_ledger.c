@@ -197,9 +197,9 @@ START_TEST(moving_walls_bring_what_liquid_gains)
     plain_liquid(0.05);
     scene.fluid.dynamic_viscosity = 20;
     sph2d_obstacle box = sph2d_obstacle_default();
-    if (_i == 0) {
+    if (_i != 1) {
         scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
-        scene.wall_slip = SPH2D_SLIP_NONE;
+        scene.wall_slip = _i == 0 ? SPH2D_SLIP_NONE : SPH2D_SLIP_SMOOTH;
         scene.wall_speeds.top = 1;
     } else {
         scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
@@ -219,7 +219,7 @@ START_TEST(moving_walls_bring_what_liquid_gains)
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d_summary s = run(sim, 600);
     double brought = fabs(s.energy_walls) + s.energy_viscous, gained = energy_of(&s) - s.energy_start;
-    ck_assert_double_gt(brought, _i == 0 ? 10 : 0.5);
+    ck_assert_double_gt(brought, _i != 1 ? 10 : 0.5);
     ck_assert_double_gt(s.energy_viscous, 0);
     ck_assert_double_le(fabs(gained - s.energy_walls + s.energy_viscous + s.energy_diffused), 0.05 * brought);
     ck_assert_double_le(fabs(s.energy_error), 0.05 * brought);
@@ -319,6 +319,31 @@ START_TEST(springs_hold_what_they_stop)
 }
 END_TEST
 
+/** Liquid that starts against a wall, with a tenth of the speed of sound: its first steps are short, so that the impact
+ *  makes no energy; steps as long as those that follow would make 0.9 % of it. */
+START_TEST(liquid_that_starts_against_a_wall_makes_no_energy)
+{
+    plain_liquid(0.05);
+    scene.method = sph2d_scene_default().method;
+    scene.method.sound_speed = 10;
+    scene.boundary.top = SPH2D_SIDE_OPEN;
+    block = test_block(0, 0, 1, 0.3);
+    block.velocity.y = -1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    double allowed = sph2d_sim_plan(sim)->time_step, lowest = INFINITY, rise = 0;
+    ck_assert_double_eq_tol(sph2d_sim_time_step(sim), 0.1 * allowed, 1e-9 * allowed);
+    while (sph2d_sim_time(sim) < 0.04) { /* when sound is at the surface */
+        sph2d_summary s = sph2d_sim_summary(sim);
+        lowest = fmin(lowest, energy_of(&s));
+        rise = fmax(rise, energy_of(&s) - lowest);
+        test_steps(sim, 1);
+    }
+    ck_assert_double_ge(sph2d_sim_time_step(sim), 0.5 * allowed);
+    ck_assert_double_le(rise, 0.001 * sph2d_sim_summary(sim).energy_start);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* ---- the guard --------------------------------------------------------------------------------------------------- */
 
 /** Energy that somebody puts in unseen stops a run by any method, while a wall moves too; a key lets it pass. */
@@ -371,10 +396,11 @@ Suite *suite_ledger(void)
     tcase_add_loop_test(cases, diffusion_takes_what_sound_loses, 0, 2);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
     tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 5);
-    tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 2);
+    tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 3);
     tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
     tcase_add_test(cases, drains_take_elastic_energy_along);
     tcase_add_test(cases, springs_hold_what_they_stop);
+    tcase_add_test(cases, liquid_that_starts_against_a_wall_makes_no_energy);
     tcase_add_loop_test(cases, energy_from_nothing_stops_every_method, 0, 8);
     suite_add_tcase(suite, cases);
     return suite;

@@ -556,7 +556,7 @@ typedef struct sph2d_plan {
     char sound_speed_formula[160]; /**< how c0 came about, with its numbers */
     double head;                   /**< g h + U^2/2 + pull [m^2/s^2], from which c0 is derived */
     double impact_compression;     /**< U/c0 with U = sqrt(2 head): what a full impact may reach for a moment */
-    double time_step;              /**< first step [s] */
+    double time_step;              /**< that speed and sound allow at the start [s] */
     const char *time_step_limit;   /**< "acoustic", "viscous", "force" or "fixed" */
     double steps;                  /**< to run.until at that step */
     double memory;                 /**< bytes, at the start */

@@ -7,6 +7,10 @@
 
 /* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
 static const double STEP_GROWTH = 1.2;
+/* The first step of liquid that starts in motion, over the one that its speed allows. Where it meets a wall or other
+ * liquid its first step would put half of the impact's compression, v/c0, into one row of particles at once: random
+ * scenes gained 0.2 to 1.3 % of their energy so, and with this none of it. Ten short steps cost eight more in all. */
+static const double FIRST_STEP = 0.1;
 /* A step that is this fraction of the one at rest is near collapse; so many in a row are one. */
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
@@ -185,6 +189,18 @@ static double source_speed(const sph2d_sim *sim)
     return speed;
 }
 
+double sph2d__sim_step_part(const sph2d_sim *sim)
+{
+    /* known flows start as they would go on, and pressure solvers have the impact in one step whatever its length */
+    bool moves = false;
+    for (size_t i = 0; i < sim->scene.block_count; ++i) {
+        sph2d_vec2 v = sim->scene.blocks[i].velocity;
+        moves |= v.x != 0 || v.y != 0;
+    }
+    bool chosen = !(sim->scene.method.time_step > 0), sound = sim->method->integrator != SPH2D__PROJECTED;
+    return moves && chosen && sound && sim->record.steps == 0 ? FIRST_STEP : 1;
+}
+
 static void choose_step(sph2d_sim *sim, const extremes *e)
 {
     sph2d__record *r = &sim->record;
@@ -195,6 +211,7 @@ static void choose_step(sph2d_sim *sim, const extremes *e)
         dt = sim->method->stable_step(&sim->system, speed, sqrt(e->acceleration2), &limit);
         if (r->last_step > 0 && dt > STEP_GROWTH * r->last_step)
             dt = STEP_GROWTH * r->last_step;
+        dt *= sph2d__sim_step_part(sim);
     }
     r->next_step = dt;
     r->next_limit = limit;

@@ -58,7 +58,7 @@ void sph2d__sim_make_plan(sph2d_sim *sim)
     write_formula(plan, scene, &d);
     plan->head = d.head;
     plan->impact_compression = sqrt(2 * d.head) / s->sound_speed;
-    plan->time_step = sim->record.next_step;
+    plan->time_step = sim->record.next_step / sph2d__sim_step_part(sim);
     plan->time_step_limit = sph2d__limit_name((sph2d__limit)sim->record.next_limit);
     plan->steps = ceil(scene->run.until / plan->time_step);
     plan->memory = (double)sim->memory.bytes;

@@ -56,6 +56,9 @@ void sph2d__sim_window(sph2d_sim *sim, double from, double to);
 /** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
  *  compression; from them the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
+/** The next step over the one that speed and sound allow: less than 1 for the first step of liquid that starts in motion
+ *  and may meet a wall in it. */
+double sph2d__sim_step_part(const sph2d_sim *sim);
 
 /** What a known flow needs to know of the scene. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
