@@ -223,6 +223,34 @@ START_TEST(every_fault_is_found)
 }
 END_TEST
 
+/** W(0) over the sum of W on a filled lattice, by the kernels' formulas, is above and below two thirds at these supports:
+ * of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
+START_TEST(pressure_solvers_need_neighbours)
+{
+    static const struct {
+        sph2d_kernel kernel;
+        double narrow, wide;
+    } supports[] = {{SPH2D_KERNEL_WENDLAND_C2, 1.6, 1.8},
+                    {SPH2D_KERNEL_WENDLAND_C4, 1.9, 2.1},
+                    {SPH2D_KERNEL_WENDLAND_C6, 2.15, 2.3},
+                    {SPH2D_KERNEL_CUBIC, 1.6, 1.7},
+                    {SPH2D_KERNEL_QUINTIC, 1.9, 2.05}};
+    static const sph2d_method solvers[] = {SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT, SPH2D_METHOD_WCSPH};
+    for (size_t k = 0; k < sizeof solvers / sizeof *solvers; ++k) {
+        scene.method = sph2d_scene_default().method;
+        scene.method.name = solvers[k];
+        scene.method.kernel = supports[_i].kernel;
+        scene.method.support_ratio = supports[_i].wide;
+        ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_OK);
+        scene.method.support_ratio = supports[_i].narrow;
+        bool refused = solvers[k] != SPH2D_METHOD_WCSPH;
+        ck_assert_int_eq(sph2d_scene_check(&scene, &report), refused ? SPH2D_SCENE : SPH2D_OK);
+        ck_assert_int_eq(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio"), refused);
+        sph2d_report_clear(&report);
+    }
+}
+END_TEST
+
 START_TEST(all_faults_are_found_at_once)
 {
     static void (*const some[])(void) = {block_outside, polygon_of_two, source_too_rich,          drain_shapeless,
@@ -305,6 +333,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_warning_does_not_refuse);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
+    tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 5);
     tcase_add_test(tests, all_faults_are_found_at_once);
     tcase_add_test(tests, more_faults_than_a_report_holds_are_counted);
     tcase_add_test(tests, nothing_gives_the_sound_speed);
