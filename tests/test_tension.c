@@ -328,6 +328,36 @@ START_TEST(drops_that_meet_make_no_energy)
 }
 END_TEST
 
+/** What a drain takes out of a block, and what a source adds to it, has a surface, which is booked with the rest: the
+ * block rests, so that nothing else changes, and the source feeds one row at a speed that has no energy. */
+START_TEST(what_comes_and_goes_has_a_surface)
+{
+    sph2d_drain drain = sph2d_drain_default();
+    drain.shape.kind = SPH2D_SHAPE_BOX;
+    drain.shape.box = (sph2d_box){{3 * DX, -DX}, {9 * DX, 7 * DX}};
+    sph2d_source source = sph2d_source_default();
+    source.at = (sph2d_vec2){4 * DX, 8 * DX};
+    source.width = 5 * DX;
+    source.speed = 1e-6;
+    scene.method.name = _i / 2 == 0 ? SPH2D_METHOD_WCSPH : SPH2D_METHOD_PCISPH;
+    scene.method.time_step = 1e-6; /* nobody moves */
+    scene.gravity = (sph2d_vec2){0, 0};
+    scene.drains = &drain;
+    scene.drain_count = _i % 2 == 0;
+    scene.sources = &source;
+    scene.source_count = _i % 2 == 1;
+    sph2d__system *s = make();
+    double before = sph2d__tension_energy(s);
+    size_t count = s->fluid.count;
+    test_steps(sim, 1);
+    double change = sph2d__tension_energy(s) - before;
+    ck_assert_uint_eq(s->fluid.count, _i % 2 == 0 ? 18 : count + 5);
+    ck_assert_double_gt(fabs(change), 4 * DX * SIGMA);
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).energy_fed, change, 0.03 * fabs(change));
+    ck_assert_double_le(sph2d_sim_summary(sim).energy_rise, 0.03 * fabs(change));
+}
+END_TEST
+
 START_TEST(ripples_limit_the_step)
 {
     scene.fluid.surface_tension = 1e6;
@@ -366,6 +396,7 @@ Suite *suite_tension(void)
     tcase_add_test(tests, what_only_reflects_is_no_wall);
     tcase_add_loop_test(tests, methods_have_it, 0, 2);
     tcase_add_test(tests, drops_that_meet_make_no_energy);
+    tcase_add_loop_test(tests, what_comes_and_goes_has_a_surface, 0, 4);
     tcase_add_test(tests, ripples_limit_the_step);
     tcase_add_test(tests, ripples_give_the_sound_speed);
     suite_add_tcase(suite, tests);

@@ -207,15 +207,23 @@ static double strength(const sph2d__system *s)
     return s->surface_tension * 2 / (pull + energy);
 }
 
-double sph2d__tension_energy(const sph2d__system *s)
+double sph2d__tension_energy_within(const sph2d__system *s, sph2d_box box)
 {
+    const sph2d__store *f = &s->fluid;
     double sum = 0;
     sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
     crowd c;
-    for (size_t i = 0; s->surface_tension > 0 && i < s->fluid.count; ++i)
-        if (gather_around(&c, s, i, &liquid, &walls))
+    for (size_t i = 0; s->surface_tension > 0 && i < f->count; ++i) {
+        bool inside = f->x[i] >= box.min.x && f->x[i] <= box.max.x && f->y[i] >= box.min.y && f->y[i] <= box.max.y;
+        if (inside && gather_around(&c, s, i, &liquid, &walls))
             sum += energy_of(&c);
+    }
     return strength(s) * s->spacing * sum;
+}
+
+double sph2d__tension_energy(const sph2d__system *s)
+{
+    return sph2d__tension_energy_within(s, (sph2d_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}});
 }
 
 static void pull_particles(sph2d__system *s, size_t first, size_t last)

@@ -33,6 +33,10 @@
  *  between a1 and a2 [J/m]. */
 double sph2d__tension_energy(const sph2d__system *system);
 
+/** The part of it of particles within a rectangle [J/m]: what changes somewhere changes it for those that are no farther
+ *  than two outer radii from there. The cells are up to date. */
+double sph2d__tension_energy_within(const sph2d__system *system, sph2d_box box);
+
 /** Adds the acceleration by surface tension to every fluid particle's; nothing where the liquid has none. The cells and
  *  the distances to the surface are up to date. */
 void sph2d__tension_add(sph2d__system *system);

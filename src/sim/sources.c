@@ -7,7 +7,9 @@
 
 #include "base/random.h"
 #include "methods/state_equation.h"
-#include "sim/simulation.h"
+#include "methods/tension.h"
+#include "scene/derive.h"
+#include "sim/integrators.h"
 
 /* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart; the
  * middle of four particles of full liquid is at 0.71 of all of them. */
@@ -101,6 +103,55 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     return SPH2D_OK;
 }
 
+/* ---- the surface of what comes and goes -------------------------------------------------------------------------- */
+
+/** An empty rectangle, to be widened. */
+static const sph2d_box NOWHERE = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+
+/** Widens a rectangle to hold all whose surface particle i has a part in; through a period that is everybody. */
+static void widen(const sph2d_sim *sim, size_t i, sph2d_box *box)
+{
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    double reach = 2 * SPH2D__OUTER_RADIUS * sim->system.spacing;
+    double x = sim->system.fluid.x[i], y = sim->system.fluid.y[i];
+    box->min.x = fmin(box->min.x, p->length_x > 0 ? -INFINITY : x - reach);
+    box->max.x = fmax(box->max.x, p->length_x > 0 ? INFINITY : x + reach);
+    box->min.y = fmin(box->min.y, p->length_y > 0 ? -INFINITY : y - reach);
+    box->max.y = fmax(box->max.y, p->length_y > 0 ? INFINITY : y + reach);
+}
+
+/** Brings the cells up to date between steps, where every value of a particle goes along to its new place. */
+static sph2d_status renew_cells(sph2d_sim *sim)
+{
+    sph2d__store *f = &sim->system.fluid;
+    sph2d__set carried = f->carried;
+    f->carried = f->has;
+    sph2d_status status = sph2d__sort_fluid(sim);
+    f->carried = carried;
+    return status;
+}
+
+/** Books the surface that the particles from `sorted` on, which are not yet in the cells, have brought or closed. */
+static sph2d_status book_surface_fed(sph2d_sim *sim, size_t sorted)
+{
+    sph2d__store *f = &sim->system.fluid;
+    size_t count = f->count;
+    if (!(sim->system.surface_tension > 0) || count == sorted)
+        return SPH2D_OK;
+    sph2d_box box = NOWHERE;
+    for (size_t i = sorted; i < count; ++i)
+        widen(sim, i, &box);
+    f->count = sorted;
+    double before = sorted > 0 ? sph2d__tension_energy_within(&sim->system, box) : 0;
+    f->count = count;
+    sph2d_status status = renew_cells(sim);
+    if (status == SPH2D_OK)
+        sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
+    return status;
+}
+
+/* ---- sources ----------------------------------------------------------------------------------------------------- */
+
 /** Passes over the rows that were due so long ago that they would be outside the domain by now. */
 static void skip_rows(sph2d_sim *sim, size_t index, const nozzle *n)
 {
@@ -136,8 +187,10 @@ sph2d_status sph2d__sim_feed(sph2d_sim *sim)
             ++sim->source_rows[i];
         }
     }
-    return SPH2D_OK;
+    return book_surface_fed(sim, sorted);
 }
+
+/* ---- drains and open sides --------------------------------------------------------------------------------------- */
 
 /** Through which open side a particle has left for good: 0 to 3 for left, right, bottom, top, or -1. It may come back
  *  as long as it is within one more width or height of the domain. */
@@ -250,9 +303,17 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
     sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_lost, &lost);
     if (lost.count == 0)
         return SPH2D_OK;
+    bool surface = sim->system.surface_tension > 0;
+    sph2d_box box = NOWHERE;
     for (size_t i = 0; i < f->count; ++i)
-        if (sim->doomed[i])
+        if (sim->doomed[i]) {
             count_lost(sim, i);
+            widen(sim, i, &box);
+        }
+    double before = surface ? sph2d__tension_energy_within(&sim->system, box) : 0;
     sph2d__store_remove(f, sim->doomed);
-    return SPH2D_OK;
+    sph2d_status status = surface ? renew_cells(sim) : SPH2D_OK;
+    if (surface && status == SPH2D_OK)
+        sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
+    return status;
 }
