@@ -133,6 +133,9 @@ static void print_table(const checked *c)
     if (plan->area_asked > 0)
         text_row("area", "%.6g m^2 asked for, %.6g m^2 placed (%+.2f %%)", plan->area_asked, plan->area_placed,
                  100 * (plan->area_placed / plan->area_asked - 1));
+    if (plan->area_left_out > 0)
+        text_row("", "%.3g m^2 of blocks lie inside obstacles and are left out, most of blocks[%zu]: %.3g %% of it",
+                 plan->area_left_out, plan->most_left_out_block, 100 * plan->most_left_out);
     if (plan->places_left_free > 0)
         text_row("", "%zu places left free at obstacles", plan->places_left_free);
     text_row("particle mass", "%.6g kg/m", plan->particle_mass);
@@ -162,6 +165,7 @@ static void print_object(const checked *c)
     json_count(&line, "places_left_free", plan->places_left_free);
     json_number(&line, "area_asked", plan->area_asked);
     json_number(&line, "area_placed", plan->area_placed);
+    json_number(&line, "area_left_out", plan->area_left_out);
     json_number(&line, "particle_mass", plan->particle_mass);
     json_number(&line, "support_radius", plan->support_radius);
     json_number(&line, "sound_speed", plan->sound_speed);

@@ -112,6 +112,26 @@ START_TEST(obstacles_keep_their_places_free)
 }
 END_TEST
 
+/** A solid that is drawn into a block takes its area from it, and the plan says how much of which. */
+START_TEST(what_solids_take_is_told)
+{
+    sph2d_obstacle solid = sph2d_obstacle_default();
+    solid.outline.kind = SPH2D_OUTLINE_BOX;
+    solid.outline.box = (sph2d_box){{0.5, 0.3}, {0.7, 0.6}};
+    blocks[1] = test_block(0.4, 0.1, 0.7, 0.5); /* 0.12 m^2, 0.04 of them in the solid */
+    scene.block_count = 2;
+    ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_OK);
+    ck_assert_double_eq(plan.area_left_out, 0);
+    scene.obstacles = &solid;
+    scene.obstacle_count = 1;
+    ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_OK);
+    ck_assert_double_eq_tol(plan.area_left_out, 0.04, 4e-5);
+    ck_assert_double_eq_tol(plan.most_left_out, 1.0 / 3, 1e-3);
+    ck_assert_uint_eq(plan.most_left_out_block, 1);
+    ck_assert_double_eq_tol(plan.area_asked, 0.09, 4e-5);
+}
+END_TEST
+
 START_TEST(sides_of_boundary_particles_are_a_spacing_away)
 {
     /* They stand half a spacing outside the domain, and a block at the side starts half a spacing inside. */
@@ -301,6 +321,7 @@ Suite *suite_placing(void)
     tcase_add_loop_test(tests, a_disc_and_a_polygon_hold_their_area, 0, 2);
     tcase_add_test(tests, a_finer_block_starts_compressed);
     tcase_add_test(tests, obstacles_keep_their_places_free);
+    tcase_add_test(tests, what_solids_take_is_told);
     tcase_add_loop_test(tests, sides_of_boundary_particles_are_a_spacing_away, 0, 2);
     tcase_add_test(tests, no_particle_found_room);
     tcase_add_test(tests, single_particles_are_placed_as_they_are);

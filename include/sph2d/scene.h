@@ -549,6 +549,9 @@ typedef struct sph2d_plan {
     size_t wall_particles;
     size_t places_left_free;       /**< lattice places inside an obstacle, or too close to one without layers */
     double area_asked;             /**< of all blocks without the solids in them [m^2] */
+    double area_left_out;          /**< of all blocks, inside solid obstacles, where no liquid is placed [m^2] */
+    double most_left_out;          /**< the largest part of a block that is so, 0 to 1 */
+    size_t most_left_out_block;    /**< index of that block */
     double area_placed;            /**< dx^2 of each of their particles, by the block's own spacing [m^2] */
     double particle_mass;          /**< [kg/m] */
     double support_radius;         /**< H [m]: kernels are zero beyond it */

@@ -72,6 +72,7 @@ typedef struct placing {
     const sph2d_block *block;
     double spacing;
     size_t first;      /**< its first particle */
+    size_t index;      /**< of the block */
     size_t taken[4];   /**< places that obstacles treat in each way */
     double asked;      /**< area that it is to fill: its shape without solids [m^2] */
 } placing;
@@ -261,6 +262,27 @@ static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
     return true;
 }
 
+/* A grid of a solid's edge knows its area to so much of a block's. */
+static const double GRID_ERROR = 1e-3;
+
+/** Adds a block to the plan. */
+static void sum_up(sph2d_sim *sim, const placing *b)
+{
+    sph2d_plan *plan = &sim->plan;
+    double whole = sph2d__shape_area(&b->block->shape), part = 1 - b->asked / whole;
+    plan->area_asked += b->asked;
+    plan->area_placed += (double)(sim->system.fluid.count - b->first) * b->spacing * b->spacing;
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
+        plan->places_left_free += b->taken[k];
+    if (!(part > GRID_ERROR))
+        return;
+    plan->area_left_out += whole - b->asked;
+    if (part > plan->most_left_out) {
+        plan->most_left_out = part;
+        plan->most_left_out_block = b->index;
+    }
+}
+
 /** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit,
  *  by a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
@@ -285,10 +307,7 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
     }
     if (region.quarters)
         sph2d__region_free(&region, &sim->memory);
-    sim->plan.area_asked += b->asked;
-    sim->plan.area_placed += (double)(sim->system.fluid.count - b->first) * b->spacing * b->spacing;
-    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
-        sim->plan.places_left_free += b->taken[k];
+    sum_up(sim, b);
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
@@ -296,7 +315,7 @@ sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *
 {
     const sph2d_block *block = &sim->scene.blocks[index];
     sph2d__store *fluid = &sim->system.fluid;
-    placing b = {.block = block, .spacing = block_spacing(sim, block), .first = fluid->count};
+    placing b = {.block = block, .spacing = block_spacing(sim, block), .first = fluid->count, .index = index};
     lattice l = lattice_of(sim, block);
     double count = l.nx * l.ny, rings = 0;
     if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
