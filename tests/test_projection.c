@@ -95,6 +95,26 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
 }
 END_TEST
 
+/** Sides of one row of boundary particles are so far outside that a lattice has the rest density in front of them, too,
+ * and in their corners nearly so: at one spacing it would start 12 and 20 % compressed. */
+START_TEST(a_lattice_before_heavy_sides_has_rest_density)
+{
+    static const sph2d_kernel kernels[] = {SPH2D_KERNEL_WENDLAND_C2, SPH2D_KERNEL_WENDLAND_C4, SPH2D_KERNEL_WENDLAND_C6,
+                                           SPH2D_KERNEL_CUBIC, SPH2D_KERNEL_QUINTIC};
+    full_box(_i % 2 ? SPH2D_METHOD_PCISPH : SPH2D_METHOD_CONSTRAINT, 16);
+    scene.method.sound_speed = 10;
+    scene.method.kernel = kernels[_i / 2];
+    scene.walls = SPH2D_WALL_HEAVY;
+    start(1);
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        double x = fmin(f->x[i], 16 * DX - f->x[i]) / DX, y = fmin(f->y[i], 16 * DX - f->y[i]) / DX;
+        bool corner = fmax(x, y) < 3;
+        ck_assert_double_eq_tol(f->density[i] / RHO0, 1, corner ? 0.03 : 0.005);
+    }
+}
+END_TEST
+
 /** The default support of every kernel is wide enough that a lattice that is strained, to 0.7 and 1/0.7 spacings, tells
  * the density that it has: sums of the kernels' formulas at the lattice's distances. */
 START_TEST(strained_lattices_have_rest_density)
@@ -401,6 +421,7 @@ Suite *suite_projection(void)
     tcase_add_checked_fixture(cases, NULL, finish);
     tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
+    tcase_add_loop_test(cases, a_lattice_before_heavy_sides_has_rest_density, 0, 10);
     tcase_add_loop_test(cases, strained_lattices_have_rest_density, 0, 10);
     tcase_add_loop_test(cases, the_moment_turns_multipliers_into_pressure, 0, LATTICES);
     tcase_add_test(cases, layered_walls_fill_like_liquid);
