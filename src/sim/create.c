@@ -120,6 +120,15 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
+/** The rates of density of liquid that starts in motion, for the length of its first step (measure.c). */
+static bool find_first_rates(sph2d_sim *sim)
+{
+    if (!(sph2d__sim_start_speed(sim) > 0) || sim->method->integrator != SPH2D__MIDPOINT)
+        return true;
+    sim->method->density_rate(&sim->system);
+    return sim->method->evaluate(&sim->system);
+}
+
 /** First forces and extremes of a new simulation. */
 static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
 {
@@ -133,7 +142,7 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     if (sim->system.fluid.filling)
         for (size_t i = 0; i < sim->system.fluid.count; ++i)
             sim->system.fluid.filling[i] = 1; /* as if a step had found it so: liquid that is placed is in liquid */
-    if (!sim->method->evaluate(&sim->system))
+    if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
     sph2d_summary start;
     sim->record.energy_elastic = INFINITY;

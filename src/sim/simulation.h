@@ -56,8 +56,10 @@ void sph2d__sim_window(sph2d_sim *sim, double from, double to);
 /** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
  *  compression; from them the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
-/** The next step over the one that speed and sound allow: less than 1 for the first step of liquid that starts in motion
- *  and may meet a wall in it. */
+/** Fastest block at the start [m/s], without known flows, which start as they would go on. */
+double sph2d__sim_start_speed(const sph2d_sim *sim);
+/** The next step over the one that speed and sound allow: less than 1 for the first step of liquid whose density is
+ *  integrated and that starts in motion against a wall or other liquid. */
 double sph2d__sim_step_part(const sph2d_sim *sim);
 
 /** What a known flow needs to know of the scene. */
