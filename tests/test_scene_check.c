@@ -190,6 +190,36 @@ START_TEST(a_warning_does_not_refuse)
 }
 END_TEST
 
+/** A wall that has 0.5 m/s at once compresses liquid by 5 % where sound has 10 m/s, five times what is wanted; one of
+ * 0.09 m/s does not, nor one where pressure knows no sound, and a swing that starts at rest has no jump. */
+START_TEST(a_blow_of_a_wall_is_warned_of)
+{
+    static const sph2d_path_point steps[2] = {{0.1, 0, 0}, {0.2, 0.009, 0}};
+    static const sph2d_path_point jump[3] = {{0.1, 0, 0}, {0.2, 0.05, 0}, {0.4, 0.15, 0}};
+    scene.method = sph2d_scene_default().method;
+    scene.method.sound_speed = 10;
+    sph2d_motion *motion = &obstacles[2].motion;
+    const struct {
+        sph2d_motion motion;
+        sph2d_method method;
+        bool warned;
+    } cases[] = {{{.path = {jump, 3}}, SPH2D_METHOD_WCSPH, true},
+                 {{.path = {jump, 3}}, SPH2D_METHOD_CONSTRAINT, false},
+                 {{.path = {steps, 2}}, SPH2D_METHOD_WCSPH, false},
+                 {{.amplitude = {0.1, 0}, .frequency = 1}, SPH2D_METHOD_WCSPH, true},
+                 {{.amplitude = {0.1, 0}, .frequency = 1, .phase = -1.5708}, SPH2D_METHOD_WCSPH, false}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        *motion = cases[k].motion;
+        scene.method.name = cases[k].method;
+        ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+        ck_assert_msg(report.count == cases[k].warned, "case %zu: %s", k, test_report_text(&report));
+        if (cases[k].warned)
+            ck_assert_str_eq(report.items[0].path, "obstacles[2].motion");
+        sph2d_report_clear(&report);
+    }
+}
+END_TEST
+
 START_TEST(probes_have_no_use_for_some_places)
 {
     for (int k = 0; k <= SPH2D_PROBE_ERROR; ++k) {
@@ -331,6 +361,7 @@ Suite *suite_scene_check(void)
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_test(tests, the_sound_scene_is_sound);
     tcase_add_test(tests, a_warning_does_not_refuse);
+    tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
     tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 5);

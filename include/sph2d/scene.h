@@ -64,7 +64,7 @@ typedef enum sph2d_wall_form {
     SPH2D_WALL_DEFAULT = 0, /**< the method's: muller spring (obstacles heavy), the others generalised */
     SPH2D_WALL_SPRING = 1,  /**< a spring along the normal within half a spacing of the side: muller, sides only */
     SPH2D_WALL_HEAVY = 2,   /**< fixed boundary particles, heavy enough to hold rest density alone, acting by pressure:
-                                 muller, pcisph, constraint */
+                                 muller (sides 0.5 spacings outside), pcisph, constraint (sides 0.68 by default) */
     SPH2D_WALL_REFLECT = 3, /**< boundary particles that reflect what comes within one spacing; for large steps */
     SPH2D_WALL_GENERALISED = 4 /**< layers of boundary particles: wcsph, where they take the liquid's pressure on with
                                   its weight (Adami, Hu & Adams 2012), and pcisph and constraint, where they count as
@@ -281,7 +281,8 @@ typedef struct sph2d_method_options {
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators; pcisph and constraint 2.4 with
-                                 wendland_c2 and cubic, 2.75 with wendland_c4 and quintic, 3.05 with wendland_c6 */
+                                 wendland_c2 and cubic (1.78, 1.65 at least), 2.75 with wendland_c4 and quintic (2.04,
+                                 2.02), 3.05 with wendland_c6 (2.27): neighbours are to have a third of the density */
     double cfl; /**< step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9;
                      default 0: the method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators,
                      pcisph and constraint 0.4 dx/H */

@@ -3,8 +3,11 @@
  *  Faults of a scene's obstacles: their lines, their ways, and on which side of them the liquid is. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "scene/checker.h"
+#include "scene/derive.h"
 #include "scene/liquid_side.h"
+#include "scene/resolve.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
@@ -128,12 +131,57 @@ static void check_side(checker *c, size_t i)
     }
 }
 
+/** A change of velocity at once [m/s], and when [s]. */
+typedef struct blow {
+    double speed, time;
+} blow;
+
+/** The hardest blow of a motion: where straight lines of its path meet, and where a swing starts in motion. */
+static blow hardest_blow(const sph2d_motion *m)
+{
+    double omega = 2 * SPH2D__PI * m->frequency * cos(m->phase);
+    sph2d_vec2 before = {0, 0}, swing = {omega * m->amplitude.x, omega * m->amplitude.y};
+    blow most = {hypot(swing.x, swing.y), 0};
+    for (size_t k = 1; k <= m->path.count; ++k) {
+        const sph2d_path_point *p = &m->path.items[k - 1], *q = p + 1;
+        sph2d_vec2 v = {0, 0};
+        if (k < m->path.count)
+            v = (sph2d_vec2){(q->x - p->x) / (q->t - p->t), (q->y - p->y) / (q->t - p->t)};
+        double speed = hypot(v.x - before.x, v.y - before.y);
+        if (speed > most.speed && p->t >= 0)
+            most = (blow){speed, p->t};
+        before = v;
+    }
+    return most;
+}
+
+/** Warns of walls that start or stop at once where sound carries the blow: by v/c0, which is rho c0 v of pressure. */
+static void check_blow(checker *c, size_t i)
+{
+    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
+    bool sound = m.name == SPH2D_METHOD_WCSPH || m.name == SPH2D_METHOD_MULLER;
+    double c0 = sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
+    blow hit = hardest_blow(&c->scene->obstacles[i].motion);
+    if (!(hit.speed > m.max_compression * c0))
+        return;
+    char path[PATH_SIZE];
+    sph2d_diagnostic *w = sph2d_report_add(
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
+        "its velocity jumps by %.2g m/s at t = %g s, a blow that compresses liquid in its way by %.2g %%, to %.2g Pa",
+        hit.speed, hit.time, 100 * hit.speed / c0, c->scene->fluid.density * c0 * hit.speed);
+    sph2d_diagnostic_hint(w, "let it come to its speed by more points of a path, in %.2g s or longer, or start a swing at "
+                             "rest by `phase: -1.5708`",
+                          10 * m.support_ratio * c->scene->spacing / c0);
+}
+
 void sph2d__check_obstacles(checker *c)
 {
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_obstacle(c, i);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
         check_side(c, i);
+    for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
+        check_blow(c, i);
     if (c->errors == 0)
         sph2d__check_thin(c);
 }
