@@ -27,6 +27,7 @@
     X(muller_energy)                                                                                                   \
     X(wcsph)                                                                                                           \
     X(wcsph_walls)                                                                                                     \
+    X(friction)                                                                                                        \
     X(wcsph_surface)                                                                                                   \
     X(mixed)                                                                                                           \
     X(terms)                                                                                                           \

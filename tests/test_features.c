@@ -76,6 +76,12 @@ static void set_rough(stage *s)
     s->scene.wall_speeds.top = 1;
 }
 
+static void set_smooth(stage *s)
+{
+    s->scene.wall_slip = SPH2D_SLIP_SMOOTH;
+    s->scene.slip_length = 0.01;
+}
+
 static void set_tension(stage *s)
 {
     set_open(s);
@@ -272,6 +278,7 @@ static const struct feature {
     {"boundary.top", FREE, set_open},
     {"boundary.left", ALL, set_periodic},
     {"wall_slip", WCSPH | FITTED, set_rough},
+    {"wall_slip", WCSPH, set_smooth},
     {"fluid.surface_tension", FREE, set_tension},
     {"central_force", ALL, set_central},
     {"interactions", ALL, set_pull},

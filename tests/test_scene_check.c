@@ -113,6 +113,8 @@ static void start(void)
     X(source_outside, "sources[0].at", OUTSIDE, sources[0].at.y = 1.5)                                                 \
     X(source_without_direction, "sources[0].direction", OUT_OF_RANGE, sources[0].direction = ((sph2d_vec2){0, 0}))     \
     X(source_without_speed, "sources[0].speed", OUT_OF_RANGE, sources[0].speed = 0)                                    \
+    X(slip_length_of_free_walls, "slip_length", CONFLICT, scene.slip_length = 0.01)                                    \
+    X(belts_of_free_walls, "wall_speeds", CONFLICT, scene.wall_speeds.top = 1)                                         \
     X(source_too_rich, "sources[0].rate", CONFLICT, sources[0].rate = 0.0501)                                          \
     X(source_stops_early, "sources[0].stop", CONFLICT, sources[0].start = 1; sources[0].stop = 0.5)                    \
     X(drain_shapeless, "drains[0]", MISSING_KEY, drains[0].shape.kind = SPH2D_SHAPE_NONE)                              \

@@ -328,6 +328,7 @@ START_TEST(ranges_are_as_documented)
         {"method.time_step", &scene.method.time_step, 0, INFINITY, false},
         {"method.stiffness", &scene.method.stiffness, 0, INFINITY, false},
         {"spacing", &scene.spacing, 0, INFINITY, true},
+        {"slip_length", &scene.slip_length, 0, INFINITY, false},
         {"wall_damping", &scene.wall_damping, 0, 1, false},
         {"run.until", &scene.run.until, 0, INFINITY, false},
         {"run.snapshots.every", &scene.run.snapshots.rate.every, 0, INFINITY, false},

@@ -74,7 +74,10 @@ typedef enum sph2d_wall_form {
 /** Whether liquid slides along walls. */
 typedef enum sph2d_slip {
     SPH2D_SLIP_FREE = 0, /**< no friction: boundary layers thinner than the spacing, as of water in most scenes */
-    SPH2D_SLIP_NONE = 1  /**< liquid at a wall moves with it */
+    SPH2D_SLIP_NONE = 1, /**< liquid at a wall moves with it */
+    SPH2D_SLIP_SMOOTH = 2 /**< friction of a smooth wall by the law of the wall, for boundary layers that are thinner than
+                               the spacing: laminar, mu u/(y + slip_length), or turbulent, by viscosity, the speed u and
+                               the distance y of the liquid at the wall; none without viscosity */
 } sph2d_slip;
 
 /** What method pcisph keeps below max_compression in every step. */
@@ -497,7 +500,9 @@ typedef struct sph2d_scene {
     sph2d_boundary boundary;
     sph2d_wall_form walls;             /**< form of the domain's wall sides; default: the method's */
     sph2d_slip wall_slip;              /**< of generalised walls; default free */
-    sph2d_side_speeds wall_speeds;     /**< of no-slip sides; default 0 */
+    double slip_length; /**< of smooth walls: how far behind the surface the velocity comes to the wall's (Navier 1823)
+                             [m], >= 0; default 0 */
+    sph2d_side_speeds wall_speeds;     /**< of sides that are not free-slip; default 0 */
     double wall_damping;               /**< spring walls: damping over critical damping, 0 to 1; default 0.1 */
     sph2d_vec2 gravity;                /**< [m/s^2]; default (0, -9.81) */
     sph2d_central_force central_force; /**< default none */

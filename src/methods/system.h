@@ -45,6 +45,7 @@ typedef struct sph2d__system {
     double lattice_slopes; /**< wcsph: sum of g(r/H) over the others of a filled lattice */
     sph2d_method_options method; /**< the scene's, every default filled in */
     sph2d_slip wall_slip;
+    double slip_length; /**< of smooth walls [m] */
     sph2d__body body;
 
     double step;    /**< length of the step that is being taken [s] */

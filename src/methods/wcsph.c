@@ -10,6 +10,7 @@
 #include "methods/packed.h"
 #include "methods/state_equation.h"
 #include "methods/tension.h"
+#include "methods/wcsph_friction.h"
 
 /* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice with a jitter of 0.25 dx Morris' operator stands
  * nu dt/H^2 < 0.04 at H/dx = 2 and 0.06 at 4. */
@@ -182,9 +183,11 @@ static bool evaluate(sph2d__system *s)
     if (s->walls_press) {
         RUN(wall, s, &s->walls);
         sph2d__pack_walls(s);
+        sph2d__friction_set(s);
     }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     RUN(force, s, &s->fluid);
+    sph2d__friction_add(s);
     sph2d__tension_add(s);
     sph2d__profile_enter(&s->profile, before);
     return true;
@@ -207,6 +210,7 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
     double push = -g * press, slides = push * (dx * w->along_x[b] + dy * w->along_y[b]);
     sph2d__wall_force force = {.pressure = {push * dx - slides * w->along_x[b], push * dy - slides * w->along_y[b]}};
+    force.friction = sph2d__friction_of(s, b, dx, dy);
     if (s->wall_slip != SPH2D_SLIP_NONE)
         return force;
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
@@ -253,7 +257,7 @@ const sph2d__method sph2d__wcsph = {
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
              SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) |
-             SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide),
+             SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide) | SPH2D__BIT(skin) | SPH2D__BIT(drag),
     .prepare = prepare,
     .walls_placed = walls_placed,
     .evaluate = evaluate,

@@ -49,6 +49,8 @@ enum { SPH2D__PADDING = 16 };
     X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */     \
     X(along_y)                                                                                                         \
     X(slide)   /* what liquid in front pushes along it: wcsph.h */                                                     \
+    X(skin)    /* length of the surface that a boundary particle next to it stands for, else 0 [m] */                  \
+    X(drag)    /* friction of a smooth wall, over the kernel's weights: wcsph_friction.h */                            \
     X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                     \
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \

@@ -80,11 +80,16 @@ static void check_options(sph2d__checker *c)
     refuse(c, "method.max_iterations", m->max_iterations != standard.max_iterations, PROJECTED, projected);
     refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, MULLER | SYMMETRIC | PROJECTED, hint);
     refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
+    bool smooth = c->scene->wall_slip == SPH2D_SLIP_SMOOTH;
+    refuse(c, "wall_slip", smooth && !other, SYMMETRIC, "take `wall_slip: none`, or `operators: symmetric`");
+    if (c->scene->slip_length != 0 && !smooth)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",
+                           "has an effect on smooth walls alone; take wall_slip: smooth");
     const sph2d_side_speeds *v = &c->scene->wall_speeds;
     bool belts = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
     if (belts && c->scene->wall_slip == SPH2D_SLIP_FREE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
-                           "has no effect on free-slip walls; take wall_slip: none");
+                           "has no effect on free-slip walls; take wall_slip: none or smooth");
     bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
     if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS && solver_of(m) == SYMMETRIC &&
         (m->shifting > 0 || m->tensile_control == SPH2D_SWITCH_ON || eddies)) {

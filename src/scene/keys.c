@@ -33,7 +33,7 @@ DEFAULT(probe)
 
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
-static const char *const slip_words[] = {"free", "none", NULL};
+static const char *const slip_words[] = {"free", "none", "smooth", NULL};
 
 /* In the order of sph2d_flow_kind. */
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
@@ -404,9 +404,11 @@ static const sph2d_key scene_items[] = {
     {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
      .standard = "muller spring, else generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
-     .standard = "free", .text = "generalised walls: free slides, none sticks"},
+     .standard = "free", .text = "generalised walls: free slides, none sticks, smooth rubs by the law of the wall"},
+    {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .standard = "0",
+     .text = "smooth walls: how far behind them the velocity comes to theirs"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",
-     .standard = "none", .text = "how fast no-slip sides move along themselves"},
+     .standard = "none", .text = "how fast sides that are not free-slip move along themselves"},
     {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
      .standard = "0.1", .text = "spring walls: damping over critical damping"},
     {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .standard = "[0, -9.81]",

@@ -76,13 +76,16 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
+    s->slip_length = scene->slip_length;
     s->surface_tension = scene->fluid.surface_tension;
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
-    s->walls.carried = sim->method->walls;
+    sph2d__set rubbing = SPH2D__BIT(skin) | SPH2D__BIT(drag);
+    sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : rubbing);
+    s->walls.carried = walls;
     s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
-    s->walls.has = sim->method->walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_slope) : 0);
+    s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_slope) : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool search = sim->method->integrator == SPH2D__PROJECTED && s->reach < WIDE * s->spacing;

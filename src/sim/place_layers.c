@@ -39,6 +39,7 @@ typedef struct place {
     double area;
     sph2d_vec2 normal;
     double depth;
+    double skin; /**< length of the surface that it stands for, in the layer next to it */
 } place;
 
 static sph2d_status add_particle(sph2d_sim *sim, const place *p, sph2d_report *report)
@@ -57,6 +58,8 @@ static sph2d_status add_particle(sph2d_sim *sim, const place *p, sph2d_report *r
     }
     if (s->walls.depth)
         s->walls.depth[i] = p->depth;
+    if (s->walls.skin)
+        s->walls.skin[i] = p->skin;
     s->walls_press = true;
     return SPH2D_OK;
 }
@@ -182,12 +185,14 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
         if (length < 0.01 * c->spacing)
             continue;
         double count = fmax(floor(length / c->spacing + 0.5), 1);
+        sph2d__segment surface = sph2d__outline_piece(c->outline, c->spacing, index);
+        double skin = d < c->spacing ? hypot(surface.b.x - surface.a.x, surface.b.y - surface.a.y) : 0;
         if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + count, "obstacles", report))
             return SPH2D_SCENE;
         for (double k = 0; k < count; ++k) {
             double t = (k + 0.5) / count;
             sph2d_vec2 p = {layer.a.x + t * (layer.b.x - layer.a.x), layer.a.y + t * (layer.b.y - layer.a.y)};
-            place here = {.area = length / count * c->spacing};
+            place here = {.area = length / count * c->spacing, .skin = skin / count};
             if (!fit_particle(c, index, p, d, &here) || is_crowded(sim, first, here.at))
                 continue;
             sph2d_status status = add_particle(sim, &here, report);
@@ -272,10 +277,12 @@ static void look_at_surface(place *p, const extent *x, long i, const extent *y, 
     if (beside_x && !beside_y) {
         p->normal.x = i < 0 ? 1 : -1;
         p->depth = (i < 0 ? -(double)i - 0.5 : (double)(i - x->count) + 0.5) * x->size;
+        p->skin = p->depth < x->size ? y->size : 0;
     }
     if (beside_y && !beside_x) {
         p->normal.y = j < 0 ? 1 : -1;
         p->depth = (j < 0 ? -(double)j - 0.5 : (double)(j - y->count) + 0.5) * y->size;
+        p->skin = p->depth < y->size ? x->size : 0;
     }
 }
 
@@ -330,7 +337,7 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
             sph2d_vec2 p = {x.origin + ((double)i + 0.5) * x.size, y.origin + ((double)j + 0.5) * y.size};
             if (is_crowded(sim, first, p))
                 continue;
-            place here = {p, x.size * y.size, {0, 0}, INFINITY};
+            place here = {p, x.size * y.size, {0, 0}, INFINITY, 0};
             look_at_surface(&here, &x, i, &y, j);
             sph2d_status status = add_particle(sim, &here, report);
             if (status != SPH2D_OK)

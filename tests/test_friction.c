@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_friction.c
+ *  Friction of smooth walls: the law of the wall, how much wall there is, and what liquid that slides along it does. */
+#include <math.h>
+
+#include "common.h"
+#include "methods/wcsph_friction.h"
+#include "sim/simulation.h"
+
+static const double RHO = 1000, C0 = 40;
+
+static sph2d_scene scene;
+static sph2d_block block;
+
+/** Liquid that neither shifts nor diffuses, in a room that is periodic in x, above a smooth wall at y = 0. */
+static void channel(double dx, double width, double depth, double viscosity)
+{
+    scene = test_scene(dx, 0, 0, width, depth);
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = C0;
+    scene.method.density_diffusion = 0;
+    scene.method.shifting = 0;
+    scene.method.tensile_control = SPH2D_SWITCH_OFF;
+    scene.method.viscosity_form = SPH2D_VISCOSITY_MORRIS;
+    scene.fluid.density = RHO;
+    scene.fluid.dynamic_viscosity = viscosity;
+    scene.wall_slip = SPH2D_SLIP_SMOOTH;
+    block = test_block(0, 0, width, depth);
+    scene.blocks = &block;
+    scene.block_count = 1;
+}
+
+/* ---- the law ----------------------------------------------------------------------------------------------------- */
+
+/** u/c by the two layers, as their authors wrote it. */
+static double speed_at(double c, double y, double slip, double nu)
+{
+    double s = c * y / nu, f = s < 11.2659 ? s : log(9 * s) / 0.41;
+    return c * (c * slip / nu + f);
+}
+
+START_TEST(stress_follows_the_law_of_the_wall)
+{
+    static const double slips[] = {0, 1e-3, 0.3};
+    for (int k = 0; k < 3; ++k)
+        for (double c = 1e-6; c < 10; c *= 1.7) {
+            double y = 0.004, rho = 870, mu = 0.0013, u = speed_at(c, y, slips[k], mu / rho);
+            double stress = sph2d__friction_stress(u, y, slips[k], rho, mu);
+            ck_assert_double_eq_tol(stress / (rho * c * c), 1, 1e-4);
+            if (c * y * rho / mu < 11)
+                ck_assert_double_eq_tol(stress / (mu * u / (y + slips[k])), 1, 1e-12);
+        }
+    ck_assert(sph2d__friction_stress(0, 0.004, 0, 870, 0.0013) == 0);
+    /* Water at 1 m/s, 1 cm from a smooth wall: c = 0.04887 m/s. */
+    ck_assert_double_eq_tol(sph2d__friction_stress(1, 0.01, 0, 1000, 0.001), 2.3886, 1e-4);
+}
+END_TEST
+
+/* ---- how much wall ----------------------------------------------------------------------------------------------- */
+
+static double skin_of(sph2d_obstacle *obstacle)
+{
+    scene = test_open_scene(0.05, 0, 0, 3, 3);
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.wall_slip = SPH2D_SLIP_SMOOTH;
+    block = test_block(0, 0, 0.2, 0.2);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.obstacles = obstacle;
+    scene.obstacle_count = obstacle ? 1 : 0;
+    if (!obstacle)
+        scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__store *w = &sim->system.walls;
+    double sum = 0;
+    for (size_t b = 0; b < w->count; ++b)
+        sum += w->skin[b];
+    sph2d_sim_destroy(sim);
+    return sum;
+}
+
+START_TEST(boundary_particles_stand_for_the_whole_surface)
+{
+    sph2d_obstacle o = sph2d_obstacle_default();
+    o.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    o.outline.circle = (sph2d_disc){{1.5, 1.5}, 0.5};
+    ck_assert_double_eq_tol(skin_of(&o), TEST_PI, 2e-3);
+    o.outline.kind = SPH2D_OUTLINE_BOX;
+    o.outline.box = (sph2d_box){{1, 1}, {1.8, 1.4}};
+    ck_assert_double_eq_tol(skin_of(&o), 2.4, 1e-12);
+    o.outline.box = (sph2d_box){{1, 1}, {1.8, 1.13}}; /* so thin that its layers meet */
+    ck_assert_double_eq_tol(skin_of(&o), 1.86, 1e-12);
+    static const sph2d_vec2 bend[3] = {{0.5, 2}, {1.5, 1}, {2.5, 1}};
+    o.outline.kind = SPH2D_OUTLINE_POLYLINE;
+    o.outline.polyline = (sph2d_points){bend, 3};
+    o.liquid = SPH2D_LIQUID_LEFT;
+    ck_assert_double_eq_tol(skin_of(&o), 1 + sqrt(2), 1e-12);
+    ck_assert_double_eq_tol(skin_of(NULL), 12, 1e-12);
+}
+END_TEST
+
+/** Sums over a simulation's liquid. */
+static sph2d_vec2 force_on_all(sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d_vec2 sum = {0, 0};
+    ck_assert(sim->method->evaluate(&sim->system));
+    for (size_t i = 0; i < f->count; ++i) {
+        sum.x += sim->system.mass * f->ax[i];
+        sum.y += sim->system.mass * f->ay[i];
+    }
+    return sum;
+}
+
+/** A row that ends wets the wall below it, no more: with one row every distance is half a spacing. */
+START_TEST(a_row_wets_what_is_below_it)
+{
+    const double dx = 0.01, u = 2, mu = 0.1;
+    channel(dx, 0.4, 0.2, mu);
+    block = test_block(0.1, 0, 0.25, dx);
+    block.velocity.x = u;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_uint_eq(sim->system.fluid.count, 15);
+    double stress = sph2d__friction_stress(u, dx / 2, 0, RHO, mu);
+    ck_assert_double_eq_tol(force_on_all(sim).x / (-0.15 * stress), 1, 1e-9);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- liquid that slides ------------------------------------------------------------------------------------------ */
+
+/** Mean distance from the wall of what a boundary particle finds in front, by wendland_c2 with H = 3 dx. */
+static double mean_distance(double dx)
+{
+    double sum = 0, distance = 0;
+    for (int j = 1; j <= 3; ++j)
+        for (int i = -3; i <= 3; ++i) {
+            double q = fmin(hypot(i, j) / 3, 1), weight = pow(1 - q, 4) * (1 + 4 * q);
+            sum += weight;
+            distance += weight * (j - 0.5) * dx;
+        }
+    return distance / sum;
+}
+
+static const struct {
+    double dx, speed, viscosity, slip;
+} slugs[] = {
+    {0.02, 1, 1e-3, 0},  {0.01, 1, 1e-3, 0}, {0.02, -3, 1e-3, 0},    {0.01, -3, 1e-3, 0},
+    {0.02, 1, 2, 0.5},   {0.01, 1, 2, 0.5},  {0.02, -3, 0.05, 2e-3}, {0.01, -3, 0.05, 2e-3},
+};
+
+/** A slab of liquid slides over a wall: dU/dt = -tau/(rho depth), and its energy never rises. */
+START_TEST(a_slug_slows_by_stress_over_depth)
+{
+    const double depth = 0.2, dx = slugs[_i].dx, u = slugs[_i].speed, mu = slugs[_i].viscosity, slip = slugs[_i].slip;
+    channel(dx, 0.4, depth, mu);
+    scene.slip_length = slip;
+    block.velocity.x = u;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__system *s = &sim->system;
+    double stress = sph2d__friction_stress(fabs(u), mean_distance(dx), slip, RHO, mu);
+    double slowing = stress / (RHO * depth), energy = INFINITY, sum = 0;
+    for (int k = 0; k < 40; ++k) {
+        test_steps(sim, 1);
+        sph2d_summary now = sph2d_sim_summary(sim);
+        ck_assert_double_le(now.kinetic + now.elastic, energy);
+        energy = now.kinetic + now.elastic;
+    }
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        sum += s->fluid.vx[i] / (double)s->fluid.count;
+    double lost = (u - sum) / copysign(slowing * sph2d_sim_time(sim), u);
+    ck_assert_msg(fabs(lost - 1) < 0.02, "it slows %g times as fast as it should", lost);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Between two walls with a slip length: u = g/(2 nu) (y (D - y) + L D). */
+START_TEST(poiseuille_slips_by_the_slip_length)
+{
+    static const double slips[] = {0.1, 0.5};
+    const double depth = 1, nu = 1, slip = slips[_i], dx = 0.05, g = 8 * nu / (1 + 4 * slip);
+    channel(dx, 0.6, depth, RHO * nu);
+    scene.boundary.top = SPH2D_SIDE_WALL;
+    scene.gravity = (sph2d_vec2){g, 0};
+    scene.method.sound_speed = 20;
+    scene.slip_length = slip;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__store *f = &sim->system.fluid;
+    while (sph2d_sim_time(sim) < (_i ? 1.6 : 1))
+        test_steps(sim, 20);
+    for (size_t i = 0; i < f->count; ++i) {
+        double y = f->y[i], u = g / (2 * nu) * (y * (depth - y) + slip * depth);
+        ck_assert_msg(fabs(f->vx[i] - u) < 0.02, "u(%g) = %g, not %g", y, f->vx[i], u);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** However long a step is, it ends a slip and does not turn it. */
+START_TEST(friction_does_not_turn_slip_back)
+{
+    channel(0.02, 0.4, 0.2, 1e-3);
+    scene.fluid.dynamic_viscosity = 5;
+    block.velocity.x = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sim->system.step = 1e3;
+    force_on_all(sim);
+    const sph2d__store *f = &sim->system.fluid;
+    size_t held = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        double change = f->ax[i] * sim->system.step / f->vx[i];
+        ck_assert_double_ge(change, -1);
+        held += change < -0.4;
+    }
+    ck_assert_uint_ge(held, 20);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- balance ----------------------------------------------------------------------------------------------------- */
+
+/** Liquid that strikes a disc and runs round it: what the walls tell is what the liquid gets, and no wall drives it. */
+START_TEST(walls_tell_the_force_that_liquid_gets)
+{
+    channel(0.05, 1.5, 1.5, 0.5);
+    sph2d_obstacle disc = sph2d_obstacle_default();
+    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    disc.outline.circle = (sph2d_disc){{0.6, 0.5}, 0.2};
+    scene.obstacles = &disc;
+    scene.obstacle_count = 1;
+    scene.gravity = (sph2d_vec2){0, 0};
+    block = test_block(0.3, 0.0, 1.2, 1.1);
+    block.velocity = (sph2d_vec2){0.7, -0.9};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 12);
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    sph2d_vec2 all = force_on_all(sim);
+    double x = 0, y = 0, size = 0, rubbed = 0;
+    for (size_t b = 0; b < w->count; ++b) {
+        double power = 0;
+        for (size_t i = 0; i < f->count; ++i) {
+            double dx = sph2d__period_nearest(f->x[i] - w->x[b], 1.5), dy = f->y[i] - w->y[b];
+            if (!(hypot(dx, dy) < s->support))
+                continue;
+            sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
+            x += force.pressure.x + force.friction.x;
+            y += force.pressure.y + force.friction.y;
+            size += hypot(force.pressure.x, force.pressure.y);
+            rubbed += hypot(force.friction.x, force.friction.y);
+            power += f->vx[i] * force.friction.x + f->vy[i] * force.friction.y;
+        }
+        ck_assert_double_le(power, 0);
+    }
+    ck_assert_double_gt(rubbed, 0.5);
+    ck_assert_double_le(hypot(all.x - x, all.y - y), 1e-9 * (size + rubbed));
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Liquid at rest feels nothing, and none without viscosity, however fast. */
+START_TEST(liquid_at_rest_feels_nothing)
+{
+    channel(0.05, 1, 0.5, _i ? 0 : 10);
+    block.velocity.x = _i ? 5 : 0;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_vec2 force = force_on_all(sim);
+    ck_assert_double_le(fabs(force.x), 1e-12);
+    ck_assert(sph2d__has_friction(&sim->system) == !_i);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+Suite *suite_friction(void);
+Suite *suite_friction(void)
+{
+    Suite *suite = suite_create("friction");
+    TCase *law = tcase_create("law"), *flows = tcase_create("flows");
+    tcase_add_test(law, stress_follows_the_law_of_the_wall);
+    tcase_add_test(law, boundary_particles_stand_for_the_whole_surface);
+    tcase_add_test(law, a_row_wets_what_is_below_it);
+    tcase_add_loop_test(flows, a_slug_slows_by_stress_over_depth, 0, (int)(sizeof slugs / sizeof slugs[0]));
+    tcase_add_loop_test(flows, poiseuille_slips_by_the_slip_length, 0, 2);
+    tcase_add_test(flows, friction_does_not_turn_slip_back);
+    tcase_add_test(flows, walls_tell_the_force_that_liquid_gets);
+    tcase_add_loop_test(flows, liquid_at_rest_feels_nothing, 0, 2);
+    suite_add_tcase(suite, law);
+    suite_add_tcase(suite, flows);
+    return suite;
+}
