@@ -75,9 +75,9 @@ typedef enum sph2d_wall_form {
 typedef enum sph2d_slip {
     SPH2D_SLIP_FREE = 0, /**< no friction: boundary layers thinner than the spacing, as of water in most scenes */
     SPH2D_SLIP_NONE = 1, /**< liquid at a wall moves with it */
-    SPH2D_SLIP_SMOOTH = 2 /**< friction of a smooth wall by the law of the wall, for boundary layers that are thinner than
-                               the spacing: laminar, mu u/(y + slip_length), or turbulent, by viscosity, the speed u and
-                               the distance y of the liquid at the wall; none without viscosity */
+    SPH2D_SLIP_SMOOTH = 2 /**< friction of a smooth wall by the law of the wall, for boundary layers thinner than the
+                               spacing: laminar, mu u/(y + slip_length), or turbulent, by viscosity, the speed u and
+                               the distance y of the liquid at the wall; none without viscosity. wcsph alone */
 } sph2d_slip;
 
 /** What method pcisph keeps below max_compression in every step. */

@@ -44,7 +44,7 @@
  *  45 degrees (0.3 with weight given back pair by pair), 0.07 too low without. Nothing slides under a cover of liquid,
  *  nor where another wall is in front, as in corners: where a wall ends the liquid the last sum would push. A side that
  *  slides along itself has v_b = 0 here: it takes no liquid along but by friction.
- *  A rough wall has viscosity with v_b = 2 v_wall - sum v_j W / sum W; a smooth wall has none.
+ *  A rough wall has viscosity with v_b = 2 v_wall - sum v_j W / sum W, a smooth one what wcsph_friction.h says.
  *
  *  What flies by itself has the rest density, and no pressure but that of others: what it remembered of the liquid that
  *  it left would glue it to walls.

@@ -12,6 +12,8 @@
 
 /* The law of the wall: f(s) = ln(E s)/KARMAN, which is s at LAMINAR. */
 static const double KARMAN = 0.41, E = 9, LAMINAR = 11.2659;
+/* Of what the next step of Newton's method changes, this part is squared. */
+static const double ENOUGH = 1e-5;
 /* A particle's middle may come to the surface; what it stands for is a spacing thick. */
 static const double NEAREST = 0.25;
 /* Particles beside one in a row that the widest support reaches. */
@@ -30,9 +32,10 @@ static double friction_height(double reynolds, double slip)
     if (s <= LAMINAR)
         return s;
     for (int k = 0; k < 20; ++k) {
-        double log_ = log(E * s), step = (reynolds - s * (slip * s + log_ / KARMAN)) / (2 * slip * s + (log_ + 1) / KARMAN);
+        double part = log(E * s), excess = reynolds - s * (slip * s + part / KARMAN);
+        double step = excess / (2 * slip * s + (part + 1) / KARMAN);
         s += step;
-        if (fabs(step) < 1e-10 * s)
+        if (fabs(step) < ENOUGH * s)
             break;
     }
     return s;
@@ -54,13 +57,12 @@ static double row_weight(const sph2d__system *s)
 }
 
 /** W_ib of a particle at (dx, dy) from b; 0 behind the row. */
-static double weight_of(const sph2d__system *s, size_t b, double dx, double dy)
+static inline double weight_of(const sph2d__system *s, size_t b, double dx, double dy)
 {
     double r2 = dx * dx + dy * dy;
-    bool faces = s->walls.normal_x[b] * dx + s->walls.normal_y[b] * dy > 0;
-    return faces && r2 < s->support * s->support
-               ? sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / s->support)
-               : 0;
+    if (!(r2 < s->support * s->support) || !(s->walls.normal_x[b] * dx + s->walls.normal_y[b] * dy > 0))
+        return 0;
+    return sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / s->support);
 }
 
 /** The friction of b over the weights: along (-normal_y, normal_x) [N/m]. */
@@ -71,6 +73,8 @@ static double drag_of(const sph2d__system *s, size_t b, const sph2d__ranges *ran
     SPH2D__FOR_NEIGHBOURS (ranges, r, i) {
         double dx = f->x[i] - (w->x[b] + ranges->x[r]), dy = f->y[i] - (w->y[b] + ranges->y[r]);
         double weight = weight_of(s, b, dx, dy);
+        if (weight == 0)
+            continue;
         weights += weight;
         past += weight * (w->normal_x[b] * (f->vy[i] - w->vy[b]) - w->normal_y[b] * (f->vx[i] - w->vx[b]));
         distance += weight * (w->normal_x[b] * dx + w->normal_y[b] * dy - w->depth[b]);
@@ -101,12 +105,15 @@ void sph2d__friction_set(sph2d__system *s)
         sph2d__over_particles(s, s->walls.count, set_some);
 }
 
-sph2d_vec2 sph2d__friction_of(const sph2d__system *s, size_t b, double dx, double dy)
+static inline sph2d_vec2 force_of(const sph2d__system *s, size_t b, double dx, double dy)
 {
-    if (!sph2d__has_friction(s) || s->walls.drag[b] == 0)
-        return (sph2d_vec2){0, 0};
     double along = s->walls.drag[b] * weight_of(s, b, dx, dy);
     return (sph2d_vec2){-along * s->walls.normal_y[b], along * s->walls.normal_x[b]};
+}
+
+sph2d_vec2 sph2d__friction_of(const sph2d__system *s, size_t b, double dx, double dy)
+{
+    return sph2d__has_friction(s) ? force_of(s, b, dx, dy) : (sph2d_vec2){0, 0};
 }
 
 static void rub_some(sph2d__system *s, size_t first, size_t last)
@@ -120,8 +127,8 @@ static void rub_some(sph2d__system *s, size_t first, size_t last)
         SPH2D__FOR_NEIGHBOURS (&near.ranges, r, b) {
             if (w->drag[b] == 0)
                 continue;
-            sph2d_vec2 force = sph2d__friction_of(s, b, f->x[i] + near.ranges.x[r] - w->x[b],
-                                                  f->y[i] + near.ranges.y[r] - w->y[b]);
+            sph2d_vec2 force =
+                force_of(s, b, f->x[i] + near.ranges.x[r] - w->x[b], f->y[i] + near.ranges.y[r] - w->y[b]);
             x += force.x;
             y += force.y;
         }

@@ -129,7 +129,11 @@ void write_walls(draft *d)
             fprintf(d->out, "wall_damping: %.2g\n", between(d, 0, 1));
     }
     if (is(d, "wcsph") && chance(d, 0.25)) {
-        fputs("wall_slip: none\n", d->out);
+        draft aside = *d; /* a choice that moves no other */
+        bool smooth = !d->fitted && draft_next(&aside) & 1;
+        fputs(smooth ? "wall_slip: smooth\n" : "wall_slip: none\n", d->out);
+        if (smooth && draft_next(&aside) & 1)
+            fprintf(d->out, "slip_length: %.2g\n", decades(&aside, 1e-5, 0.1));
         if (chance(d, 0.3) && !d->periodic_y)
             fprintf(d->out, "wall_speeds: {bottom: %.3g}\n", d->speed = between(d, 0.2, 1) * sqrt(d->fall * 9.81));
     }
