@@ -52,6 +52,9 @@ START_TEST(stress_follows_the_law_of_the_wall)
             if (c * y * rho / mu < 11)
                 ck_assert_double_eq_tol(stress / (mu * u / (y + slips[k])), 1, 1e-12);
         }
+    double c = 11.6 * 0.0013 / (870 * 0.004); /* the logarithm starts where it equals s, no later */
+    ck_assert_double_eq_tol(sph2d__friction_stress(speed_at(c, 0.004, 0, 0.0013 / 870), 0.004, 0, 870, 0.0013) /
+                                (870 * c * c), 1, 1e-4);
     ck_assert(sph2d__friction_stress(0, 0.004, 0, 870, 0.0013) == 0);
     /* Water at 1 m/s, 1 cm from a smooth wall: c = 0.04887 m/s. */
     ck_assert_double_eq_tol(sph2d__friction_stress(1, 0.01, 0, 1000, 0.001), 2.3886, 1e-4);
@@ -114,17 +117,48 @@ static sph2d_vec2 force_on_all(sph2d_sim *sim)
     return sum;
 }
 
-/** A row that ends wets the wall below it, no more: with one row every distance is half a spacing. */
+/** A row that ends wets the wall below it, no more, and not the other side of a plate: with one row every distance is
+ *  half a spacing. */
 START_TEST(a_row_wets_what_is_below_it)
+{
+    const double dx = 0.01, u = 2, mu = 0.1, floor = _i ? 0.1 : 0;
+    channel(dx, 0.4, 0.2, mu);
+    sph2d_obstacle plate = sph2d_obstacle_default();
+    plate.outline.kind = SPH2D_OUTLINE_BOX;
+    plate.outline.box = (sph2d_box){{0.03, floor - 2 * dx}, {0.37, floor}};
+    scene.obstacles = &plate;
+    scene.obstacle_count = _i ? 1 : 0;
+    block = test_block(0.1, floor, 0.25, floor + dx);
+    block.velocity.x = u;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_uint_eq(sim->system.fluid.count, 15);
+    double stress = sph2d__friction_stress(u, dx / 2, 0, RHO, mu);
+    /* Those of the plate are half a spacing beside the row. */
+    ck_assert_double_eq_tol(force_on_all(sim).x / (-0.15 * stress), 1, _i ? 1e-3 : 1e-9);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Nearer than a quarter of a spacing nothing counts as. */
+START_TEST(what_touches_a_wall_is_a_quarter_of_a_spacing_off)
 {
     const double dx = 0.01, u = 2, mu = 0.1;
     channel(dx, 0.4, 0.2, mu);
     block = test_block(0.1, 0, 0.25, dx);
     block.velocity.x = u;
     sph2d_sim *sim = test_create(&scene, NULL);
-    ck_assert_uint_eq(sim->system.fluid.count, 15);
-    double stress = sph2d__friction_stress(u, dx / 2, 0, RHO, mu);
-    ck_assert_double_eq_tol(force_on_all(sim).x / (-0.15 * stress), 1, 1e-9);
+    const sph2d__system *s = &sim->system;
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        s->fluid.y[i] = 0.1 * dx;
+    double most = -0.15 * sph2d__friction_stress(u, 0.25 * dx, 0, RHO, mu), force = force_on_all(sim).x;
+    ck_assert_double_le(fabs(force / most - 1), 0.1); /* weights are largest there, and count as one row at most */
+    double sum = 0;
+    for (size_t b = 0; b < s->walls.count; ++b)
+        for (size_t i = 0; i < s->fluid.count; ++i) {
+            double x = s->fluid.x[i] - s->walls.x[b], y = s->fluid.y[i] - s->walls.y[b];
+            sum += sph2d__friction_of(s, b, x, y).x;
+        }
+    ck_assert_double_eq_tol(sum, force, 1e-9 * fabs(force));
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -211,7 +245,7 @@ START_TEST(friction_does_not_turn_slip_back)
     size_t held = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double change = f->ax[i] * sim->system.step / f->vx[i];
-        ck_assert_double_ge(change, -1);
+        ck_assert_double_ge(change, -0.5);
         held += change < -0.4;
     }
     ck_assert_uint_ge(held, 20);
@@ -280,7 +314,8 @@ Suite *suite_friction(void)
     TCase *law = tcase_create("law"), *flows = tcase_create("flows");
     tcase_add_test(law, stress_follows_the_law_of_the_wall);
     tcase_add_test(law, boundary_particles_stand_for_the_whole_surface);
-    tcase_add_test(law, a_row_wets_what_is_below_it);
+    tcase_add_loop_test(law, a_row_wets_what_is_below_it, 0, 2);
+    tcase_add_test(law, what_touches_a_wall_is_a_quarter_of_a_spacing_off);
     tcase_add_loop_test(flows, a_slug_slows_by_stress_over_depth, 0, (int)(sizeof slugs / sizeof slugs[0]));
     tcase_add_loop_test(flows, poiseuille_slips_by_the_slip_length, 0, 2);
     tcase_add_test(flows, friction_does_not_turn_slip_back);

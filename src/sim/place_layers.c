@@ -177,6 +177,20 @@ static bool fit_particle(const contour *c, size_t index, sph2d_vec2 p, double d,
     return share > 0.01;
 }
 
+/** Length of the surface in front of particle k of `count` of the layer next to a piece; the first and the last have
+ *  what is beyond them, so that all together have the whole piece. */
+static double skin_of(const contour *c, size_t index, sph2d__segment layer, double k, double count)
+{
+    sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, index);
+    sph2d_vec2 u = direction_of(piece);
+    double whole = hypot(piece.b.x - piece.a.x, piece.b.y - piece.a.y);
+    double start = (layer.a.x - piece.a.x) * u.x + (layer.a.y - piece.a.y) * u.y;
+    double step = hypot(layer.b.x - layer.a.x, layer.b.y - layer.a.y) / count;
+    double from = k == 0 ? 0 : fmin(fmax(start + k * step, 0), whole);
+    double to = k == count - 1 ? whole : fmin(fmax(start + (k + 1) * step, 0), whole);
+    return to - from;
+}
+
 static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size_t first, sph2d_report *report)
 {
     for (size_t index = 0; index < c->pieces; ++index) {
@@ -185,14 +199,14 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
         if (length < 0.01 * c->spacing)
             continue;
         double count = fmax(floor(length / c->spacing + 0.5), 1);
-        sph2d__segment surface = sph2d__outline_piece(c->outline, c->spacing, index);
-        double skin = d < c->spacing ? hypot(surface.b.x - surface.a.x, surface.b.y - surface.a.y) : 0;
         if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + count, "obstacles", report))
             return SPH2D_SCENE;
         for (double k = 0; k < count; ++k) {
             double t = (k + 0.5) / count;
             sph2d_vec2 p = {layer.a.x + t * (layer.b.x - layer.a.x), layer.a.y + t * (layer.b.y - layer.a.y)};
-            place here = {.area = length / count * c->spacing, .skin = skin / count};
+            place here = {.area = length / count * c->spacing};
+            if (d < c->spacing)
+                here.skin = skin_of(c, index, layer, k, count);
             if (!fit_particle(c, index, p, d, &here) || is_crowded(sim, first, here.at))
                 continue;
             sph2d_status status = add_particle(sim, &here, report);
