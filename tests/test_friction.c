@@ -2,6 +2,7 @@
 /** @file test_friction.c
  *  Friction of smooth walls: the law of the wall, how much wall there is, and what liquid that slides along it does. */
 #include <math.h>
+#include <string.h>
 
 #include "common.h"
 #include "methods/wcsph_friction.h"
@@ -307,6 +308,33 @@ START_TEST(liquid_at_rest_feels_nothing)
 }
 END_TEST
 
+/** A tongue of liquid that runs over a floor and up a slope, on one thread or three: the same in every bit. */
+START_TEST(threads_do_not_matter)
+{
+    channel(0.01, 1.2, 0.6, 0.01);
+    static const sph2d_vec2 slope[2] = {{0.8, 0.02}, {1.1, 0.3}};
+    sph2d_obstacle ramp = sph2d_obstacle_default();
+    ramp.outline.kind = SPH2D_OUTLINE_LINE;
+    ramp.outline.line = (sph2d_points){slope, 2};
+    scene.obstacles = &ramp;
+    scene.obstacle_count = 1;
+    block = test_block(0.05, 0, 0.75, 0.4);
+    block.velocity.x = 3;
+    sph2d_sim *sims[2];
+    for (int k = 0; k < 2; ++k) {
+        sph2d_sim_options options = sph2d_sim_options_default();
+        options.threads = k ? 3 : 1;
+        sims[k] = test_create(&scene, &options);
+        test_steps(sims[k], 60);
+    }
+    sph2d_view a = sph2d_sim_fluid(sims[0]), b = sph2d_sim_fluid(sims[1]);
+    ck_assert_uint_eq(a.count, b.count);
+    ck_assert(memcmp(a.vx, b.vx, a.count * sizeof *a.vx) == 0 && memcmp(a.y, b.y, a.count * sizeof *a.y) == 0);
+    sph2d_sim_destroy(sims[0]);
+    sph2d_sim_destroy(sims[1]);
+}
+END_TEST
+
 Suite *suite_friction(void);
 Suite *suite_friction(void)
 {
@@ -321,6 +349,7 @@ Suite *suite_friction(void)
     tcase_add_test(flows, friction_does_not_turn_slip_back);
     tcase_add_test(flows, walls_tell_the_force_that_liquid_gets);
     tcase_add_loop_test(flows, liquid_at_rest_feels_nothing, 0, 2);
+    tcase_add_test(flows, threads_do_not_matter);
     suite_add_tcase(suite, law);
     suite_add_tcase(suite, flows);
     return suite;
