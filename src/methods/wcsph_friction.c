@@ -12,7 +12,7 @@
 
 /* The law of the wall: f(s) = ln(E s)/KARMAN, which is s at LAMINAR. */
 static const double KARMAN = 0.41, E = 9, LAMINAR = 11.2659;
-/* Of what the next step of Newton's method changes, this part is squared. */
+/* Newton's method ends with a step below this part of s: what is left is about its square. */
 static const double ENOUGH = 1e-5;
 /* A particle's middle may come to the surface; what it stands for is a spacing thick. */
 static const double NEAREST = 0.25;
