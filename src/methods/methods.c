@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "kernels/kernel.h"
 #include "methods/constraint.h"
 #include "methods/muller.h"
 #include "methods/pcisph.h"
@@ -27,6 +28,11 @@ const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
     if (options->name == SPH2D_METHOD_CONSTRAINT)
         return &sph2d__constraint;
     return options->operators == SPH2D_OPERATORS_FITTED ? &sph2d__wcsph_fitted : &sph2d__wcsph;
+}
+
+double sph2d__viscous_limit(sph2d_kernel kernel)
+{
+    return 0.067 / (sph2d__kernel_constant(kernel) * sph2d__kernel_value_at(kernel, 0));
 }
 
 double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,

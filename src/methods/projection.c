@@ -204,15 +204,14 @@ double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
     return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;
 }
 
-/* Step limits as fractions of H^2/nu, viscosity being explicit, and of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. */
-static const double VISCOUS = 0.03;
+/* Step limit as a fraction of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. Viscosity is explicit, too. */
 static const double FORCE = 0.18;
 
 double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double push = sqrt(s->hardest / s->rest_density);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, s->viscosity / s->rest_density,
-                                VISCOUS, FORCE, limit);
+                                sph2d__viscous_limit(s->method.kernel), FORCE, limit);
 }
 
 sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)

@@ -12,11 +12,9 @@
 #include "methods/tension.h"
 #include "methods/wcsph_friction.h"
 
-/* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice with a jitter of 0.25 dx Morris' operator stands
- * nu dt/H^2 < 0.04 at H/dx = 2 and 0.06 at 4. */
-static const double VISCOUS = 0.03;
 /* Monaghan's form damps compression three times as fast as shear. */
 static const double MONAGHAN = 3;
+/* Step limit as a fraction of sqrt(H/a). */
 static const double FORCE = 0.25;
 
 /** The pair loops of one kind by instruction set and precision, each by kernel. */
@@ -226,7 +224,8 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double sound = sqrt(sph2d__sound_speed2_at(s, s->densest));
-    return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), VISCOUS, FORCE, limit);
+    double viscous = sph2d__viscous_limit(s->method.kernel);
+    return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), viscous, FORCE, limit);
 }
 
 static sph2d__set unused(const sph2d_method_options *m)
