@@ -63,8 +63,10 @@ sph2d__system *make(sph2d_isa isa)
         f->vy[i] = test_random(&seed, -1, 1);
         f->density[i] = RHO0 * test_random(&seed, 0.97, 1.03);
         f->volume[i] = sim->system.mass / f->density[i];
-        if (f->strain)
-            f->strain[i] = test_random(&seed, 0, 30);
+        if (f->stretch) {
+            f->stretch[i] = test_random(&seed, -5, 5);
+            f->shear[i] = test_random(&seed, -5, 5);
+        }
     }
     return &sim->system;
 }
@@ -119,13 +121,22 @@ double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
     return fmax(front / all, 0) * t * t * (3 - 2 * t) * past * past / (past * past + ringing * ringing);
 }
 
+/** What eddies damp of v_ij . r_ij, between two particles of the liquid. */
+static double rough_part(const sph2d__store *f, size_t i, size_t j, const other *o)
+{
+    double jump = o->vx * o->dx + o->vy * o->dy;
+    double linear = (f->stretch[i] + f->stretch[j]) / 2 * (o->dx * o->dx - o->dy * o->dy) +
+                    (f->shear[i] + f->shear[j]) * o->dx * o->dy;
+    return copysign(fmin(fabs(jump), 4 * fabs(jump - linear)), jump);
+}
+
 /** Pair by pair: pressure, the three viscosities, and the eddies'. */
 static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from, double a[2], double *size)
 {
     const sph2d__store *f = &s->fluid;
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double h = s->support / 2, mu = s->viscosity, rho = f->density[i];
-    double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8, filter = 0.12 * 4 * h;
+    double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8, filter = 0.15 * 4 * h;
     bool eddies = s->method.turbulence == SPH2D_TURBULENCE_SMAGORINSKY && from == f;
     for (size_t j = 0; j < from->count; ++j) {
         other o = other_of(s, i, from, j);
@@ -133,9 +144,10 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
             continue;
         double push = -o.mass * (f->pressure[i] / (rho * rho) + o.pressure / (o.density * o.density)) * o.slope;
         double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
-        double small = eddies ? RHO0 * filter * filter * (f->strain[i] + f->strain[j]) / 2 : 0;
-        double mu_pair = artificial + small + (morris ? 0 : mu);
-        double damp = 8 * mu_pair / rho * o.mass / o.density * (o.vx * o.dx + o.vy * o.dy) / (o.r * o.r) * o.slope;
+        double small = eddies ? RHO0 * filter * filter * (hypot(f->stretch[i], f->shear[i]) + hypot(f->stretch[j], f->shear[j])) : 0;
+        double mu_pair = artificial + (morris ? 0 : mu);
+        double damped = mu_pair * (o.vx * o.dx + o.vy * o.dy) + (eddies ? small * rough_part(f, i, j, &o) : 0);
+        double damp = 8 * damped / rho * o.mass / o.density / (o.r * o.r) * o.slope;
         if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
             drag = damp = 0;
         a[0] += push * o.dx + drag * o.vx + damp * o.dx;

@@ -117,7 +117,7 @@ START_TEST(shifts_lead_away_from_the_crowd)
     size_t faded = 0;
     s->step = 1e-4;
     for (size_t i = 0; i < f->count; ++i)
-        f->strain[i] = 3 + (double)(i % 4);
+        f->stretch[i] = (3 + (double)(i % 4)) / 2;
     sph2d__wcsph.evaluate(s);
     for (size_t i = 0; i < f->count; ++i) {
         sph2d_vec2 g = {0, 0}, n = {0, 0};
@@ -131,13 +131,13 @@ START_TEST(shifts_lead_away_from_the_crowd)
             gy -= across * n.y;
         }
         if (f->surface[i] < s->support) {
-            double calm = 0.1 * C0 / s->support, rate = f->strain[i];
+            double calm = 0.1 * C0 / s->support, rate = sph2d__strain_rate(f, i);
             double edge = 1 - fmin(of_walls / s->lattice_values / 0.3, 1) * calm * calm / (calm * calm + rate * rate);
             gx *= edge;
             gy *= edge;
             faded += edge < 1;
         }
-        double strain = f->strain[i], sieved = 2 * strain * strain / (strain + 0.001 * C0 / s->support);
+        double strain = 2 * fabs(f->stretch[i]), sieved = 2 * strain * strain / (strain + 0.001 * C0 / s->support);
         double d = fmin(sieved * s->support * s->support, 0.1 * s->support * s->support / s->step);
         double wx = -d * gx, wy = -d * gy, crowd = s->support * hypot(gx, gy);
         double less = f->fullness[i] < 0.4 ? 0 : crowd > 0.25 ? 0.25 / crowd : 1; /* none in spray */
@@ -164,12 +164,16 @@ START_TEST(a_shift_meets_the_density_on_its_way)
     s->step = 1e-4;
     sph2d__wcsph.evaluate(s);
     double before[MOST] = {0};
-    memset(f->strain, 0, f->count * sizeof *f->strain); /* no shift */
+    memset(f->stretch, 0, f->count * sizeof *f->stretch); /* no shift */
+    memset(f->shear, 0, f->count * sizeof *f->shear);
     sph2d__wcsph.density_rate(s);
     for (size_t i = 0; i < f->count; ++i)
         before[i] = f->density_rate[i];
-    for (size_t i = 0; i < f->count; ++i)
-        close_to(f->strain[i], hypot(4, 2), 10, "rate of strain", i);
+    for (size_t i = 0; i < f->count; ++i) {
+        close_to(f->stretch[i], 2, 10, "half of dvx/dx - dvy/dy", i);
+        close_to(f->shear[i], -1, 10, "half of dvx/dy + dvy/dx", i);
+        close_to(sph2d__strain_rate(f, i), hypot(4, 2), 10, "rate of strain", i);
+    }
     sph2d_vec2 w[MOST];
     for (size_t i = 0; i < f->count; ++i)
         w[i] = sph2d__shift_velocity(s, i);

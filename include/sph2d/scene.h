@@ -142,10 +142,10 @@ typedef enum sph2d_turbulence {
     SPH2D_TURBULENCE_DEFAULT = 0,    /**< none with shifting 0, with artificial viscosity, and where a block fills the
                                           whole domain and no side is open; else smagorinsky */
     SPH2D_TURBULENCE_NONE = 1,       /**< nothing */
-    SPH2D_TURBULENCE_SMAGORINSKY = 2 /**< Smagorinsky 1963: they add the kinematic viscosity (0.24 H)^2 |S|, with the
+    SPH2D_TURBULENCE_SMAGORINSKY = 2 /**< Smagorinsky 1963: they add the kinematic viscosity (0.3 H)^2 |S|, with the
                                           support radius H and the rate of strain |S| = sqrt(2 S:S), in the form
-                                          monaghan. What splashes leave of disorder among particles dies by it; a wave
-                                          loses less than by any artificial viscosity that does the same */
+                                          monaghan, against what of the velocities is not linear: smooth strain is
+                                          left alone. What splashes leave of disorder among particles dies by it */
 } sph2d_turbulence;
 
 /** What density diffuses down in delta-SPH. */

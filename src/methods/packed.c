@@ -37,7 +37,8 @@ static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
     pack(sph2d__floats(f, f->packed_density, 1), f->fullness, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
-    pack(sph2d__floats(f, f->packed_strain, 0), f->strain, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 0), f->stretch, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 1), f->shear, 0, first, last);
 }
 
 static void pack_some_wall_rates(sph2d__system *s, size_t first, size_t last)

@@ -19,7 +19,7 @@
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
-        *strain, *wall_rate, *slide, *along_x, *along_y;
+        *stretch, *shear, *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -57,7 +57,8 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .excess = sph2d__packed_excess(t),
                            .wall_rate = sph2d__packed_excess(t),
                            .density = sph2d__floats(t, t->packed_density, 0),
-                           .strain = sph2d__floats(t, t->packed_strain, 0),
+                           .stretch = sph2d__floats(t, t->packed_strain, 0),
+                           .shear = sph2d__floats(t, t->packed_strain, 1),
                            .slide = sph2d__floats(t, t->packed_density, 0),
                            .along_x = sph2d__floats(t, t->packed_slope, 0),
                            .along_y = sph2d__floats(t, t->packed_slope, 1),
@@ -83,7 +84,8 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->slope_y,
                            t->fullness,
                            t->excess,
-                           t->strain,
+                           t->stretch,
+                           t->shear,
                            t->wall_rate,
                            t->slide,
                            t->along_x,

@@ -9,7 +9,7 @@
  *  speed over H: what disorders a lattice is that neighbours pass each other. Liquid that rests, flies or turns as a
  *  whole is not shifted, and no moving frame changes anything. Below S0 = 0.001 c0/H strain is the noise of sound in
  *  liquid at rest, which shifts by it would feed: a tank at rest kept a speed of 0.02 sqrt(gH), with S0 it falls below
- *  0.001. Particles carry H grad C and |S|. */
+ *  0.001. Particles carry H grad C and the rate of strain. */
 #ifndef SPH2D_METHODS_SHIFT_H
 #define SPH2D_METHODS_SHIFT_H
 
@@ -27,12 +27,18 @@ static const double SPH2D__SHIFT_LIMIT = 0.1;
 /* H |grad C| beyond which shifts grow no more. */
 static const double SPH2D__SHIFT_CROWD = 0.25;
 
+/** |S| around fluid particle i [1/s]. */
+static inline double sph2d__strain_rate(const sph2d__store *f, size_t i)
+{
+    return 2 * sqrt(f->stretch[i] * f->stretch[i] + f->shear[i] * f->shear[i]);
+}
+
 /** The shift velocity of fluid particle i in the system's step [m/s]. */
 static inline sph2d_vec2 sph2d__shift_velocity(const sph2d__system *s, size_t i)
 {
     double cx = s->fluid.crowd_x[i], cy = s->fluid.crowd_y[i], crowd = sqrt(cx * cx + cy * cy);
     double most = SPH2D__SHIFT_LIMIT * s->support / s->step;
-    double strain = s->fluid.strain[i], noise = SPH2D__SHIFT_NOISE * s->sound_speed / s->support;
+    double strain = sph2d__strain_rate(&s->fluid, i), noise = SPH2D__SHIFT_NOISE * s->sound_speed / s->support;
     double gain = s->method.shifting * SPH2D__SHIFT_GAIN;
     double speed = fmin(gain * strain * strain / (strain + noise) * s->support, most);
     double factor = crowd > SPH2D__SHIFT_CROWD ? -speed * SPH2D__SHIFT_CROWD / crowd : -speed;

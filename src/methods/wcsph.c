@@ -228,12 +228,15 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), viscous, FORCE, limit);
 }
 
+/** What is known of how liquid is strained. */
+#define STRAINS (SPH2D__BIT(stretch) | SPH2D__BIT(shear))
+
 static sph2d__set unused(const sph2d_method_options *m)
 {
     sph2d__layout layout = sph2d__wcsph_layout(m);
     sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
     sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(packing);
-    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(strain);
+    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | STRAINS;
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
     return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
            (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
@@ -247,11 +250,11 @@ const sph2d__method sph2d__wcsph = {
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
              SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess) | SPH2D__BIT(filling) |
-             SPH2D__BIT(packing) | SPH2D__BIT(strain),
+             SPH2D__BIT(packing) | STRAINS,
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
-               SPH2D__BIT(surface) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | SPH2D__BIT(strain),
+               SPH2D__BIT(surface) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "methods/shift.h"
 #include "methods/wcsph.h"
 #include "methods/wcsph_pair.h"
 
@@ -44,9 +45,10 @@ typedef struct numbers {
 #endif
 
 /** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes Monaghan's viscosity of
- * the same unit, `eddies` what makes the rate of strain so. */
+ * the same unit, `eddies` what makes the rate of strain so, of
+ * which `strain` is half. */
 typedef struct receiver {
-    sph2d__lanes vx, vy, density, own, damping, strain, eddies;
+    sph2d__lanes vx, vy, density, own, damping, strain, stretch, shear, eddies;
 } receiver;
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g, `ratio` their mass over that of the liquid's
@@ -70,10 +72,10 @@ SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, co
 }
 
 /** Adds what acts along the line to a candidate: pressure, and Monaghan's viscosity. The candidate's mass is `ratio`
- * times that of the liquid's particles, `theirs` its p V^2 over that, (dvx, dvy) the difference of velocities. Pressure
+ * times that of the liquid's particles, `theirs` its p V^2 over that, `damped` v_ij . r_ij times what resists. Pressure
  * of their own is in the sums already where nothing but these can turn it round. */
 SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
-                             sph2d__real theirs, sph2d__lanes resistance, sph2d__lanes dvx, sph2d__lanes dvy)
+                             sph2d__real theirs, sph2d__lanes damped)
 {
     sph2d__lanes stress = sph2d__lanes_all(theirs);
     if (with.layout >= SPH2D__LAYOUT_FULL) {
@@ -83,10 +85,8 @@ SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, c
     } else {
         stress += me->own * ratio;
     }
-    if (with.monaghan) {
-        sph2d__lanes tiny = sph2d__lanes_all(TINY);
-        stress += (dvx * p->dx + dvy * p->dy) / sph2d__lanes_max(p->r2, tiny) * resistance;
-    }
+    if (with.monaghan)
+        stress += damped / sph2d__lanes_max(p->r2, sph2d__lanes_all(TINY));
     sph2d__lanes press = p->g * stress;
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
@@ -99,13 +99,30 @@ SPH2D__INLINE void add_morris(force_sums *sums, sph2d__lanes vg, sph2d__lanes dv
     sums->morris_y += vg * dvy;
 }
 
+/** What eddies damp of `jump`, v_ij . r_ij: all of it where a quarter or more is not linear, nothing in liquid that is
+ *  strained smoothly. */
+SPH2D__INLINE sph2d__lanes rough_part(const receiver *me, const pair *p, const sph2d__packed *f, size_t j,
+                                      sph2d__lanes jump)
+{
+    const sph2d__real half = 0.5, past = SPH2D__PAST_LINEAR;
+    sph2d__lanes linear = (me->stretch + f->stretch[j]) * half * (p->dx * p->dx - p->dy * p->dy) +
+                          (me->shear + f->shear[j]) * p->dx * p->dy;
+    sph2d__lanes most = past * sph2d__lanes_max(jump - linear, linear - jump);
+    return sph2d__lanes_max(-most, -sph2d__lanes_max(-jump, -most));
+}
+
 SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
                               const sph2d__packed *f, size_t j)
 {
     const sph2d__real volume = f->volume[j];
     sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
-    sph2d__lanes damping = with.eddies ? me->damping + me->eddies * (me->strain + f->strain[j]) : me->damping;
-    add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damping * volume, dvx, dvy);
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = me->damping * volume * jump;
+    if (with.eddies) {
+        const double stretch = f->stretch[j], shear = f->shear[j];
+        const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
+        damped += me->eddies * (me->strain + theirs) * volume * rough_part(me, p, f, j, jump);
+    }
+    add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damped);
     if (with.morris)
         add_morris(sums, p->g * volume, dvx, dvy);
     if (with.layout >= SPH2D__LAYOUT_SLOPED) {
@@ -123,7 +140,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass, sticky = n->sticky;
     const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
     sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
-    add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky), dvx, dvy);
+    add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky) * (dvx * p->dx + dvy * p->dy));
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
     sph2d__lanes along = sph2d__kernel_value(with.kernel, p->q) * w->slide[j] -
                          theirs * p->g * (along_x * p->dx + along_y * p->dy);
@@ -171,7 +188,7 @@ SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *su
                                 double scale, double by_walls)
 {
     sph2d__store *f = &s->fluid;
-    double ratio = f->strain[i] * s->support / (CALM * s->sound_speed);
+    double ratio = sph2d__strain_rate(f, i) * s->support / (CALM * s->sound_speed);
     double edge = f->surface[i] < s->support ? fmin(by_walls / EDGE, 1) / (1 + ratio * ratio) : 0;
     double unit = fullness < SPRAY ? 0 : (1 - edge) * s->support * scale;
     double cx = unit * (double)sums->crowd_x[l], cy = unit * (double)sums->crowd_y[l];
@@ -283,8 +300,10 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         if (with.layout >= SPH2D__LAYOUT_SLOPED)
             me.density = sph2d__lanes_load(liquid.density + g.first);
         if (with.eddies) {
-            me.strain = sph2d__lanes_load(liquid.strain + g.first);
-            me.eddies = -4 * (sph2d__real)n.eddies * volume;
+            me.stretch = sph2d__lanes_load(liquid.stretch + g.first);
+            me.shear = sph2d__lanes_load(liquid.shear + g.first);
+            me.strain = sph2d__lanes_sqrt(me.stretch * me.stretch + me.shear * me.shear);
+            me.eddies = -8 * (sph2d__real)n.eddies * volume;
         }
         force_sums sums = {0};
         sph2d__ranges ranges;

@@ -17,9 +17,6 @@ static const double BULK = 0.75;
  * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less
  * the start of a scene sounds. */
 static const double PACKING_TIME = 100;
-/* |S| dt at most. Shifts grow with it up to 0.05 (shift.h); the viscosity of eddies, 0.058 H^2 |S|, stands 0.17 where a
- * step stands a viscosity of 0.01 H^2/dt in Monaghan's form (wcsph.c). */
-static const double STRAIN = 0.17;
 /* Walls that overlap can fill more than there is. */
 static const double ROOM = 0.1;
 
@@ -93,15 +90,26 @@ SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i)
         f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
 }
 
-/** |S|, by which the next step shifts and eddies damp; no larger than what a step stands of either. */
+/** |S| of which a step stands the viscosity (2 C H)^2 |S|, a third of what it stands in Morris' form; shifts grow with
+ *  it up to 0.05/dt (shift.h). */
+SPH2D__INLINE double most_strain(const sph2d__system *s)
+{
+    const double filter = 2 * SPH2D__SMAGORINSKY;
+    return sph2d__viscous_limit(s->method.kernel) / (3 * filter * filter * s->step);
+}
+
+/** The rate of strain, by which the next step shifts and eddies damp; no larger than what a step stands of either. */
 SPH2D__INLINE void finish_strain(const sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     double xx = sums->xx[l], xy = sums->xy[l], yy = sums->yy[l];
     double ux, uy, vx, vy;
     corrected(xx, xy, yy, sums->ux[l], sums->uy[l], &ux, &uy);
     corrected(xx, xy, yy, sums->vx[l], sums->vy[l], &vx, &vy);
-    double stretch = ux - vy, shear = uy + vx; /* 2 S:S without its trace */
-    s->fluid.strain[i] = fmin(sqrt(stretch * stretch + shear * shear), STRAIN / s->step);
+    s->fluid.stretch[i] = (ux - vy) / 2;
+    s->fluid.shear[i] = (uy + vx) / 2;
+    double part = fmin(most_strain(s) / sph2d__strain_rate(&s->fluid, i), 1);
+    s->fluid.stretch[i] *= part;
+    s->fluid.shear[i] *= part;
 }
 
 /** Inside the liquid, density comes to what places say: its rate forgets what surfaces that met or parted did to it. */

@@ -44,7 +44,8 @@ enum { SPH2D__PADDING = 16 };
     X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
     X(filling) /* by other liquid, of the room that walls leave: 1 inside, half at a flat surface, 0 by itself */      \
     X(packing)    /* density that the places of the particles around say [kg/m^3] */                                   \
-    X(strain)     /* rate of strain without that of volume [1/s] */                                                    \
+    X(stretch)    /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                      \
+    X(shear)      /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                      \
     X(front)   /* 1 where no other wall is in front of a boundary particle's, 0 where one takes much of it: wcsph.h */ \
     X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */     \
     X(along_y)                                                                                                         \

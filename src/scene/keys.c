@@ -354,8 +354,8 @@ static const sph2d_key method_items[] = {
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
      .standard = "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
                  "else smagorinsky",
-     .text = "wcsph, symmetric operators: smagorinsky adds the viscosity (0.24 H)^2 |S| of eddies smaller "
-             "than the kernel"},
+     .text = "wcsph, symmetric operators: smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
+             "than the kernel, against what is not strained smoothly"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,

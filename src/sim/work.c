@@ -152,9 +152,15 @@ static void turn(sph2d__store *t)
     }
 }
 
+/** Velocities of all, and what the last step found of their gradients. */
 static void turn_all(sph2d__system *s)
 {
-    turn(&s->fluid);
+    sph2d__store *f = &s->fluid;
+    for (size_t i = 0; i < f->count && f->stretch; ++i) {
+        f->stretch[i] = -f->stretch[i];
+        f->shear[i] = -f->shear[i];
+    }
+    turn(f);
     turn(&s->walls);
 }
 
