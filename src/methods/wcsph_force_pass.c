@@ -45,8 +45,7 @@ typedef struct numbers {
 #endif
 
 /** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes Monaghan's viscosity of
- * the same unit, `eddies` what makes the rate of strain so, of
- * which `strain` is half. */
+ * the same unit, `eddies` what makes half the rate of strain so, which `strain` is. */
 typedef struct receiver {
     sph2d__lanes vx, vy, density, own, damping, strain, stretch, shear, eddies;
 } receiver;
