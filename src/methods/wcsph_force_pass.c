@@ -16,7 +16,8 @@ typedef struct force_sums {
     sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
     sph2d__lanes xx, xy, yy, slope_x, slope_y;
     sph2d__lanes crowd_x, crowd_y;
-    sph2d__lanes packing; /* W/W(dx) */
+    sph2d__lanes leave_x, leave_y; /* V_j g v_ij: against the velocity among its neighbours */
+    sph2d__lanes packing;          /* W/W(dx) */
 } force_sums;
 
 /** The terms of a scene, constants in each copy of the loops. */
@@ -127,6 +128,10 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, co
     if (with.layout >= SPH2D__LAYOUT_SLOPED) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
         add_layout(sums, with, n, p, vg, 1);
+        if (with.layout >= SPH2D__LAYOUT_FULL) {
+            sums->leave_x += vg * dvx;
+            sums->leave_y += vg * dvy;
+        }
         sums->slope_x += vg * p->dx * drho;
         sums->slope_y += vg * p->dy * drho;
     }
@@ -141,8 +146,8 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
     add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky) * (dvx * p->dx + dvy * p->dy));
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
-    sph2d__lanes along = sph2d__kernel_value(with.kernel, p->q) * w->slide[j] -
-                         theirs * p->g * (along_x * p->dx + along_y * p->dy);
+    sph2d__lanes along =
+        sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
     sums->press_x += along * along_x;
     sums->press_y += along * along_y;
     if (with.morris)
@@ -235,6 +240,15 @@ static numbers numbers_of(const sph2d__system *s)
                      .sticky = s->wall_slip == SPH2D_SLIP_NONE};
 }
 
+/** Whether |p_i| in place of a negative p_i pushes particle i against the way that it goes among its neighbours. Both
+ *  sums have the sign of g. */
+SPH2D__INLINE bool is_held_back(const force_sums *sums, const force_sums *liquid, int l)
+{
+    return (double)liquid->leave_x[l] * (double)sums->plain_x[l] +
+               (double)liquid->leave_y[l] * (double)sums->plain_y[l] <=
+           0;
+}
+
 /** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
 SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
                           terms with, const numbers *n)
@@ -250,7 +264,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         f->fullness[i] = fullness;
         double packing = sums->packing[l];
         f->packing[i] = s->rest_density / s->lattice_values * packing;
-        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside)
+        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside && is_held_back(sums, liquid, l))
             own = -own;
         if (with.layout >= SPH2D__LAYOUT_CROWDED)
             finish_crowd(s, i, sums, l, fullness, scale, (packing - (double)liquid->packing[l]) / s->lattice_values);
