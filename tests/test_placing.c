@@ -80,6 +80,15 @@ START_TEST(a_finer_block_starts_compressed)
         highest = fmax(highest, f.density[i]);
     ck_assert_double_eq_tol(highest / 4000, 1, 0.03); /* the same mass on a quarter of the area */
     sph2d_sim_destroy(sim);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = 20;
+    blocks[0].spacing = 0.97 * DX;
+    sim = test_create(&scene, NULL);
+    f = sph2d_sim_fluid(sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert_double_eq_tol(f.density[i], 1000 / (0.97 * 0.97), 1e-9);
+    sph2d_sim_destroy(sim);
 }
 END_TEST
 

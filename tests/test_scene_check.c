@@ -255,8 +255,8 @@ START_TEST(every_fault_is_found)
 }
 END_TEST
 
-/** W(0) over the sum of W on a filled lattice, by the kernels' formulas, is above and below two thirds at these supports:
- * of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
+/** W(0) over the sum of W on a filled lattice, by the kernels' formulas, is above and below two thirds at these
+ * supports: of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
 START_TEST(pressure_solvers_need_neighbours)
 {
     static const struct {
@@ -278,6 +278,45 @@ START_TEST(pressure_solvers_need_neighbours)
         bool refused = solvers[k] != SPH2D_METHOD_WCSPH;
         ck_assert_int_eq(sph2d_scene_check(&scene, &report), refused ? SPH2D_SCENE : SPH2D_OK);
         ck_assert_int_eq(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio"), refused);
+        sph2d_report_clear(&report);
+    }
+}
+END_TEST
+
+/** 1 m/s and spacings of 0.02 m: 100 times the viscosity of 0.2 Pa s. */
+START_TEST(fitted_operators_take_no_wide_support_without_viscosity)
+{
+    scene.method = sph2d_scene_default().method;
+    scene.method.operators = SPH2D_OPERATORS_FITTED;
+    blocks[0].velocity = (sph2d_vec2){1, 0};
+    sources[0].speed = 0.5;
+    for (int wide = 0; wide < 2; ++wide)
+        for (int thin = 0; thin < 2; ++thin) {
+            scene.method.support_ratio = wide ? 3.1 : 3;
+            scene.fluid.dynamic_viscosity = thin ? 0.19 : 0.21;
+            sph2d_scene_check(&scene, &report); /* the scene has a free surface, which is another fault */
+            ck_assert_int_eq(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio"), wide && thin);
+            sph2d_report_clear(&report);
+        }
+}
+END_TEST
+
+/** (1/0.95)^2 and (1/1.05)^2 are within 10 and 11 % of 1. */
+START_TEST(stiff_blocks_start_near_rest_density)
+{
+    static const struct {
+        sph2d_method method;
+        double spacing; /* over that of the scene */
+        bool refused;
+    } cases[] = {{SPH2D_METHOD_WCSPH, 0.96, false},     {SPH2D_METHOD_WCSPH, 0.95, true},
+                 {SPH2D_METHOD_WCSPH, 1.05, false},     {SPH2D_METHOD_WCSPH, 1.06, true},
+                 {SPH2D_METHOD_CONSTRAINT, 0.8, false}, {SPH2D_METHOD_MULLER, 0.1, false}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        scene.method = sph2d_scene_default().method;
+        scene.method.name = cases[k].method;
+        blocks[1].spacing = cases[k].spacing * scene.spacing;
+        ck_assert_int_eq(sph2d_scene_check(&scene, &report), cases[k].refused ? SPH2D_SCENE : SPH2D_OK);
+        ck_assert_int_eq(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "blocks[1].spacing"), cases[k].refused);
         sph2d_report_clear(&report);
     }
 }
@@ -367,6 +406,8 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
     tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 5);
+    tcase_add_test(tests, fitted_operators_take_no_wide_support_without_viscosity);
+    tcase_add_test(tests, stiff_blocks_start_near_rest_density);
     tcase_add_test(tests, all_faults_are_found_at_once);
     tcase_add_test(tests, more_faults_than_a_report_holds_are_counted);
     tcase_add_test(tests, nothing_gives_the_sound_speed);

@@ -10,7 +10,7 @@ static sph2d__memory memory;
 static sph2d__store store;
 
 /* Arrays of every kind: one is not there at all, some do not go along into a new order. */
-static const sph2d__set ALL = ((sph2d__set)1 << SPH2D__STORE_COUNT) - 1;
+static const sph2d__set ALL = ~(sph2d__set)0 >> (8 * sizeof(sph2d__set) - SPH2D__STORE_COUNT);
 static const sph2d__set CARRIED =
     SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(density) | SPH2D__BIT(older_density_rate);
 

@@ -184,12 +184,23 @@ END_TEST
 /* More candidates than are sifted at a time, and some around the end of a period. */
 START_TEST(a_crowd_sums_to_the_same_bits)
 {
+    enum { ACROSS = 5 * SIDE };
+    static sph2d_particle crowd[ACROSS * ACROSS];
+    uint64_t seed = 7;
+    for (size_t k = 0; k < ACROSS * ACROSS; ++k)
+        crowd[k] = (sph2d_particle){
+            .x = ((double)(k % ACROSS) + 0.5 + test_random(&seed, -0.1, 0.1)) * DX / 5,
+            .y = ((double)(k / ACROSS) + 0.5 + test_random(&seed, -0.1, 0.1)) * DX / 5,
+            .density = RHO0,
+        };
     scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;
-    block.spacing = DX / 5;
-    block.perturb.amplitude = 0.1;
     if (_i == 0) {
+        scene.block_count = 0;
+        scene.particles = (sph2d_particles){.items = crowd, .count = ACROSS * ACROSS};
         scene.method.artificial_viscosity = 0.05;
     } else {
+        block.spacing = DX / 5;
+        block.perturb.amplitude = 0.1;
         scene.method = sph2d_scene_default().method;
         scene.method.name = SPH2D_METHOD_MULLER;
         scene.fluid.dynamic_viscosity = 2;

@@ -116,7 +116,8 @@ static const sph2d_key block_items[] = {
     {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .standard = "[0, 0]",
      .text = "at the start"},
     {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .standard = "the scene's",
-     .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed"},
+     .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed, "
+             "wcsph by 10 % at most"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .standard = "none",
      .text = "a known flow that it starts with"},
     {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
@@ -370,7 +371,8 @@ static const sph2d_key method_items[] = {
      .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
      .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
-     .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel"},
+     .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
+             "takes 3 at most where a flow starts with hardly any viscosity"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max), without c0 for pcisph and constraint"},

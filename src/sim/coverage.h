@@ -45,9 +45,6 @@ double sph2d__coverage_area(const sph2d__coverage *coverage);
  *  a wall [m]; NaN unless gravity points straight down, and where there is no room for it. */
 double sph2d__coverage_level(const sph2d__coverage *coverage, double area);
 
-/** Of sph2d_sim_densities(). */
-sph2d_densities sph2d__coverage_densities(const sph2d__coverage *coverage);
-
 /** Looks from time to time how far the two are apart. */
 void sph2d__sim_watch_density(sph2d_sim *sim);
 

@@ -71,19 +71,21 @@ static bool stretch(const sph2d_sim *sim, const sph2d_block *block, lattice *l)
 typedef struct placing {
     const sph2d_block *block;
     double spacing;
-    size_t first;      /**< its first particle */
-    size_t index;      /**< of the block */
-    size_t taken[4];   /**< places that obstacles treat in each way */
-    double asked;      /**< area that it is to fill: its shape without solids [m^2] */
+    size_t first;    /**< its first particle */
+    size_t index;    /**< of the block */
+    size_t taken[4]; /**< places that obstacles treat in each way */
+    double asked;    /**< area that it is to fill: its shape without solids [m^2] */
 } placing;
 
+/** A block with a spacing of its own has more or less mass on its area: it starts at that density. */
 static void add(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
 {
     sph2d__store *fluid = &sim->system.fluid;
     size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
     fluid->vx[i] = block->velocity.x;
     fluid->vy[i] = block->velocity.y;
-    fluid->density[i] = sim->scene.fluid.density;
+    double compressed = pow(sim->scene.spacing / block_spacing(sim, block), 2);
+    fluid->density[i] = compressed * sim->scene.fluid.density;
 }
 
 /** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
@@ -292,8 +294,8 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
     b->asked = sph2d__shape_area(&b->block->shape);
     double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
     sph2d_vec2 corner = {l->first.x - b->spacing / 2, l->first.y - b->spacing / 2};
-    bool ok = !solids || sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin,
-                                            &sim->memory);
+    bool ok = !solids ||
+              sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
     if (ok && solids)
         b->asked = sph2d__region_area(&region);
     bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->taken[SPH2D__BESIDE_LAYERS] == 0;
@@ -301,8 +303,8 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
     done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
     done = done || fits(sim, b) || place_shifted(sim, b, l);
     if (!done && b->taken[SPH2D__BESIDE_LINE] == 0) {
-        ok = solids || sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin,
-                                          &sim->memory);
+        ok = solids ||
+             sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
         ok = ok && place_packed(sim, b, &region);
     }
     if (region.quarters)
