@@ -27,7 +27,8 @@ static void pack_places(const sph2d__store *t, const sph2d__cells *cells, size_t
     }
 }
 
-static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
+/** All but what one of the pair loops reads alone. */
+static void pack_common(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     pack_places(f, &s->fluid_cells, first, last);
@@ -37,8 +38,22 @@ static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
     pack(sph2d__floats(f, f->packed_density, 1), f->fullness, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x, 0, first, last);
     pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
+}
+
+static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    pack_common(s, first, last);
     pack(sph2d__floats(f, f->packed_strain, 0), f->stretch, 0, first, last);
     pack(sph2d__floats(f, f->packed_strain, 1), f->shear, 0, first, last);
+}
+
+static void pack_some_fluid_rates(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    pack_common(s, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 0), f->crowd_x, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 1), f->crowd_y, 0, first, last);
 }
 
 static void pack_some_wall_rates(sph2d__system *s, size_t first, size_t last)
@@ -66,6 +81,12 @@ void sph2d__pack_fluid(sph2d__system *s)
 {
     if (s->fluid.packed_place)
         sph2d__over_particles(s, s->fluid.count, pack_some_fluid);
+}
+
+void sph2d__pack_fluid_rates(sph2d__system *s)
+{
+    if (s->fluid.packed_place)
+        sph2d__over_particles(s, s->fluid.count, pack_some_fluid_rates);
 }
 
 void sph2d__pack_walls(sph2d__system *s)

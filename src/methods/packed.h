@@ -14,12 +14,12 @@
 /* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
  * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
  * reads them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along
- * walls; rates of strain. */
+ * walls; rates of strain or, for the rate of density, H grad C (shift.h). */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
-        *stretch, *shear, *wall_rate, *slide, *along_x, *along_y;
+        *stretch, *shear, *crowd_x, *crowd_y, *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -59,6 +59,8 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .density = sph2d__floats(t, t->packed_density, 0),
                            .stretch = sph2d__floats(t, t->packed_strain, 0),
                            .shear = sph2d__floats(t, t->packed_strain, 1),
+                           .crowd_x = sph2d__floats(t, t->packed_strain, 0),
+                           .crowd_y = sph2d__floats(t, t->packed_strain, 1),
                            .slide = sph2d__floats(t, t->packed_density, 0),
                            .along_x = sph2d__floats(t, t->packed_slope, 0),
                            .along_y = sph2d__floats(t, t->packed_slope, 1),
@@ -86,6 +88,8 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->excess,
                            t->stretch,
                            t->shear,
+                           t->crowd_x,
+                           t->crowd_y,
                            t->wall_rate,
                            t->slide,
                            t->along_x,
@@ -98,7 +102,9 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
 void sph2d__pack_fluid(sph2d__system *system);
 void sph2d__pack_walls(sph2d__system *system);
 
-/** The same of boundary particles for the rate of density: wall_rate in place of pressure. */
+/** The same for the rate of density: crowding in place of strain, of boundary particles wall_rate in place of pressure.
+ */
+void sph2d__pack_fluid_rates(sph2d__system *system);
 void sph2d__pack_wall_rates(sph2d__system *system);
 
 #endif

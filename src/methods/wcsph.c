@@ -163,7 +163,7 @@ static void density_rate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
     sph2d__over_particles(s, s->fluid.count, set_some_excesses);
-    sph2d__pack_fluid(s);
+    sph2d__pack_fluid_rates(s);
     if (s->walls_press) {
         RUN(wall_rate, s, &s->walls);
         sph2d__pack_wall_rates(s);
@@ -236,7 +236,8 @@ static sph2d__set unused(const sph2d_method_options *m)
     sph2d__layout layout = sph2d__wcsph_layout(m);
     sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
     sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(packing);
-    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | STRAINS;
+    sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
+    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | shifts | STRAINS;
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
     return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
            (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
@@ -249,8 +250,8 @@ const sph2d__method sph2d__wcsph = {
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
-             SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(excess) | SPH2D__BIT(filling) |
-             SPH2D__BIT(packing) | STRAINS,
+             SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(fullness) | SPH2D__BIT(surface) |
+             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
                SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
@@ -258,8 +259,8 @@ const sph2d__method sph2d__wcsph = {
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
-             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) |
-             SPH2D__BIT(along_x) | SPH2D__BIT(along_y) | SPH2D__BIT(slide) | SPH2D__BIT(skin) | SPH2D__BIT(drag),
+             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) |
+             SPH2D__BIT(slide) | SPH2D__BIT(skin) | SPH2D__BIT(drag),
     .prepare = prepare,
     .walls_placed = walls_placed,
     .evaluate = evaluate,

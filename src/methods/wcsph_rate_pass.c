@@ -34,11 +34,12 @@ typedef struct receiver {
 
 /** What is summed for the rate of density, and for the rate of strain. */
 typedef struct rate_sums {
-    sph2d__lanes flux;           /* of mass, with what diffuses */
-    sph2d__lanes filling;        /* g */
-    sph2d__lanes xx, xy, yy;     /* M without its constant */
-    sph2d__lanes ux, uy, vx, vy; /* velocity differences times grad W */
-    sph2d__lanes nearest2;       /* squared distance to the surface */
+    sph2d__lanes flux;             /* of mass, with what diffuses */
+    sph2d__lanes filling;          /* g */
+    sph2d__lanes xx, xy, yy;       /* M without its constant */
+    sph2d__lanes ux, uy, vx, vy;   /* velocity differences times grad W */
+    sph2d__lanes crowd_x, crowd_y; /* g H grad C */
+    sph2d__lanes nearest2;         /* squared distance to the surface */
 } rate_sums;
 
 /** v_ij . r_ij. */
@@ -58,7 +59,7 @@ SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, co
     return (me->density - f->density[j] - half * linear) * (strength * f->volume[j]);
 }
 
-/** Adds velocity differences. */
+/** Adds velocity differences and crowding. */
 SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
 {
     sph2d__lanes vg = p->g * f->volume[j];
@@ -71,6 +72,8 @@ SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const receiver *me
     sums->uy += gy * dvx;
     sums->vx += gx * dvy;
     sums->vy += gy * dvy;
+    sums->crowd_x += p->g * f->crowd_x[j];
+    sums->crowd_y += p->g * f->crowd_y[j];
 }
 
 /** Looks whether a candidate is the nearest of the free surface. */
@@ -80,12 +83,24 @@ SPH2D__INLINE void look_for_surface(rate_sums *sums, const pair *p, const sph2d_
         sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -p->r2);
 }
 
-/** Density changes along the shift as the density around says (Sun et al. 2019), if that is known. The velocity does
- *  not: taken from the gradients around it fed jets beside a wall with 3 to 28 % of the energy of a dam break. */
-SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i)
+/** Whether a particle is farther than H from the surface. */
+SPH2D__INLINE bool is_inside(const sph2d__system *s, size_t i)
+{
+    return s->fluid.fullness[i] > BULK && s->fluid.surface[i] >= s->support;
+}
+
+/** The shift. Density changes along it as the density around says (Sun et al. 2019), if that is known. The velocity
+ * does not: taken from the gradients around it fed jets beside a wall with 3 to 28 % of the energy of a dam break. */
+SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     sph2d__store *f = &s->fluid;
-    sph2d_vec2 w = sph2d__shift_velocity(s, i);
+    sph2d_vec2 mean = {0, 0};
+    if (is_inside(s, i))
+        mean = (sph2d_vec2){(double)sums->crowd_x[l] / (double)sums->filling[l],
+                            (double)sums->crowd_y[l] / (double)sums->filling[l]};
+    sph2d_vec2 w = sph2d__shift_velocity(s, i, mean);
+    f->shift_x[i] = w.x;
+    f->shift_y[i] = w.y;
     if (f->fullness[i] >= BULK)
         f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
 }
@@ -116,7 +131,7 @@ SPH2D__INLINE void finish_strain(const sph2d__system *s, size_t i, const rate_su
 SPH2D__INLINE void finish_packing(sph2d__system *s, size_t i)
 {
     sph2d__store *f = &s->fluid;
-    if (f->fullness[i] > BULK && f->surface[i] >= s->support)
+    if (is_inside(s, i))
         f->density_rate[i] += (f->packing[i] - f->density[i]) * s->sound_speed / (PACKING_TIME * s->support);
 }
 
@@ -182,8 +197,8 @@ SPH2D__INLINE receiver receiver_of(const sph2d__packed *f, size_t first, diffusi
 SPH2D__INLINE double total_rate(const sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
 {
     double ratio = s->fluid.density[i] / s->rest_density;
-    return slope_scale(s) * (s->mass * (double)sums->flux[l] + (double)walls->flux[l] +
-                             ratio * ratio * (double)walls->returned[l]);
+    return slope_scale(s) *
+           (s->mass * (double)sums->flux[l] + (double)walls->flux[l] + ratio * ratio * (double)walls->returned[l]);
 }
 
 SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, diffusion form,
@@ -223,13 +238,13 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
             const size_t i = g.first + (size_t)l;
             f->density_rate[i] = total_rate(s, i, &beside, &done, l);
             finish_filling(s, i, &beside, &done, l);
-            if (layout >= SPH2D__LAYOUT_CROWDED) {
-                finish_shift(s, i);
-                finish_strain(s, i, &done, l);
-            }
             if (layout >= SPH2D__LAYOUT_FULL) {
                 finish_surface(s, i, &done, l);
                 finish_packing(s, i);
+            }
+            if (layout >= SPH2D__LAYOUT_CROWDED) {
+                finish_strain(s, i, &done, l);
+                finish_shift(s, i, &done, l);
             }
         }
     }

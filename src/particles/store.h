@@ -29,7 +29,7 @@ enum { SPH2D__PADDING = 16 };
     X(mass)         /* of a boundary particle [kg/m]; 0 for those that only reflect. All liquid has one mass */        \
     X(bounce)       /* restitution of a boundary particle that reflects; negative: it acts by pressure */              \
     X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
-    X(shift_x)      /* shift velocity of fitted operators [m/s] */                                                     \
+    X(shift_x)      /* shift velocity [m/s] */                                                                         \
     X(shift_y)                                                                                                         \
     X(way_ax) /* rates of velocity and density by the shift along their slopes */                                      \
     X(way_ay)                                                                                                          \

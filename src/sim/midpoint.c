@@ -3,31 +3,17 @@
  *  One step of a method whose density has a rate: leapfrog as kick-drift-kick, with density moved at the half step.
  *
  *      v(n+1/2)   = v(n) + dt/2 a(n)
- *      x(n+1/2)   = x(n) + dt/2 (v(n+1/2) + w)
+ *      x(n+1/2)   = x(n) + dt/2 v(n+1/2)
  *      rho(n+1)   = rho(n) + dt rate(x(n+1/2), v(n+1/2))
- *      x(n+1)     = x(n+1/2) + dt/2 (v(n+1/2) + w)
+ *      x(n+1)     = x(n+1/2) + dt/2 v(n+1/2) + dt w(n+1/2)
  *      a(n+1)     = a(x(n+1), rho(n+1), v(n) + dt a(n))
  *      v(n+1)     = v(n+1/2) + dt/2 a(n+1)
  *
- *  with the shift velocity w of the step (methods/shift.h), which the rate of density knows too. Without dissipation
- * and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
- * that energy neither grows nor falls in the long run. */
-#include "methods/shift.h"
+ *  with the shift velocity w (methods/shift.h), which the rate of density knows too. Without dissipation
+ *  and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
+ *  that energy neither grows nor falls in the long run. */
 #include "methods/wcsph.h"
 #include "sim/integrators.h"
-
-/** Half a drift with the velocities that are set, and the shift. */
-static void set_ways(const sph2d_sim *sim, double dt, sph2d__flock *w)
-{
-    const bool shifted = sim->system.method.shifting > 0;
-    for (size_t k = 0; k < w->count; ++k) {
-        sph2d_vec2 shift = {0, 0};
-        if (shifted)
-            shift = sph2d__shift_velocity(&sim->system, w->first + k);
-        w->dx[k] = dt / 2 * (w->vx[k] + shift.x);
-        w->dy[k] = dt / 2 * (w->vy[k] + shift.y);
-    }
-}
 
 /** The first kick, then half the drift. */
 static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
@@ -36,22 +22,25 @@ static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
         w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
+        w->dx[k] = dt / 2 * w->vx[k];
+        w->dy[k] = dt / 2 * w->vy[k];
     }
-    set_ways(sim, dt, w);
 }
 
-/** Moves density by its rate, then the other half of the drift. A particle by itself is not compressed, nor does it
- *  remember that it was. */
+/** Moves density by its rate, then the other half of the drift, and the shift. A particle by itself is not compressed,
+ * nor does it remember that it was. */
 static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 {
     const sph2d__store *f = &sim->system.fluid;
+    const bool shifted = sim->system.method.shifting > 0;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         f->density[i] =
             sph2d__connection(f->filling[i]) > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
+        w->dx[k] = dt / 2 * f->vx[i] + (shifted ? dt * f->shift_x[i] : 0);
+        w->dy[k] = dt / 2 * f->vy[i] + (shifted ? dt * f->shift_y[i] : 0);
     }
-    set_ways(sim, dt, w);
 }
 
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
