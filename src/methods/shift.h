@@ -14,7 +14,7 @@
  *
  *  What is left without m, the mean over neighbours, puts particles in order among each other, and carries no volume
  *  from one part of the liquid to another: density would not know of that. Without m the number of particles on an area
- *  and their density were up to 1.5 % apart after a block had fallen, 2.6 % in a jet on a wall, with it 0.5 and 0.3 %.
+ *  and their density were up to 1.5 % apart after a block had fallen, 2.6 % in a jet on a wall, with it 0.3 and 0.3 %.
  *
  *  Particles carry H grad C and the rate of strain; a step shifts them once, at its middle. */
 #ifndef SPH2D_METHODS_SHIFT_H

@@ -244,9 +244,9 @@ static numbers numbers_of(const sph2d__system *s)
  *  sums have the sign of g. */
 SPH2D__INLINE bool is_held_back(const force_sums *sums, const force_sums *liquid, int l)
 {
-    return (double)liquid->leave_x[l] * (double)sums->plain_x[l] +
-               (double)liquid->leave_y[l] * (double)sums->plain_y[l] <=
-           0;
+    double work = (double)liquid->leave_x[l] * (double)sums->plain_x[l] +
+                  (double)liquid->leave_y[l] * (double)sums->plain_y[l];
+    return work <= 0;
 }
 
 /** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
