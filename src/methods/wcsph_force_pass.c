@@ -240,13 +240,19 @@ static numbers numbers_of(const sph2d__system *s)
                      .sticky = s->wall_slip == SPH2D_SLIP_NONE};
 }
 
-/** Whether |p_i| in place of a negative p_i pushes particle i against the way that it goes among its neighbours. Both
- *  sums have the sign of g. */
-SPH2D__INLINE bool is_held_back(const force_sums *sums, const force_sums *liquid, int l)
+/* |S| H/c0 from which on tension is controlled one way alone. */
+static const double ROUGH = 0.01;
+
+/** Whether |p_i| stands for a negative p_i of an inner particle: where liquid is strained fast, only if that pushes the
+ *  particle against the way that it goes among its neighbours. Both sums have the sign of g. */
+SPH2D__INLINE bool is_pushed(const sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
+                             terms with)
 {
+    bool calm = with.layout >= SPH2D__LAYOUT_CROWDED && /* the strain is known */
+                sph2d__strain_rate(&s->fluid, i) * s->support < ROUGH * s->sound_speed;
     double work = (double)liquid->leave_x[l] * (double)sums->plain_x[l] +
                   (double)liquid->leave_y[l] * (double)sums->plain_y[l];
-    return work <= 0;
+    return calm || work <= 0;
 }
 
 /** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
@@ -264,7 +270,8 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         f->fullness[i] = fullness;
         double packing = sums->packing[l];
         f->packing[i] = s->rest_density / s->lattice_values * packing;
-        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside && is_held_back(sums, liquid, l))
+        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside &&
+            is_pushed(s, i, sums, liquid, l, with))
             own = -own;
         if (with.layout >= SPH2D__LAYOUT_CROWDED)
             finish_crowd(s, i, sums, l, fullness, scale, (packing - (double)liquid->packing[l]) / s->lattice_values);
