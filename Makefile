@@ -146,10 +146,11 @@ BENCH_SRC := $(sort $(wildcard tests/bench/*.c))
 STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 # Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
+GOLDEN_SRC := tests/golden/golden.c
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/hard/*.sh examples/*.sh))
+    tests/strangers/*.sh tests/hard/*.sh tests/golden/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -171,6 +172,7 @@ CLI_OBJ := $(call objects,$(CLI_SRC))
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
+GOLDEN_OBJ := $(call objects,$(GOLDEN_SRC))
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 # The parts of the command that depend on nothing else of it are tested like the libraries.
@@ -199,7 +201,7 @@ $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ) $(STRANGERS_OBJ): PART = -Iinclude
+$(BENCH_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
@@ -249,6 +251,8 @@ $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
@@ -290,17 +294,19 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(VARIANTS_OBJ) \
-    $(STRANGERS_OBJ) $(EXAMPLE_OBJ))
+    $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
 	$(hush)$(BUILD)/sph2d run examples/dam_break/scene.yaml -o $(BUILD)/demo --force
 	@echo "The pictures are in $(BUILD)/demo/frames: $$(ls $(BUILD)/demo/frames | wc -l) files."
 
+# The same bits are those of the usual build; others (a compiler's own wide vectors, another libm) may round otherwise.
+GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/tests/strangers
+test: $(BUILD)/tests/strangers $(if $(GOLDEN),$(BUILD)/tests/golden)
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
@@ -311,6 +317,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
 	    --seeds 1..$(if $(SPH2D_TEST_FULL),200,20)
+	$(hush)$(if $(GOLDEN),tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)")
 	$(hush)$(BUILD)/tests/check_all
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
@@ -330,6 +337,9 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
 	$(hush)$(MAKE) test-sanitize
 	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+
+golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved
+	$(hush)tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --renew
 
 STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
@@ -409,7 +419,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(IO_SRC) $(CLI_SRC) \
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(CLI_SRC) \
     $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h))
@@ -474,7 +484,7 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test test-sanitize test-mutants test-terms test-full bench \
+.PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
     bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-readme \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

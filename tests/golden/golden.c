@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/** @file golden.c
+ *  Runs a scene file by every method, precision and instruction set for 200 steps with few particles, and prints a hash
+ *  of all particles each time: golden SCENE.yaml NAME. A line: name, method, precision, instruction set, how it ended,
+ *  steps, particles, hash. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <sph2d/io.h>
+#include <sph2d/state.h>
+
+enum { STEPS = 200, PARTICLES = 200 };
+
+/* What is laid on top of the scene; the first is the scene's own method. */
+static const char *const methods[][2] = {{"own", NULL},
+                                         {"muller", "{name: muller}"},
+                                         {"wcsph", "{name: wcsph}"},
+                                         {"fitted", "{name: wcsph, operators: fitted}"},
+                                         {"pcisph", "{name: pcisph}"},
+                                         {"constraint", "{name: constraint}"}};
+static const char *const precisions[] = {"double", "mixed"};
+
+static uint64_t mix(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15U;
+    return hash ^ hash >> 29;
+}
+
+/** Of an array's values; 0 when all are 0, so that a new array that nothing uses leaves all hashes as they are. */
+static uint64_t hash_array(const sph2d_array *a)
+{
+    uint64_t hash = 0, any = 0;
+    for (unsigned c = 0; c < a->components; ++c)
+        for (size_t i = 0; i < a->count; ++i) {
+            uint64_t word;
+            memcpy(&word, (const char *)a->data[c] + 8 * i * a->stride, sizeof word);
+            hash = mix(hash, word);
+            any |= word;
+        }
+    return any ? hash : 0;
+}
+
+/** Of everything that particles carry, whatever the arrays are called and in whichever order they come, and of what the
+ *  summary counts. */
+static uint64_t hash_state(sph2d_sim *sim)
+{
+    sph2d_state state = sph2d_sim_state(sim);
+    sph2d_summary summary = sph2d_sim_summary(sim);
+    uint64_t hash = 0;
+    for (size_t a = 0; a < state.array_count; ++a)
+        if (state.arrays[a].group != SPH2D_GROUP_RUN)
+            hash += hash_array(&state.arrays[a]);
+    const double numbers[] = {summary.time,         summary.kinetic,      summary.potential,       summary.elastic,
+                              summary.energy_walls, summary.energy_error, summary.compression_max, summary.compression_p99};
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; ++n) {
+        uint64_t word;
+        memcpy(&word, &numbers[n], sizeof word);
+        hash = mix(hash, word);
+    }
+    return mix(mix(hash, summary.iterations), summary.backstop_hits);
+}
+
+static const char *read_scene(const char *path, const char *method, const char *precision, double spacing,
+                              sph2d_scene_file **file)
+{
+    char text[32];
+    sph2d_override on_top[3] = {{0}};
+    size_t count = 0;
+    snprintf(text, sizeof text, "%.9g", spacing);
+    if (spacing > 0)
+        on_top[count++] = (sph2d_override){"spacing", text};
+    if (method)
+        on_top[count++] = (sph2d_override){"method", method};
+    on_top[count++] = (sph2d_override){"method.precision", precision};
+    return sph2d_status_name(sph2d_scene_file_read(path, on_top, count, file, NULL));
+}
+
+/** With about as many particles as are wanted, or as it is where it bears no other spacing. */
+static const char *read_small(const char *path, const char *method, const char *precision, sph2d_scene_file **file)
+{
+    const char *status = read_scene(path, method, precision, 0, file);
+    if (!*file)
+        return status;
+    const sph2d_scene *scene = sph2d_scene_file_scene(*file);
+    sph2d_plan plan;
+    if (sph2d_scene_plan(scene, &plan, NULL) != SPH2D_OK || plan.fluid_particles <= PARTICLES)
+        return status;
+    double spacing = scene->spacing * sqrt((double)plan.fluid_particles / PARTICLES);
+    sph2d_scene_file *small = NULL;
+    read_scene(path, method, precision, spacing, &small);
+    if (small) {
+        sph2d_scene_file_destroy(*file);
+        *file = small;
+    }
+    return status;
+}
+
+/** Prints how the run ended, where, and the hash. */
+static void run(const sph2d_scene *scene, sph2d_isa isa)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.isa = isa;
+    options.threads = 1;
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(scene, &options, &sim, NULL);
+    while (status == SPH2D_OK && sph2d_sim_steps(sim) < STEPS)
+        status = sph2d_sim_step(sim, NULL);
+    printf(" %s", sph2d_status_name(status));
+    if (sim)
+        printf(" %llu %zu %016llx", (unsigned long long)sph2d_sim_steps(sim), sph2d_sim_fluid(sim).count,
+               (unsigned long long)hash_state(sim));
+    sph2d_sim_destroy(sim);
+}
+
+/** A line for each instruction set, or one where the scene is refused. */
+static void run_all(const char *path, const char *name, const char *const method[2], const char *precision)
+{
+    sph2d_scene_file *file = NULL;
+    const char *status = read_small(path, method[1], precision, &file);
+    if (!file)
+        printf("%s %s %s any %s\n", name, method[0], precision, status);
+    for (sph2d_isa isa = SPH2D_ISA_BASELINE; file && isa <= SPH2D_ISA_AVX512; ++isa)
+        if (sph2d_isa_available(isa)) {
+            printf("%s %s %s %s", name, method[0], precision, sph2d_isa_name(isa));
+            run(sph2d_scene_file_scene(file), isa);
+            putchar('\n');
+        }
+    sph2d_scene_file_destroy(file);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 3) {
+        fputs("usage: golden SCENE.yaml NAME\n", stderr);
+        return 2;
+    }
+    for (size_t m = 0; m < sizeof methods / sizeof *methods; ++m)
+        for (size_t p = 0; p < sizeof precisions / sizeof *precisions; ++p)
+            run_all(argv[1], argv[2], methods[m], precisions[p]);
+    return 0;
+}
