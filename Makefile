@@ -130,10 +130,13 @@ RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lm)
 # ---- sources and objects ---------------------------------------------------------------------------------------------
 VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2d/version.h)
 SOMAJOR := 0
-CORE_SRC := $(sort $(foreach d,base kernels scene particles flows physics methods sim,$(wildcard src/$(d)/*.c)))
-PASS_SRC := $(filter src/methods/%_pass.c,$(CORE_SRC))
+# A folder uses only those before it; the methods do not know each other.
+CORE_DIRS := base simd kernels scene particles flows boundary methods/common methods/terms sim start probes \
+    methods/muller methods/wcsph methods/fitted methods/projection methods run
+CORE_SRC := $(sort $(foreach d,$(CORE_DIRS),$(wildcard src/$(d)/*.c)))
+PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
 # Those that are compiled for floats, too.
-MIXED_SRC := $(foreach k,fitted force rate wall,src/methods/wcsph_$(k)_pass.c)
+MIXED_SRC := $(filter src/methods/wcsph/% src/methods/fitted/%,$(PASS_SRC))
 IO_SRC := $(sort $(wildcard src/files/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
@@ -266,7 +269,7 @@ FORCE:
 # are found again as long as the source is the same.
 COMMIT = $(or $(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null),none)
 TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
-SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
+SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
 	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
 	    COMMIT '$(COMMIT)' SOURCE "$$(cat $(SOURCE_FILES) | cksum | tr ' ' -)" >$@.new && \
@@ -421,7 +424,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(CLI_SRC) \
     $(wildcard src/render/*.c tests/*.c examples/*.c))
-ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
+ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
@@ -438,12 +441,16 @@ check-lint: check-walls $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h) ## clang-for
 	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(C_FILES) | \
 	    xargs -P "$$(nproc)" -I{} clang-tidy --quiet {} -- $(LINT_FLAGS) 2>$(BUILD)/clang-tidy.log; fi
 
-# A folder uses only those before it; files and render use base alone, the command only the public headers.
+# Beside the order above: files and render use base alone, the command only the public headers.
+METHOD_DIRS := $(filter-out %/common %/terms,$(filter methods/%,$(CORE_DIRS)))
 check-walls: ## no folder includes what it must not know
-	$(hush)set -- base kernels scene particles flows physics methods sim; below=$$*; \
+	$(hush)set -- $(CORE_DIRS); below=$$*; \
 	for d in files render $$*; do \
 	    case $$d in files|render) bad=$${below#base };; *) shift; bad="$$* files render";; esac; \
-	    ! grep -rnsE "#include [<\"]($$(echo $$bad | tr ' ' '|'))/" src/$$d || exit 1; \
+	    case $$d in methods/common|methods/terms) ;; methods/*) bad="$$bad $(METHOD_DIRS)";; esac; \
+	    for b in $$bad; do \
+	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.h" src/$$d/*.[ch] || exit 1; \
+	    done; \
 	done; ! grep -rn '#include ".*\.\./\(src\|include\)/' cli || exit 1; echo 'walls: ok'
 
 format: ## rewrite the C files with clang-format

@@ -34,7 +34,7 @@ typedef struct loop_result {
 bool loop_done(const sph2d_sim *sim);
 
 /** Runs `sim` to the end of its scene, or until `deadline` on the wall clock (0: none), writing to `o`. What went wrong
- * is in the result and the report. Leaves the folder so that the run can be resumed. */
+ *  is in the result and the report. Leaves the folder so that the run can be resumed. */
 loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, sph2d_report *report);
 
 #endif

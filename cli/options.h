@@ -43,7 +43,7 @@ typedef struct cli_options {
 } cli_options;
 
 /** Reads argv[1] and on for the command `name`, whose bit is `command`; argv[0] is the command's own name. After a
- * fault says so and returns false. */
+ *  fault says so and returns false. */
 bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv);
 void options_free(cli_options *options);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file outputs.h
  *  What a run writes: snapshots, frames, probes and, when it stops between snapshots, a checkpoint. Which of them is
- * due is the simulation's own knowledge and part of its state, so that a resumed run goes on with the next number. */
+ *  due is the simulation's own knowledge and part of its state, so that a resumed run goes on with the next number. */
 #ifndef SPH2D_CLI_OUTPUTS_H
 #define SPH2D_CLI_OUTPUTS_H
 

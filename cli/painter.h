@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file painter.h
  *  Draws particles into PNG files. A build without the render library (SPH2D_NO_RENDER) has a painter that only says
- * so. */
+ *  so. */
 #ifndef SPH2D_CLI_PAINTER_H
 #define SPH2D_CLI_PAINTER_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file picture.h
  *  From particles to what the renderer draws. A run's frames and `sph2d render` both come through here, so that the
- * same particles give the same pixels. */
+ *  same particles give the same pixels. */
 #ifndef SPH2D_CLI_PICTURE_H
 #define SPH2D_CLI_PICTURE_H
 

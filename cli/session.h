@@ -27,7 +27,7 @@ void session_begin(cli_session *s, const cli_options *options);
 sph2d_sim_options session_sim_options(const cli_session *s);
 
 /** After a scene was read: tells what was wrong with it and returns the exit code for `status`. When nothing was,
- * warnings wait: making the simulation finds them again. */
+ *  warnings wait: making the simulation finds them again. */
 int session_told_scene(cli_session *s, sph2d_status status);
 
 /** Tells what the report says and returns the exit code for `status`. */

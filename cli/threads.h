@@ -14,7 +14,7 @@ typedef struct thread_choice {
 } thread_choice;
 
 /** -j, else OMP_NUM_THREADS, else the processors that this process may use. Also tells the software renderer, unless
- * the environment does (LP_NUM_THREADS). */
+ *  the environment does (LP_NUM_THREADS). */
 thread_choice threads_choose(const cli_options *options);
 
 /** How many threads draw so many more frames side by side; tells the software renderer to draw each in its own. */

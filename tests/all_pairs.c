@@ -144,7 +144,9 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
             continue;
         double push = -o.mass * (f->pressure[i] / (rho * rho) + o.pressure / (o.density * o.density)) * o.slope;
         double drag = morris ? o.mass * 2 * mu / (rho * o.density) * o.slope : 0; /* r . r slope / r^2 */
-        double small = eddies ? RHO0 * filter * filter * (hypot(f->stretch[i], f->shear[i]) + hypot(f->stretch[j], f->shear[j])) : 0;
+        double small =
+            eddies ? RHO0 * filter * filter * (hypot(f->stretch[i], f->shear[i]) + hypot(f->stretch[j], f->shear[j]))
+                   : 0;
         double mu_pair = artificial + (morris ? 0 : mu);
         double damped = mu_pair * (o.vx * o.dx + o.vy * o.dy) + (eddies ? small * rough_part(f, i, j, &o) : 0);
         double damp = 8 * damped / rho * o.mass / o.density / (o.r * o.r) * o.slope;

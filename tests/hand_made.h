@@ -14,7 +14,7 @@ sph2d_sim *hand_made(sph2d_scene scene, size_t room, int threads);
 size_t add_particle(sph2d_sim *sim, double x, double y);
 
 /** Adds a square lattice of the scene's spacing to a rectangle, half a spacing from its sides, each coordinate
- * displaced by up to `jitter` spacings. */
+ *  displaced by up to `jitter` spacings. */
 void add_lattice(sph2d_sim *sim, sph2d_box box, double jitter, uint64_t seed);
 
 /** Removes all particles. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_rows_refusals.c
  *  What a study must not say about its rows, and about what is judged, repeated and expected of them: each fault is
- * told once, with its code and its place. */
+ *  told once, with its code and its place. */
 #include <string.h>
 
 #include "common.h"

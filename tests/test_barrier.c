@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_barrier.c
- *  The swept test against walls (sim/barrier.h), by what it promises: a motion ends on its own side of every wall,
- * speed never grows, only the part into the wall is lost, sliding is free, corners hold.
+ *  The swept test against walls (boundary/barrier.h), by what it promises: a motion ends on its own side of every wall,
+ *  speed never grows, only the part into the wall is lost, sliding is free, corners hold.
  *
  *  Sides are told by the sign of the cross product and by compartments that no path can leave: cells of an arrangement
- * of lines, insides of closed polygons. */
+ *  of lines, insides of closed polygons. */
 #include <math.h>
 #include <string.h>
 
+#include "boundary/barrier.h"
 #include "common.h"
-#include "sim/barrier.h"
 
 static const double CLEARANCE = 0.001;
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "hand_made.h"
-#include "sim/coverage.h"
+#include "probes/coverage.h"
 
 static const double DX = 0.01;
 

@@ -39,7 +39,7 @@ typedef struct stage {
 static const double DX = 0.05;
 
 /** A closed box full of liquid with rough walls: what every solver has, but for walls that muller and the projected
- * ones do not make rough. */
+ *  ones do not make rough. */
 static void set_stage(stage *s, int solver)
 {
     s->scene = test_scene(DX, 0, 0, 1, 1);

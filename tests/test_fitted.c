@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_fitted.c
  *  Fitted operators of method `wcsph` on fields whose derivatives they must give exactly: quadratic polynomials
- *  far from walls. The equations are those of wcsph_fitted.h. */
+ *  far from walls. The equations are those of fitted.h. */
 #include <math.h>
 
 #include "common.h"
-#include "methods/wcsph_fitted.h"
+#include "methods/fitted/fitted.h"
 #include "sim/simulation.h"
 
 enum { SIDE = 20 };

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_fitted_walls.c
  *  Fitted operators of method `wcsph` between no-slip walls: flows that are quadratic, and rates at random velocities
- * and densities against fits that are assembled here row by row. The equations are those of wcsph_fitted.h. */
+ *  and densities against fits that are assembled here row by row. The equations are those of fitted.h. */
 #include <math.h>
 #include <string.h>
 
 #include "common.h"
-#include "methods/wcsph_fitted.h"
+#include "methods/fitted/fitted.h"
 #include "sim/simulation.h"
 
 enum { SIDE = 20 };
@@ -164,7 +164,7 @@ static void fit_around(const sph2d__system *s, size_t i, bool upright, double sp
         solve(&fits[v]);
 }
 
-/** S of wcsph_fitted.h around particle i, over neighbours and all layers of walls. */
+/** S of fitted.h around particle i, over neighbours and all layers of walls. */
 static sph2d_vec2 crowding(const sph2d__system *s, size_t i, bool upright)
 {
     const sph2d__store *stores[2] = {&s->fluid, &s->walls};

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "methods/wcsph_friction.h"
+#include "methods/terms/friction.h"
 #include "sim/simulation.h"
 
 static const double RHO = 1000, C0 = 40;
@@ -54,8 +54,8 @@ START_TEST(stress_follows_the_law_of_the_wall)
                 ck_assert_double_eq_tol(stress / (mu * u / (y + slips[k])), 1, 1e-12);
         }
     double c = 11.6 * 0.0013 / (870 * 0.004); /* the logarithm starts where it equals s, no later */
-    ck_assert_double_eq_tol(sph2d__friction_stress(speed_at(c, 0.004, 0, 0.0013 / 870), 0.004, 0, 870, 0.0013) /
-                                (870 * c * c), 1, 1e-4);
+    ck_assert_double_eq_tol(
+        sph2d__friction_stress(speed_at(c, 0.004, 0, 0.0013 / 870), 0.004, 0, 870, 0.0013) / (870 * c * c), 1, 1e-4);
     ck_assert(sph2d__friction_stress(0, 0.004, 0, 870, 0.0013) == 0);
     /* Water at 1 m/s, 1 cm from a smooth wall: c = 0.04887 m/s. */
     ck_assert_double_eq_tol(sph2d__friction_stress(1, 0.01, 0, 1000, 0.001), 2.3886, 1e-4);
@@ -182,8 +182,8 @@ static double mean_distance(double dx)
 static const struct {
     double dx, speed, viscosity, slip;
 } slugs[] = {
-    {0.02, 1, 1e-3, 0},  {0.01, 1, 1e-3, 0}, {0.02, -3, 1e-3, 0},    {0.01, -3, 1e-3, 0},
-    {0.02, 1, 2, 0.5},   {0.01, 1, 2, 0.5},  {0.02, -3, 0.05, 2e-3}, {0.01, -3, 0.05, 2e-3},
+    {0.02, 1, 1e-3, 0}, {0.01, 1, 1e-3, 0}, {0.02, -3, 1e-3, 0},    {0.01, -3, 1e-3, 0},
+    {0.02, 1, 2, 0.5},  {0.01, 1, 2, 0.5},  {0.02, -3, 0.05, 2e-3}, {0.01, -3, 0.05, 2e-3},
 };
 
 /** A slab of liquid slides over a wall: dU/dt = -tau/(rho depth), and its energy never rises. */

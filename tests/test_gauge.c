@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "hand_made.h"
-#include "sim/probes.h"
+#include "probes/probes.h"
 
 static const double DX = 0.01, FACE = 0.09, RISE = 0.004;
 

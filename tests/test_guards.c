@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_guards.c
  *  What stops a run, and what must not: a fixed step that is too large, NaN, an escaped particle and a collapsing step
- * are named; a burst of liquid pressed together survives by its time step alone. No step ever succeeds with a value
- * that is not finite. */
+ *  are named; a burst of liquid pressed together survives by its time step alone. No step ever succeeds with a value
+ *  that is not finite. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

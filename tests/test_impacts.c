@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_impacts.c
  *  Methods `pcisph` and `constraint` where liquid meets something: drops, jets on thin walls, liquid that starts inside
- * a wall, sources and drains. U = sqrt(g H) with the depth H. */
+ *  a wall, sources and drains. U = sqrt(g H) with the depth H. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -14,7 +14,7 @@ typedef struct affine {
 } affine;
 
 /** Largest distance between a particle of `a` and its partner in `b`, mapped. The partner has the same id, or the one
- * that `other` gives. */
+ *  that `other` gives. */
 static double largest_distance(sph2d_view a, sph2d_view b, affine m, uint64_t (*other)(uint64_t))
 {
     ck_assert_uint_eq(a.count, b.count);

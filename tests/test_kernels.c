@@ -34,7 +34,7 @@ static double viscosity_laplacian(double support, double r)
 }
 
 /** Integral from 0 to H of pi r^power f(r) dr by Simpson's rule: over the plane, the angle gives 2 pi for functions of
- * r and pi for those times cos^2. */
+ *  r and pi for those times cos^2. */
 static double radial(double (*f)(double, double), double support, int power)
 {
     enum { INTERVALS = 2000 };

@@ -38,7 +38,7 @@ static double energy_of(const sph2d_summary *s)
 }
 
 /** Runs `steps` steps; the last of them is one of those in which powers are looked at, where `steps` is a multiple of
- * 60. */
+ *  60. */
 static sph2d_summary run(sph2d_sim *sim, int steps)
 {
     test_steps(sim, steps);
@@ -284,7 +284,7 @@ START_TEST(drains_take_elastic_energy_along)
 END_TEST
 
 /** A particle thrown at a side without damping: at the deepest place its energy is the spring's k d^2/2, k = (c0/dx)^2,
- * as potential and nowhere else, and all of it comes back. */
+ *  as potential and nowhere else, and all of it comes back. */
 START_TEST(springs_hold_what_they_stop)
 {
     enum { SPEED = 2 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_ledger_pressure.c
  *  Energy adds up where pressures keep the density, methods `pcisph` and `constraint`: what they take and hold, and
- * that they make none. */
+ *  that they make none. */
 #include <math.h>
 #include <string.h>
 

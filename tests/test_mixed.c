@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_mixed.c
  *  Precision `mixed` of method `wcsph`: what is summed in floats is what is summed in doubles, wherever a scene lies;
- * places in tiles; the same bits for any number of threads. */
+ *  places in tiles; the same bits for any number of threads. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +27,7 @@ static void finish(void)
 }
 
 /** Disturbed liquid with every term, its lower left corner at (x, y): a tank with an obstacle that moves, or a periodic
- * strip that is as wide as four tiles. */
+ *  strip that is as wide as four tiles. */
 static void disturbed(double x, double y, bool strip)
 {
     double width = strip ? 600 * DX : 60 * DX, height = strip ? 26 * DX : 40 * DX;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "methods/state_equation.h"
+#include "methods/common/state_equation.h"
 #include "muller_pairs.h"
 #include "sim/simulation.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "common.h"
-#include "methods/state_equation.h"
+#include "methods/common/state_equation.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.01;

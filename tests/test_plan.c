@@ -3,7 +3,7 @@
  *  What a scene will be: derived numbers, first step, sizes, numbers of outputs; options.
  *
  *      H = support_ratio dx, mass = density dx^2, head = g h + U^2/2 + pull, c0^2 = 2 head / max_compression or
- * stiffness, dt <= cfl H/(c0 + U) */
+ *  stiffness, dt <= cfl H/(c0 + U) */
 #include <math.h>
 #include <string.h>
 

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/lanes.h"
 #include "common.h"
 #include "kernels/kernel.h"
-#include "methods/pcisph.h"
-#include "methods/projection.h"
-#include "sim/integrators.h"
+#include "methods/projection/pcisph.h"
+#include "methods/projection/projection.h"
+#include "sim/stages.h"
+#include "simd/lanes.h"
 
 static sph2d_scene scene;
 static sph2d_block block;
@@ -96,7 +96,7 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
 END_TEST
 
 /** Sides of one row of boundary particles are so far outside that a lattice has the rest density in front of them, too,
- * and in their corners nearly so: at one spacing it would start 12 and 20 % compressed. */
+ *  and in their corners nearly so: at one spacing it would start 12 and 20 % compressed. */
 START_TEST(a_lattice_before_heavy_sides_has_rest_density)
 {
     static const sph2d_kernel kernels[] = {SPH2D_KERNEL_WENDLAND_C2, SPH2D_KERNEL_WENDLAND_C4, SPH2D_KERNEL_WENDLAND_C6,
@@ -116,7 +116,7 @@ START_TEST(a_lattice_before_heavy_sides_has_rest_density)
 END_TEST
 
 /** The default support of every kernel is wide enough that a lattice that is strained, to 0.7 and 1/0.7 spacings, tells
- * the density that it has: sums of the kernels' formulas at the lattice's distances. */
+ *  the density that it has: sums of the kernels' formulas at the lattice's distances. */
 START_TEST(strained_lattices_have_rest_density)
 {
     static const double told[] = {[SPH2D_KERNEL_WENDLAND_C2] = 1.017506,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_rest.c
  *  Methods `pcisph` and `constraint` where liquid comes to rest: for a long time, in corners, in a tube of two legs, in
- * films, by its compliance. U = sqrt(g H) with the depth H; times are in sqrt(H/g). */
+ *  films, by its compliance. U = sqrt(g H) with the depth H; times are in sqrt(H/g). */
 #include <math.h>
 #include <stdlib.h>
 

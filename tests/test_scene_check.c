@@ -193,7 +193,7 @@ START_TEST(a_warning_does_not_refuse)
 END_TEST
 
 /** A wall that has 0.5 m/s at once compresses liquid by 5 % where sound has 10 m/s, five times what is wanted; one of
- * 0.09 m/s does not, nor one where pressure knows no sound, and a swing that starts at rest has no jump. */
+ *  0.09 m/s does not, nor one where pressure knows no sound, and a swing that starts at rest has no jump. */
 START_TEST(a_blow_of_a_wall_is_warned_of)
 {
     static const sph2d_path_point steps[2] = {{0.1, 0, 0}, {0.2, 0.009, 0}};
@@ -256,7 +256,7 @@ START_TEST(every_fault_is_found)
 END_TEST
 
 /** W(0) over the sum of W on a filled lattice, by the kernels' formulas, is above and below two thirds at these
- * supports: of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
+ *  supports: of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
 START_TEST(pressure_solvers_need_neighbours)
 {
     static const struct {

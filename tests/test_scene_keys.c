@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_scene_keys.c
  *  The key table against the scene checker: whatever number the table knows is refused when it is NaN, infinite or out
- * of range, under its own key path, and the ranges are those that sph2d/scene.h documents. */
+ *  of range, under its own key path, and the ranges are those that sph2d/scene.h documents. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

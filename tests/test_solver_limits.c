@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_solver_limits.c
  *  Methods `pcisph` and `constraint` where their solvers come to an end: tall columns, iterations that do not suffice,
- * damping and stiffness at their ends. U = sqrt(g H) with the depth H. */
+ *  damping and stiffness at their ends. U = sqrt(g H) with the depth H. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/lanes.h"
 #include "kernels/kernel.h"
-#include "methods/stragglers.h"
+#include "methods/projection/local_correction.h"
 #include "sim/simulation.h"
+#include "simd/lanes.h"
 #include "tank.h"
 
 static const double RHO0 = 1000;
@@ -152,7 +152,7 @@ static sph2d_isa isa_of(int index)
 }
 
 /** Particles in a periodic box that pass close by each other in a step of 2 ms, with nothing solved for. NULL where the
- * processor has not this instruction set. */
+ *  processor has not this instruction set. */
 static sph2d__system *passing(sph2d_isa isa)
 {
     if (!sph2d_isa_available(isa))

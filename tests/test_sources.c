@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_sources.c
  *  What comes and goes: sources feed even jets (rows one spacing apart, mass per time = density * rate), drains and
- * open sides take and count, and the ledger closes at every step. */
+ *  open sides take and count, and the ledger closes at every step. */
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_state.c
  *  A state taken out and restored goes on bit for bit, with everything that a run can have; a state that is not whole,
- * not finite or not of its scene is refused; the field table and the views show the same data. */
+ *  not finite or not of its scene is refused; the field table and the views show the same data. */
 #include <math.h>
 #include <string.h>
 

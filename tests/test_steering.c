@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_steering.c
  *  Pulls and pushes: acceleration * (1 - r/radius) towards a point inside `radius`, along a path in time, through the
- * scene and through the library; gravity that changes while a run goes on. */
+ *  scene and through the library; gravity that changes while a run goes on. */
 #include <math.h>
 
 #include "common.h"

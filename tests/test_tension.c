@@ -3,8 +3,8 @@
  *  Surface tension: its force is the gradient of an energy, which is that of perimeters (perimeters.h). */
 #include <math.h>
 
-#include "methods/method.h"
-#include "methods/tension.h"
+#include "methods/common/method.h"
+#include "methods/terms/tension.h"
 #include "perimeters.h"
 #include "sim/simulation.h"
 
@@ -329,7 +329,7 @@ START_TEST(drops_that_meet_make_no_energy)
 END_TEST
 
 /** What a drain takes out of a block, and what a source adds to it, has a surface, which is booked with the rest: the
- * block rests, so that nothing else changes, and the source feeds one row at a speed that has no energy. */
+ *  block rests, so that nothing else changes, and the source feeds one row at a speed that has no energy. */
 START_TEST(what_comes_and_goes_has_a_surface)
 {
     sph2d_drain drain = sph2d_drain_default();

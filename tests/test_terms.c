@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "methods/wcsph.h"
+#include "methods/wcsph/wcsph.h"
 #include "sim/simulation.h"
 
 #define DX 0.02

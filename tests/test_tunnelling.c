@@ -3,7 +3,7 @@
  *  Nothing passes a wall one particle thick: jets at 10 sqrt(g H), H = 0.3 m, from five angles onto lines, corners, a
  *  circle, a box and a knife edge, heavy and reflecting, with adaptive steps and with the largest fixed step that the
  *  guards allow. Counted by place (the far side of a wall that closes it off) and by way (no particle's step crosses
- * it). */
+ *  it). */
 #include <math.h>
 #include <string.h>
 

@@ -7,9 +7,9 @@
 #include <math.h>
 
 #include "all_pairs.h"
-#include "methods/state_equation.h"
-#include "methods/shift.h"
-#include "methods/wcsph.h"
+#include "methods/common/state_equation.h"
+#include "methods/terms/shift.h"
+#include "methods/wcsph/wcsph.h"
 
 /* ---- density ----------------------------------------------------------------------------------------------------- */
 
@@ -157,7 +157,8 @@ START_TEST(eddies_damp_as_smagorinsky_says)
 }
 END_TEST
 
-/* Velocities that are linear, whatever the lattice: the second evaluation knows the gradients that the first rate found. */
+/* Velocities that are linear, whatever the lattice: the second evaluation knows the gradients that the first rate
+ * found. */
 START_TEST(eddies_leave_smooth_strain_alone)
 {
     scene.method.turbulence = SPH2D_TURBULENCE_SMAGORINSKY;

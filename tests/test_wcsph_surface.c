@@ -5,8 +5,8 @@
 #include <math.h>
 
 #include "all_pairs.h"
-#include "methods/shift.h"
-#include "methods/wcsph.h"
+#include "methods/terms/shift.h"
+#include "methods/wcsph/wcsph.h"
 
 enum { MOST = SIDE * SIDE };
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "all_pairs.h"
-#include "methods/wcsph.h"
+#include "methods/wcsph/wcsph.h"
 
 static const sph2d_slip slips[] = {SPH2D_SLIP_FREE, SPH2D_SLIP_NONE};
 

@@ -46,7 +46,7 @@ static inline size_t study_cells_most(const cli_study *s)
 }
 
 /** The columns that say something, errors and CPU time before the rest; `out` has room for study_cells_most(). Returns
- * how many there are. */
+ *  how many there are. */
 size_t study_cells_list(const cli_study *s, study_column *out);
 
 /** The heading of a column, and what it says of a row that is there. */

@@ -21,7 +21,7 @@ study_curve study_select(const double *x, const double *y, size_t stride, size_t
                          double *x_out, double *y_out);
 
 /** What `take` says of a curve, SPH2D_TAKE_DEFAULT being the last sample; `level` and `at` as in a measure. NaN where
- * there is none: no sample, no crossing, fewer than two crossings for a period, `at` beyond the samples. */
+ *  there is none: no sample, no crossing, fewer than two crossings for a period, `at` beyond the samples. */
 double study_reduce(sph2d_take take, study_curve curve, double level, double at);
 
 /** The curve at x; NaN before its first and after its last point. A hair's breadth outside counts as inside. */

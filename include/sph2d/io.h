@@ -46,8 +46,7 @@ SPH2D_API const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_fil
 /** A scene as YAML that reads as the same scene again: required keys and those that differ from their defaults, a few
  *  lines each. Writes at most `size` bytes with the closing NUL to `out`, and returns the length of the whole text
  *  without it, like snprintf; 0 when memory is short. The name of a file of particles stands there as it is in the
- * scene.
- */
+ *  scene. */
 SPH2D_API size_t sph2d_scene_text(const sph2d_scene *scene, char *out, size_t size);
 
 /** Completes a diagnostic about a key path (from sph2d_sim_create, say) with file, line, column and source line. */
@@ -57,7 +56,7 @@ SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagn
 
 /** Writes a simulation's fields and state. `file` is the scene it came from, kept verbatim in the snapshot so that it
  *  can be resumed alone; NULL for a scene built from structs. Same simulation, same bytes. `compress` is a deflate
- * level, 0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
+ *  level, 0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
                                             const char *path, sph2d_report *report);
 

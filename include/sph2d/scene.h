@@ -73,8 +73,8 @@ typedef enum sph2d_wall_form {
 
 /** Whether liquid slides along walls. */
 typedef enum sph2d_slip {
-    SPH2D_SLIP_FREE = 0, /**< no friction: boundary layers thinner than the spacing, as of water in most scenes */
-    SPH2D_SLIP_NONE = 1, /**< liquid at a wall moves with it */
+    SPH2D_SLIP_FREE = 0,  /**< no friction: boundary layers thinner than the spacing, as of water in most scenes */
+    SPH2D_SLIP_NONE = 1,  /**< liquid at a wall moves with it */
     SPH2D_SLIP_SMOOTH = 2 /**< friction of a smooth wall by the law of the wall, for boundary layers thinner than the
                                spacing: laminar, mu u/(y + slip_length), or turbulent, by viscosity, the speed u and
                                the distance y of the liquid at the wall; none without viscosity. wcsph alone */
@@ -375,7 +375,7 @@ typedef struct sph2d_path {
 } sph2d_path;
 
 /** How an obstacle moves without turning: along a path, swinging, or both. Its displacement from where the scene puts
- * it is path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
+ *  it is path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
 typedef struct sph2d_motion {
     sph2d_path path; /**< displacements [m]; before the first point and after the last it rests there; default none */
     sph2d_vec2 amplitude; /**< of the swing [m]; default (0, 0) */
@@ -385,8 +385,8 @@ typedef struct sph2d_motion {
 
 /** A wall of boundary particles. Nothing passes it, at any speed. Heavy and reflecting ones are one particle thick and
  *  work on both sides. Generalised ones have layers of boundary particles, together as thick as the support radius:
- * closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the layers on the
- * other, where nothing enters them from behind either. */
+ *  closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the layers on
+ *  the other, where nothing enters them from behind either. */
 typedef struct sph2d_obstacle {
     sph2d_outline outline;
     sph2d_liquid_side liquid; /**< lines and polylines with layers: where the liquid is; default auto */
@@ -498,8 +498,8 @@ typedef struct sph2d_scene {
     const char *name;   /**< for people; default "scene" */
     sph2d_box domain;   /**< must be given */
     sph2d_boundary boundary;
-    sph2d_wall_form walls;             /**< form of the domain's wall sides; default: the method's */
-    sph2d_slip wall_slip;              /**< of generalised walls; default free */
+    sph2d_wall_form walls; /**< form of the domain's wall sides; default: the method's */
+    sph2d_slip wall_slip;  /**< of generalised walls; default free */
     double slip_length; /**< of smooth walls: how far behind the surface the velocity comes to the wall's (Navier 1823)
                              [m], >= 0; default 0 */
     sph2d_side_speeds wall_speeds;     /**< of sides that are not free-slip; default 0 */

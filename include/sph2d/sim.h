@@ -61,7 +61,7 @@ SPH2D_API const char *sph2d_isa_name(sph2d_isa isa);
 SPH2D_API bool sph2d_isa_available(sph2d_isa isa);
 
 /** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be
- * NULL. The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
+ *  NULL. The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
                                         sph2d_report *report);
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sph2d.h
  *  The solver: everything in libsph2d. Files are sph2d/io.h and sph2d/study.h (libsph2d-io), pictures sph2d/render.h
- *  (libsph2d-render).
- */
+ *  (libsph2d-render). */
 #ifndef SPH2D_SPH2D_H
 #define SPH2D_SPH2D_H
 

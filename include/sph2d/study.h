@@ -81,8 +81,7 @@ typedef struct sph2d_study_profile {
 
 /** Points to compare with: two columns of a CSV file. Lines that start with # are comments, the first other line names
  *  the columns. A name matches with and without its unit in brackets; a row with an empty cell or nan there is no
- * point.
- */
+ *  point. */
 typedef struct sph2d_study_reference {
     const char *file; /**< path; in a study file relative to its folder */
     const char *x;    /**< column of times [s], or for a profile of places along the line, 0 to 1 from end to end */

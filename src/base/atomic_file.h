@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file atomic_file.h
  *  A file that appears under its final name whole or not at all: written beside as `DIR/.NAME.tmp.PID`, synced,
- * renamed, the folder synced. */
+ *  renamed, the folder synced. */
 #ifndef SPH2D_BASE_ATOMIC_FILE_H
 #define SPH2D_BASE_ATOMIC_FILE_H
 

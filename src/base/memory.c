@@ -44,7 +44,7 @@ static void clear_part(void *block, size_t first, size_t last)
 }
 
 /** Zeroes what is new in a block. A page comes to lie near the processor that writes to it first, so threads take about
- * the shares of a large block that they take of the particles later. */
+ *  the shares of a large block that they take of the particles later. */
 static void clear(char *block, size_t size, sph2d__team *team)
 {
     sph2d__share(team, size, LARGE, clear_part, block);

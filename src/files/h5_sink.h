@@ -3,7 +3,7 @@
  *  Where HDF5 writes to: a file that never tells HDF5 that the disk is full.
  *
  *  HDF5 1.10 crashes when it cannot flush its metadata, and keeps the broken file open. So a driver of our own keeps
- * the first error for us and lets HDF5 go on; what it writes after that goes nowhere. */
+ *  the first error for us and lets HDF5 go on; what it writes after that goes nowhere. */
 #ifndef SPH2D_FILES_H5_SINK_H
 #define SPH2D_FILES_H5_SINK_H
 

@@ -15,7 +15,7 @@ enum { CHUNK_VALUES = 64 * 1024 };
 /** Datasets with less rows are not worth compressing. */
 enum { LEAST_ROWS = 64 };
 /** Up to so many attributes of an object stay in its header: trees and heaps, in which HDF5 keeps more than eight by
- * itself, take a tenth of a snapshot's time. */
+ *  itself, take a tenth of a snapshot's time. */
 enum { MOST_IN_HEADER = 4096 };
 
 void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what)

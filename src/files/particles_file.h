@@ -9,8 +9,7 @@
 
 /** Reads the particles that `scene` names, seen from the folder of the scene file `from`, into memory of the pool. What
  *  a row leaves out is 0 or the rest density. Errors, each with file and line: SPH2D_NOINPUT, SPH2D_FORMAT,
- * SPH2D_NOMEM.
- */
+ *  SPH2D_NOMEM. */
 sph2d_status sph2d__particles_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report);
 
 #endif

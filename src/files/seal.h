@@ -3,8 +3,8 @@
  *  A checksum behind the end of a file.
  *
  *  HDF5 ignores what comes behind its data, cuts it off when it changes a file, and is not made for damaged files. So
- * the seal tells damage before HDF5 sees it, and a file that somebody changed on purpose has none and is taken as it
- * is. */
+ *  the seal tells damage before HDF5 sees it, and a file that somebody changed on purpose has none and is taken as it
+ *  is. */
 #ifndef SPH2D_FILES_SEAL_H
 #define SPH2D_FILES_SEAL_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file series.c
  *  CSV files that grow row by row. A row is one write, so that whoever looks, or a crash, finds whole rows; a resumed
- * run cuts what came after its snapshot and goes on. */
+ *  run cuts what came after its snapshot and goes on. */
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>

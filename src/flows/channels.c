@@ -29,7 +29,7 @@ static double age(const sph2d__flow_moment *m)
 }
 
 /** How far a wall holds liquid back that is driven evenly: 4 i^2erfc(z), 1 at the wall, where i^2erfc is erfc
- * integrated twice (Carslaw & Jaeger 1959, appendix II). */
+ *  integrated twice (Carslaw & Jaeger 1959, appendix II). */
 static double held_back(double z)
 {
     return (1 + 2 * z * z) * erfc(z) - 2 / sqrt(SPH2D__PI) * z * exp(-z * z);

@@ -59,8 +59,7 @@ sph2d__flow_value sph2d__flow_patch(const sph2d__flow_moment *m, double x, doubl
  *  art. 275, for a cylinder's second mode: a small strain at time 0 swings at w = sqrt(6 sigma/(rho L^3)), with
  *
  *      v = U/L cos wt (x, -y),   p = sigma/L + rho U w/(2 L) sin wt (x^2 - y^2),   r(theta) = L + U/w sin wt cos 2
- * theta
- */
+ *  theta */
 sph2d__flow_value sph2d__flow_drop(const sph2d__flow_moment *m, double x, double y)
 {
     double radius = m->flow->length, tension = m->context->surface_tension, density = m->context->density;

@@ -7,7 +7,7 @@
 #include "flows/flow.h"
 
 /** Taylor 1923; named after Taylor & Green 1937, whose flow is three-dimensional. With k = 2 pi/L and F = exp(-2 nu k^2
- * t):
+ *  t):
  *
  *      u = -U F cos kx sin ky,   v = U F sin kx cos ky,   p = -rho U^2/4 F^2 (cos 2kx + cos 2ky)
  *

@@ -5,7 +5,7 @@
  *      W(r) = C/H^2 f(q),   grad W = C/H^4 g(q) (x_i - x_j),   q = r/H,   g(q) = f'(q)/q <= 0
  *
  *  g is finite at q = 0 in all of them, so that no pair term divides by r. The smoothing length h of the literature is
- * H/2 for the cubic spline and Wendland's kernels, H/3 for the quintic spline.
+ *  H/2 for the cubic spline and Wendland's kernels, H/3 for the quintic spline.
  *
  *  kernel        C             f(q)                                              source
  *  wendland_c2   7/pi          (1-q)^4 (4q+1)                                    Wendland 1995
@@ -18,8 +18,8 @@
 #ifndef SPH2D_KERNELS_KERNEL_H
 #define SPH2D_KERNELS_KERNEL_H
 
-#include "base/lanes.h"
 #include "base/pi.h"
+#include "simd/lanes.h"
 #include "sph2d/scene.h"
 
 /** C in W = C/H^2 f(q). */

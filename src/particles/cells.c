@@ -62,7 +62,7 @@ typedef struct axis {
 } axis;
 
 /** Cells of at least `size`, `parts` together, over an extent, or exactly over a period, which must hold three times as
- * many. */
+ *  many. */
 static axis lay_axis(double low, double high, double size, double parts, double period_low, double period)
 {
     double rim = RIM * parts;
@@ -288,7 +288,7 @@ typedef struct stretch {
 } stretch;
 
 /** The rows or columns from `reach` before `first` to `reach` behind `last`, in one stretch or, at an end of the
- * period, two. Returns the number. */
+ *  period, two. Returns the number. */
 static int stretches(uint32_t first, uint32_t last, uint32_t reach, uint32_t all, double period, stretch out[2])
 {
     uint32_t low = RIM * reach, high = all - low; /* the columns of the period */

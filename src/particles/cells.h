@@ -8,12 +8,12 @@
  *  but not to several threads at once. In that order the particles of neighbouring cells of one row are one
  *  contiguous range, so that all neighbours of a particle lie in three ranges: the narrower the cells, the fewer others
  *  do, and the more often ranges must be looked up. A rim of empty cells around the grid makes the cells around every
- * particle exist.
+ *  particle exist.
  *
  *  In a periodic direction the cells divide the period, and those around a particle that reach over its end go on at
- * the other: as ranges of their own (six at most), each with the way by which the asking particle must be moved to be
+ *  the other: as ranges of their own (six at most), each with the way by which the asking particle must be moved to be
  *  beside them.
- * There are no ghost copies to store, refresh or keep out of files. */
+ *  There are no ghost copies to store, refresh or keep out of files. */
 #ifndef SPH2D_PARTICLES_CELLS_H
 #define SPH2D_PARTICLES_CELLS_H
 
@@ -55,7 +55,7 @@ typedef struct sph2d__ranges {
 } sph2d__ranges;
 
 /** Index of the cell that holds a place, if those around it lie in the grid; UINT32_MAX otherwise: no particle is
- * within the support radius of it. A place beyond a period must be wrapped before. */
+ *  within the support radius of it. A place beyond a period must be wrapped before. */
 static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, double y)
 {
     double fx = (x - cells->origin_x) * cells->inverse_x;

@@ -4,11 +4,11 @@
  *  matrix.
  *
  *  As many consecutive particles as the instruction set has lanes make a slice (SELL-C, Kreutzer et al. 2014). Its
- * pairs are kept slot by slot: pair k of each of its particles, side by side. Sums over neighbours then run in lanes
- * without a remainder, and add the same numbers in the same order at any width. A particle with fewer neighbours than
- * the most of its slice has pairs with itself, or with boundary particle 0, and gradients of zero behind its own. In
- * the order of cells the particles of a slice have about as many neighbours each, so that few pairs are such: 1 in 18
- * on a disturbed lattice.
+ *  pairs are kept slot by slot: pair k of each of its particles, side by side. Sums over neighbours then run in lanes
+ *  without a remainder, and add the same numbers in the same order at any width. A particle with fewer neighbours than
+ *  the most of its slice has pairs with itself, or with boundary particle 0, and gradients of zero behind its own. In
+ *  the order of cells the particles of a slice have about as many neighbours each, so that few pairs are such: 1 in 18
+ *  on a disturbed lattice.
  *
  *  Gradients are floats: their seven digits are more than the positions' change over a step leaves right, and the sums
  *  wait for memory. The two gradients of a pair are opposite to the bit.

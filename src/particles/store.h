@@ -42,24 +42,24 @@ enum { SPH2D__PADDING = 16 };
     X(crowd_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                          \
     X(crowd_y)                                                                                                         \
     X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
-    X(filling) /* by other liquid, of the room that walls leave: 1 inside, half at a flat surface, 0 by itself */      \
-    X(packing)    /* density that the places of the particles around say [kg/m^3] */                                   \
-    X(stretch)    /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                      \
-    X(shear)      /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                      \
+    X(filling)  /* by other liquid, of the room that walls leave: 1 inside, half at a flat surface, 0 by itself */     \
+    X(packing)  /* density that the places of the particles around say [kg/m^3] */                                     \
+    X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                        \
+    X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                        \
     X(front)   /* 1 where no other wall is in front of a boundary particle's, 0 where one takes much of it: wcsph.h */ \
     X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */     \
     X(along_y)                                                                                                         \
-    X(slide)   /* what liquid in front pushes along it: wcsph.h */                                                     \
-    X(skin)    /* length of the surface that a boundary particle next to it stands for, else 0 [m] */                  \
-    X(drag)    /* friction of a smooth wall, over the kernel's weights: wcsph_friction.h */                            \
+    X(slide)     /* what liquid in front pushes along it: wcsph.h */                                                   \
+    X(skin)      /* length of the surface that a boundary particle next to it stands for, else 0 [m] */                \
+    X(drag)      /* friction of a smooth wall, over the kernel's weights: friction.h */                                \
     X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                     \
     X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
     X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
     X(slope_y)                                                                                                         \
-    X(excess) /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */                \
-    X(push)   /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */                 \
+    X(excess)        /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */         \
+    X(push)          /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */          \
     X(pair_pressure) /* that pairs of particles carry [Pa] */                                                          \
-    X(next_x) /* position that comes next, while a pressure solver predicts it */                                      \
+    X(next_x)        /* position that comes next, while a pressure solver predicts it */                               \
     X(next_y)                                                                                                          \
     X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \
     X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \

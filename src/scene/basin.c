@@ -56,7 +56,7 @@ static sph2d_box cell_box(const grid *g, size_t i, size_t j)
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
 /** Closes the ways between neighbours that a piece of wall crosses: in each row, or column, of middles at most one.
- * A piece that ends on a row belongs to one side of it, so that pieces that meet leave no gap. */
+ *  A piece that ends on a row belongs to one side of it, so that pieces that meet leave no gap. */
 static void close_ways(grid *g, sph2d__segment s, bool columns)
 {
     double a = columns ? s.a.x : s.a.y, b = columns ? s.b.x : s.b.y, c = columns ? s.a.y : s.a.x;

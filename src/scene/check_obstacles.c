@@ -169,8 +169,9 @@ static void check_blow(checker *c, size_t i)
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
         "its velocity jumps by %.2g m/s at t = %g s, a blow that compresses liquid in its way by %.2g %%, to %.2g Pa",
         hit.speed, hit.time, 100 * hit.speed / c0, c->scene->fluid.density * c0 * hit.speed);
-    sph2d_diagnostic_hint(w, "let it come to its speed by more points of a path, in %.2g s or longer, or start a swing at "
-                             "rest by `phase: -1.5708`",
+    sph2d_diagnostic_hint(w,
+                          "let it come to its speed by more points of a path, in %.2g s or longer, or start a swing at "
+                          "rest by `phase: -1.5708`",
                           10 * m.support_ratio * c->scene->spacing / c0);
 }
 

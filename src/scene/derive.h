@@ -6,8 +6,9 @@
 
 #include "sph2d/scene.h"
 
-/* Where the band of surface tension (methods/tension.h) begins and ends, in spacings from the particles. Liquid that
- * flows has no holes of the inner radius; with an outer one of 1.5 a drop swings 1 % too slowly, with 2 by 0.1 %. */
+/* Where the band of surface tension (methods/terms/tension.h) begins and ends, in spacings from the particles. Liquid
+ * that flows has no holes of the inner radius; with an outer one of 1.5 a drop swings 1 % too slowly, with 2 by
+ * 0.1 %. */
 static const double SPH2D__INNER_RADIUS = 1, SPH2D__OUTER_RADIUS = 2;
 
 /** What follows from a scene. */

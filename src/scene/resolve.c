@@ -9,8 +9,8 @@ static double or_else(double value, double standard)
 }
 
 /** H/dx of pcisph and constraint. Kernels that fall off faster reach farther, so that all are as wide, by the standard
- * deviation (H over it: Dehnen & Aly 2012, table 1), as Wendland's C2 at 2.4: sums of narrower ones tell a lattice that
- * is strained to 1:2 to be 7 to 13 % denser than it is, so that liquid swells; these 2 to 3 %. */
+ *  deviation (H over it: Dehnen & Aly 2012, table 1), as Wendland's C2 at 2.4: sums of narrower ones tell a lattice
+ *  that is strained to 1:2 to be 7 to 13 % denser than it is, so that liquid swells; these 2 to 3 %. */
 static double projected_support(sph2d_kernel kernel)
 {
     switch (kernel) {

@@ -4,8 +4,8 @@
 #ifndef SPH2D_SIM_SIMULATION_H
 #define SPH2D_SIM_SIMULATION_H
 
-#include "methods/method.h"
-#include "sim/barrier.h"
+#include "boundary/barrier.h"
+#include "methods/common/method.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
 
@@ -48,7 +48,7 @@ struct sph2d_sim {
 };
 
 /** Puts the interactions and the pointer that act at `time` where the method looks for them, and moves obstacles to
- * where they are then. Errors: SPH2D_NOMEM. */
+ *  where they are then. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time);
 /** Tells moving obstacles over which time the next drift goes. */
 void sph2d__sim_window(sph2d_sim *sim, double from, double to);
@@ -72,7 +72,7 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim);
  *  SPH2D_NOMEM. */
 sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim);
 /** Energy that a particle would have lost on its way, in parts of which whole ones are counted: their sum is the same
- * for any number of threads [J/m]. */
+ *  for any number of threads [J/m]. */
 double sph2d__sim_energy_part(const sph2d_sim *sim);
 
 /** Where a place is, for people: "0.4 spacings from obstacles[1], nearest to blocks[0]" (where.c). */
@@ -145,7 +145,7 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
 /** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
 /** Places the layers of a generalised wall: along an obstacle, whose back goes into its barrier, and around the sides
- * of the domain that are walls. The same errors. */
+ *  of the domain that are walls. The same errors. */
 sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                      sph2d_report *report);
 sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);

@@ -19,7 +19,7 @@
  *  viscosity does, and the pressure of obstacles that move is not known. */
 #include <math.h>
 
-#include "methods/state_equation.h"
+#include "methods/common/state_equation.h"
 #include "sim/simulation.h"
 
 /* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins

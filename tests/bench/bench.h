@@ -9,7 +9,8 @@
 #include <sph2d/sph2d.h>
 
 /** A scene of any number of particles. What one pair costs is counted by hand from the formulas of its method:
- * additions, multiplications, divisions and roots, one each, over all sums of a step but those of a pressure solver. */
+ *  additions, multiplications, divisions and roots, one each, over all sums of a step but those of a pressure solver.
+ *  */
 typedef struct bench_scene {
     const char *name, *text;
     double flops;   /**< of a pair and step */

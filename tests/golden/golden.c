@@ -52,8 +52,9 @@ static uint64_t hash_state(sph2d_sim *sim)
     for (size_t a = 0; a < state.array_count; ++a)
         if (state.arrays[a].group != SPH2D_GROUP_RUN)
             hash += hash_array(&state.arrays[a]);
-    const double numbers[] = {summary.time,         summary.kinetic,      summary.potential,       summary.elastic,
-                              summary.energy_walls, summary.energy_error, summary.compression_max, summary.compression_p99};
+    const double numbers[] = {
+        summary.time,         summary.kinetic,      summary.potential,       summary.elastic,
+        summary.energy_walls, summary.energy_error, summary.compression_max, summary.compression_p99};
     for (size_t n = 0; n < sizeof numbers / sizeof *numbers; ++n) {
         uint64_t word;
         memcpy(&word, &numbers[n], sizeof word);

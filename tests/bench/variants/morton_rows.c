@@ -2,7 +2,7 @@
 /** @file morton_rows.c
  *  Cells in Morton's order instead of row by row: neighbours lie nearer in memory, but in nine ranges instead of three,
  *  and a group must be in one cell. */
-#include "methods/group.h"
+#include "methods/common/group.h"
 #include "pair.h"
 
 /** The candidates of one cell after the other. */

@@ -5,7 +5,7 @@
  *  Only particles behind one in its own row and those in the row above are met. Blocks of candidates always begin a
  *  multiple of the lanes behind the beginning of their row, so that what one block writes the next one reads whole.
  *  Lanes before and behind a range are too far away to count, as in blocks_rows.c. Threads would need sums of their
- * own, or to keep apart. */
+ *  own, or to keep apart. */
 #include <string.h>
 
 #include "pair.h"

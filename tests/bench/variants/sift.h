@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sift.h
  *  Which candidates of a range are near a group: tested a block of lanes at a time, their numbers written one behind
- * the other. Those behind a range's end are too far away to be kept. */
+ *  the other. Those behind a range's end are too far away to be kept. */
 #ifndef SPH2D_TESTS_BENCH_SIFT_H
 #define SPH2D_TESTS_BENCH_SIFT_H
 
-#include "methods/group.h"
+#include "methods/common/group.h"
 #include "pair.h"
 
 /** Those within a distance of a group's box. Returns where the next one goes. */

@@ -63,7 +63,7 @@ void prepare_cells(field *f, const variant *v)
 }
 
 /** Linked lists of the particles in cells of a support radius, in the order of memory as it is: Hockney & Eastwood
- * 1981, and most introductions to SPH. */
+ *  1981, and most introductions to SPH. */
 void prepare_linked(field *f, const variant *v)
 {
     (void)v;

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/** @file method.h
+ *  A method is one entry in a table: how it gets ready, what accelerates its particles, how far it may step. */
+#ifndef SPH2D_METHODS_COMMON_METHOD_H
+#define SPH2D_METHODS_COMMON_METHOD_H
+
+#include "methods/common/system.h"
+
+/** What sets the length of a step; the order of sph2d_summary.limited_by. */
+typedef enum sph2d__limit {
+    SPH2D__LIMIT_ACOUSTIC,
+    SPH2D__LIMIT_FORCE,
+    SPH2D__LIMIT_VISCOUS,
+    SPH2D__LIMIT_FIXED,
+    SPH2D__LIMIT_COUNT
+} sph2d__limit;
+
+/** How particles are moved in time; the schemes are in sim/. */
+typedef enum sph2d__integrator {
+    SPH2D__LEAPFROG,  /**< kick, drift, evaluate, kick: density is a sum */
+    SPH2D__MIDPOINT,  /**< kick, half drift, density by its rate, half drift, evaluate, kick: reversible too */
+    SPH2D__PROJECTED, /**< drift, evaluate, project, kick, drift: pressures keep the density of places that come next */
+    SPH2D__ADAMS_BASHFORTH /**< third order, from the rates of velocity and density of three steps */
+} sph2d__integrator;
+
+/** What a boundary particle does to liquid [N/m]. */
+typedef struct sph2d__wall_force {
+    sph2d_vec2 pressure, friction;
+} sph2d__wall_force;
+
+typedef struct sph2d__method {
+    const char *name;
+    sph2d__integrator integrator;
+    sph2d__set fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
+    sph2d__set walls;          /**< the arrays of the boundary particles' store */
+    /** Those of the fluid's arrays that a scene's options do without; NULL: none. */
+    sph2d__set (*unused)(const sph2d_method_options *options);
+    /** Sets what follows from the scene's numbers and the walls. */
+    void (*prepare)(sph2d__system *system);
+    /** Sets what follows from the places of the boundary particles, whose cells are up to date: called when some have
+     *  moved. NULL: nothing does. */
+    void (*walls_placed)(sph2d__system *system);
+    /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The
+     *  cells are up to date. SPH2D__PROJECTED: acceleration without that of pressure. False when memory is short. */
+    bool (*evaluate)(sph2d__system *system);
+    /** SPH2D__MIDPOINT: change of density of every particle at its present position and velocity. NULL otherwise. */
+    void (*density_rate)(sph2d__system *system);
+    /** SPH2D__PROJECTED: adds the acceleration by the pressures that keep the density over the system's step. NULL
+     *  otherwise. */
+    void (*project)(sph2d__system *system);
+    /** Force of boundary particle b on particle i of the fluid at (dx, dy) from it, within the support radius, as the
+     *  forces of the last evaluation, or projection, have it. NULL: not known. */
+    sph2d__wall_force (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
+    /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
+    double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
+} sph2d__method;
+
+/** The entry for a scene's options; never NULL for a checked scene. */
+const sph2d__method *sph2d__method_find(const sph2d_method_options *options);
+
+#endif

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/** @file packed.h
+ *  What the pair loops of method `wcsph` read of the other particle: the store's own arrays, or, with precision
+ *  `mixed`, copies in floats. The state stays in doubles, as do the sums once a particle's are complete.
+ *
+ *  Floats have seven digits. Places are relative to the corner of a tile of cells (cells.h), densities to the rest
+ *  density, so that none of them is lost to where a scene lies or to what all particles have in common. */
+#ifndef SPH2D_METHODS_COMMON_PACKED_H
+#define SPH2D_METHODS_COMMON_PACKED_H
+
+#include "methods/common/system.h"
+#include "simd/lanes.h"
+
+/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
+ * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
+ * reads them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along
+ * walls; rates of strain or, for the rate of density, H grad C (shift.h). */
+
+/** Arrays of one value a particle. Density is that over `from`. */
+typedef struct sph2d__packed {
+    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
+        *stretch, *shear, *crowd_x, *crowd_y, *wall_rate, *slide, *along_x, *along_y;
+    double from; /**< [kg/m^3] */
+} sph2d__packed;
+
+/** The floats that an array of doubles has room for: two arrays. */
+static inline float *sph2d__floats(const sph2d__store *store, double *array, int which)
+{
+    void *floats = array; /* nothing else is ever kept there */
+    return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
+}
+
+/** Those of the fluid that are set straight away, without a copy in doubles; NULL in double precision. */
+static inline float *sph2d__packed_volume(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 0);
+}
+static inline float *sph2d__packed_pressure(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 1);
+}
+static inline float *sph2d__packed_excess(const sph2d__store *store)
+{
+    return sph2d__floats(store, store->packed_state, 1);
+}
+
+#ifdef SPH2D__MIXED
+SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
+{
+    (void)walls;
+    return (sph2d__packed){.x = sph2d__floats(t, t->packed_place, 0),
+                           .y = sph2d__floats(t, t->packed_place, 1),
+                           .vx = sph2d__floats(t, t->packed_velocity, 0),
+                           .vy = sph2d__floats(t, t->packed_velocity, 1),
+                           .volume = sph2d__packed_volume(t),
+                           .pressure = sph2d__packed_pressure(t),
+                           .excess = sph2d__packed_excess(t),
+                           .wall_rate = sph2d__packed_excess(t),
+                           .density = sph2d__floats(t, t->packed_density, 0),
+                           .stretch = sph2d__floats(t, t->packed_strain, 0),
+                           .shear = sph2d__floats(t, t->packed_strain, 1),
+                           .crowd_x = sph2d__floats(t, t->packed_strain, 0),
+                           .crowd_y = sph2d__floats(t, t->packed_strain, 1),
+                           .slide = sph2d__floats(t, t->packed_density, 0),
+                           .along_x = sph2d__floats(t, t->packed_slope, 0),
+                           .along_y = sph2d__floats(t, t->packed_slope, 1),
+                           .fullness = sph2d__floats(t, t->packed_density, 1),
+                           .mass = sph2d__floats(t, t->packed_density, 1),
+                           .slope_x = sph2d__floats(t, t->packed_slope, 0),
+                           .slope_y = sph2d__floats(t, t->packed_slope, 1),
+                           .from = s->rest_density};
+}
+#else
+SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
+{
+    (void)s;
+    return (sph2d__packed){t->x,
+                           t->y,
+                           walls ? t->image_vx : t->vx,
+                           walls ? t->image_vy : t->vy,
+                           t->density,
+                           t->pressure,
+                           t->volume,
+                           t->mass,
+                           t->slope_x,
+                           t->slope_y,
+                           t->fullness,
+                           t->excess,
+                           t->stretch,
+                           t->shear,
+                           t->crowd_x,
+                           t->crowd_y,
+                           t->wall_rate,
+                           t->slide,
+                           t->along_x,
+                           t->along_y,
+                           0};
+}
+#endif
+
+/** Copies what pair loops read of the fluid, or of the boundary particles; nothing without packed arrays. */
+void sph2d__pack_fluid(sph2d__system *system);
+void sph2d__pack_walls(sph2d__system *system);
+
+/** The same for the rate of density: crowding in place of strain, of boundary particles wall_rate in place of pressure.
+ */
+void sph2d__pack_fluid_rates(sph2d__system *system);
+void sph2d__pack_wall_rates(sph2d__system *system);
+
+#endif

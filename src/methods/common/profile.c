@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/** @file profile.c
+ *  Reading the clocks. */
+#include "methods/common/profile.h"
+
+#include <time.h>
+
+const char *sph2d_phase_name(sph2d_phase phase)
+{
+    static const char *const names[SPH2D_PHASE_COUNT] = {"move",    "sort",   "walls", "search",
+                                                         "density", "forces", "solve", "watch"};
+    return (unsigned)phase < SPH2D_PHASE_COUNT ? names[phase] : "unknown";
+}
+
+static double seconds(clockid_t id)
+{
+    struct timespec now;
+    return clock_gettime(id, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0;
+}
+
+void sph2d__profile_switch(sph2d__profile *p, sph2d_phase phase)
+{
+    double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    if (p->phase < SPH2D_PHASE_COUNT) {
+        p->sums.wall[p->phase] += wall - p->wall;
+        p->sums.cpu[p->phase] += cpu - p->cpu;
+    }
+    if (phase < SPH2D_PHASE_COUNT)
+        ++p->sums.calls[phase];
+    p->phase = phase;
+    p->wall = wall;
+    p->cpu = cpu;
+}

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/** @file state_equation.h
+ *  Pressure from density in method `wcsph`, and back.
+ *
+ *      linear   p = c0^2 (rho - rho0)
+ *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
+ *
+ *  Both have dp/drho = c0^2 at rest density. Pressure falls no further than to -tension (system.h). What it takes to
+ *  compress a kilogram,
+ *
+ *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
+ *
+ *  is least, 0, at rest density. */
+#ifndef SPH2D_METHODS_COMMON_STATE_EQUATION_H
+#define SPH2D_METHODS_COMMON_STATE_EQUATION_H
+
+#include <math.h>
+
+#include "methods/common/system.h"
+
+static inline double sph2d__pressure_of(const sph2d__system *s, double density)
+{
+    double c2 = s->sound_speed * s->sound_speed, pressure = c2 * (density - s->rest_density);
+    if (s->method.state_equation == SPH2D_STATE_TAIT) {
+        double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
+        pressure = s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
+    }
+    return fmax(pressure, -s->tension);
+}
+
+/** The inverse; a pressure below what the equation can give is cut off at a thousandth of the rest density. */
+static inline double sph2d__density_of(const sph2d__system *s, double pressure)
+{
+    double c2 = s->sound_speed * s->sound_speed;
+    double density = s->method.state_equation == SPH2D_STATE_LINEAR
+                         ? s->rest_density + pressure / c2
+                         : s->rest_density * pow(fmax(1 + 7 * pressure / (s->rest_density * c2), 0), 1.0 / 7);
+    return fmax(density, 1e-3 * s->rest_density);
+}
+
+/** e: the elastic energy of a kilogram [J/kg]. */
+static inline double sph2d__elastic_of(const sph2d__system *s, double density)
+{
+    if (s->method.name == SPH2D_METHOD_MULLER) {
+        double x = fmax(density / s->rest_density, 1); /* no tension */
+        return s->modulus * (log(x) + 1 / x - 1);
+    }
+    double torn = sph2d__density_of(s, -s->tension);
+    if (density < torn)
+        return sph2d__elastic_of(s, torn) + s->tension * (1 / density - 1 / torn);
+    double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
+    if (s->method.state_equation == SPH2D_STATE_LINEAR)
+        return c2 * (log(x) + 1 / x - 1);
+    double x2 = x * x;
+    return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
+}
+
+/** dp/drho, the square of the speed of sound at a density [m^2/s^2]. */
+static inline double sph2d__sound_speed2_at(const sph2d__system *s, double density)
+{
+    double c2 = s->sound_speed * s->sound_speed;
+    if (s->method.state_equation == SPH2D_STATE_LINEAR)
+        return c2;
+    double x = density / s->rest_density, x2 = x * x;
+    return c2 * x2 * x2 * x2;
+}
+
+static inline void sph2d__state_equation_some(void *system, size_t first, size_t last)
+{
+    const sph2d__system *s = system;
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i)
+        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
+}
+
+/** Sets the pressure of every particle of the fluid. */
+static inline void sph2d__state_equation_apply(sph2d__system *s)
+{
+    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, sph2d__state_equation_some, s);
+}
+
+#endif

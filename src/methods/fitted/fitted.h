@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/** @file fitted.h
+ *  Method `wcsph` with fitted operators: weakly compressible flow of second order in space.
+ *
+ *  Around each particle i velocity and density are fitted by a quadratic polynomial through the particle's own value,
+ *  by least squares over the neighbours with weights w = (1 - q)^3, q = r/H (moving least squares, Lancaster &
+ *  Salkauskas 1981). With (xi, eta) = (x_j - x_i)/H, phi = (xi, eta, xi^2, xi eta, eta^2) and df = f_j - f_i:
+ *
+ *      A = sum w phi phi^T     b = sum w phi df      c = A^-1 b
+ *      grad f = (c_1, c_2)/H   lap f = 2 (c_3 + c_5)/H^2 + gamma R
+ *      R = 4 (sum w df - c . sum w phi) / ((A_11 + A_22) H^2)
+ *
+ *  R, the residual of the fit as a Laplacian, is of fourth derivatives on a smooth field and large on noise from
+ *  particle to particle: gamma makes the Laplacian of r^4 right on a lattice, and R of density is the density
+ *  diffusion. Nothing else stands for delta-SPH's diffusion, and no volume or mass appears.
+ *
+ *  Particles move with the liquid and a small shift w_s towards where neighbours are few (Lind et al. 2012; Sun et al.
+ *  2017, eq. 7), and every equation is written along that way (Sun et al. 2019):
+ *
+ *      dx/dt   = v + w_s                       w_s = -s U S,  |w_s| <= U/2,  U the largest speed
+ *      dv/dt   = -c^2 grad rho / rho + nu lap v + body force + (w_s . grad) v
+ *      drho/dt = -rho div v + delta h c0 R(rho) + w_s . grad rho
+ *      S       = 140/pi (dx/H)^2 sum w [1 + 0.2 (W(r)/W(dx))^4] (xi, eta),   W Wendland's C2
+ *
+ *  Momentum is not conserved to round-off: the error is that of the fit. Where neighbours are too few or on a line the
+ *  fit falls back to a linear one, then to no gradient. */
+#ifndef SPH2D_METHODS_FITTED_FITTED_H
+#define SPH2D_METHODS_FITTED_FITTED_H
+
+#include "methods/common/method.h"
+#include "methods/common/slabs.h"
+
+extern const sph2d__method sph2d__wcsph_fitted;
+
+/** The pair loops, compiled once for each instruction set and precision. */
+typedef struct sph2d__fitted_passes {
+    /** The fluid's acceleration and density_rate along the way of the liquid, its shift and what that adds to both
+     *  (way). */
+    sph2d__span_work *rates;
+} sph2d__fitted_passes;
+
+extern const sph2d__fitted_passes sph2d__fitted_passes_baseline, sph2d__fitted_passes_baseline_mixed;
+#ifdef SPH2D__ISA_X86
+extern const sph2d__fitted_passes sph2d__fitted_passes_avx2, sph2d__fitted_passes_avx2_mixed;
+extern const sph2d__fitted_passes sph2d__fitted_passes_avx512, sph2d__fitted_passes_avx512_mixed;
+#endif
+
+/** gamma for a square lattice of spacing 1 and the support radius `ratio`. */
+double sph2d__fitted_residual_gain(double ratio);
+
+#endif

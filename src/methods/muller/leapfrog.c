@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/** @file leapfrog.c
+ *  One step of a method whose density is a sum: leapfrog as kick-drift-kick.
+ *
+ *      v(n+1/2) = v(n) + dt/2 a(n)
+ *      x(n+1)   = x(n) + dt v(n+1/2)
+ *      a(n+1)   = a(x(n+1), v(n) + dt a(n))
+ *      v(n+1)   = v(n+1/2) + dt/2 a(n+1)
+ *
+ *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces of position
+ *  alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with u(-dt/2) =
+ *  u(0) - dt/2 a(0). */
+#include "sim/stages.h"
+
+static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+        w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
+        w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
+        w->dx[k] = dt * w->vx[k];
+        w->dy[k] = dt * w->vy[k];
+    }
+}
+
+sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
+{
+    sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
+    sph2d_status status = sph2d__carry(sim, dt, kick, sph2d__predict);
+    if (status == SPH2D_OK)
+        status = sph2d__sort_fluid(sim);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__keep_accelerations(&sim->system.fluid);
+    status = sph2d__sim_aim(sim, sim->record.time + dt);
+    if (status != SPH2D_OK)
+        return status;
+    if (!sim->method->evaluate(&sim->system))
+        return SPH2D_NOMEM;
+    sph2d__second_kick(&sim->system, dt);
+    return SPH2D_OK;
+}

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+/** @file muller_pass.c
+ *  The pair loops of method `muller`. Compiled once for each instruction set, named by SPH2D__ISA. */
+#include "kernels/muller.h"
+#include "methods/common/group.h"
+#include "methods/muller/muller.h"
+#include "methods/muller/muller_side.h"
+
+/** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
+SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
+{
+    sph2d__lanes dx = at_x - x, dy = at_y - y;
+    sph2d__lanes d = sph2d__lanes_max(support2 - (dx * dx + dy * dy), (sph2d__lanes){0});
+    return d * d * d;
+}
+
+/** Their sum around a group of particles `of`; `mass` NULL counts each candidate once. */
+SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, const sph2d__group *g,
+                                       const sph2d__ranges *ranges, const sph2d__store *from, const double *mass)
+{
+    sph2d__lanes sum = {0};
+    for (int r = 0; r < ranges->count; ++r) {
+        sph2d__lanes x = sph2d__group_lanes(of->x + g->first, ranges->x[r]);
+        sph2d__lanes y = sph2d__group_lanes(of->y + g->first, ranges->y[r]);
+        for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j) {
+            sph2d__lanes shape = shape_of(support2, x, y, from->x[j], from->y[j]);
+            sum += mass ? shape * mass[j] : shape;
+        }
+    }
+    return sum;
+}
+
+/** What the sides with springs add to the density at a place. */
+SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
+{
+    sph2d__side_part parts[2];
+    sph2d__sides_at(s, x, y, parts);
+    return s->side_fill * (parts[0].value + parts[1].value) + s->corner_fill * parts[0].value * parts[1].value;
+}
+
+/** The push of these sides on particle i. */
+SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, double *ay)
+{
+    const sph2d__store *f = &s->fluid;
+    double rho = f->density[i], push = f->pressure[i] / (rho * rho);
+    if (!(push > 0))
+        return;
+    sph2d__side_part parts[2];
+    sph2d__sides_at(s, f->x[i], f->y[i], parts);
+    *ax += push * (s->side_fill + s->corner_fill * parts[1].value) * parts[0].slope;
+    *ay += push * (s->side_fill + s->corner_fill * parts[0].value) * parts[1].slope;
+}
+
+static void density(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *fluid = &s->fluid;
+    double support2 = s->support * s->support;
+    double poly6 = sph2d__poly6_constant(s->support);
+    double own = poly6 * s->calibration * s->mass;
+    const sph2d__grouping by = sph2d__grouping_of(fluid, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        sph2d__lanes rho = own * density_sum(support2, fluid, &g, &ranges, fluid, NULL);
+        if (sph2d__group_near(&by, &g, &ranges))
+            rho += poly6 * density_sum(support2, fluid, &g, &ranges, &s->walls, s->walls.mass);
+        for (int l = 0; l < g.count; ++l) {
+            size_t i = g.first + (size_t)l;
+            fluid->density[i] = rho[l] + side_density(s, fluid->x[i], fluid->y[i]);
+        }
+    }
+}
+
+static void wall_density(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *walls = &s->walls;
+    double support2 = s->support * s->support;
+    double own = sph2d__poly6_constant(s->support) * s->calibration * s->mass;
+    const sph2d__grouping by = sph2d__grouping_of(walls, &s->wall_cells, &s->fluid_cells);
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
+        sph2d__ranges ranges;
+        sph2d__lanes sum = {0};
+        if (sph2d__group_near(&by, &g, &ranges))
+            sum = density_sum(support2, walls, &g, &ranges, &s->fluid, NULL);
+        for (int l = 0; l < g.count; ++l) {
+            size_t b = g.first + (size_t)l;
+            walls->density[b] = s->rest_density + (walls->mass[b] > 0 ? own * sum[l] : 0);
+        }
+    }
+}
+
+/** Sums of the forces on a group, without their constants. */
+typedef struct force_sums {
+    sph2d__lanes press_x, press_y, drag_x, drag_y;
+} force_sums;
+
+/** The particles of a group that feel a candidate. */
+typedef struct receiver {
+    sph2d__lanes x, y, vx, vy, pressure;
+} receiver;
+
+SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i, const sph2d__store *from, size_t j)
+{
+    sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
+    /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
+    sph2d__lanes tiny = sph2d__lanes_all(1e-24 * support * support);
+    sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
+    sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
+    sph2d__lanes wv = w * from->volume[j];
+    sph2d__lanes press = wv * w * (i->pressure + from->pair_pressure[j]) / r;
+    sums->press_x += press * dx;
+    sums->press_y += press * dy;
+    sums->drag_x += wv * (from->vx[j] - i->vx);
+    sums->drag_y += wv * (from->vy[j] - i->vy);
+}
+
+/** The same of a boundary particle, which adds to density alone. */
+SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiver *i, const sph2d__store *walls,
+                                  size_t j)
+{
+    sph2d__lanes dx = i->x - walls->x[j], dy = i->y - walls->y[j], none = {0};
+    sph2d__lanes r2 = dx * dx + dy * dy, d = sph2d__lanes_max(support * support - r2, none);
+    sph2d__lanes press = d * d * walls->mass[j], wv = sph2d__lanes_max(support - sph2d__lanes_sqrt(r2), none);
+    sums->press_x += press * dx;
+    sums->press_y += press * dy;
+    wv *= walls->volume[j];
+    sums->drag_x += wv * (walls->vx[j] - i->vx);
+    sums->drag_y += wv * (walls->vy[j] - i->vy);
+}
+
+/** Adds the forces of the particles in `ranges` on a group whose box is laid. */
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *g, const sph2d__ranges *ranges,
+                                    const sph2d__store *from)
+{
+    const sph2d__store *fluid = &s->fluid;
+    force_sums sums = {{0}, {0}, {0}, {0}};
+    receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
+                   .vy = sph2d__lanes_load(fluid->vy + g->first),
+                   .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, ranges, s->support);
+    while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {
+        me.x = sph2d__group_lanes(fluid->x + g->first, sieve.way_x);
+        me.y = sph2d__group_lanes(fluid->y + g->first, sieve.way_y);
+        SPH2D__FOR_FOUND (sieve, j)
+            if (from == &s->walls)
+                add_wall_force(&sums, s->support, &me, from, j);
+            else
+                add_force(&sums, s->support, &me, from, j);
+    }
+    return sums;
+}
+
+static void force(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    const double press = sph2d__spiky_constant(s->support) / (2 * s->moment),
+                 laplacian = sph2d__viscosity_constant(s->support);
+    const double wall_press = 6 * sph2d__poly6_constant(s->support);
+    const double drag = s->viscosity * laplacian;
+    const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        sph2d__group_box(f, &g);
+        force_sums sums = sum_forces(s, &g, &ranges, f);
+        sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
+        if (sph2d__group_near(&by, &g, &ranges)) {
+            sums = sum_forces(s, &g, &ranges, &s->walls);
+            sph2d__lanes hard =
+                wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);
+            fx += hard * sums.press_x + drag * sums.drag_x;
+            fy += hard * sums.press_y + drag * sums.drag_y;
+        }
+        for (int l = 0; l < g.count; ++l) {
+            size_t i = g.first + (size_t)l;
+            double ax = fx[l] / f->density[i], ay = fy[l] / f->density[i];
+            sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+            add_side_push(s, i, &ax, &ay);
+            f->ax[i] = ax;
+            f->ay[i] = ay;
+        }
+    }
+}
+
+#define NAME_(isa) sph2d__muller_passes_##isa
+#define NAME(isa) NAME_(isa)
+const sph2d__muller_passes NAME(SPH2D__ISA) = {density, wall_density, force};

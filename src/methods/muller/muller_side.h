@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/** @file muller_side.h
+ *  Sides with springs as method `muller` sees them: full of liquid behind. At distance d a side adds
+ *
+ *      rho_side(d) = rho0 F w(d),   w(d) = (1 - n^2/H^2)^m / (1 - dx^2/H^2)^m,   n = d + dx/2 >= 0,
+ *
+ *  to the density, and at the distances d and e from two sides of a corner rho0 (F w(d) + F w(e) + Q w(d) w(e)). F and
+ *  Q are what rows on one side and particles in one quarter of a filled lattice have of its density: a lattice that
+ *  starts half a spacing off the sides has rest density everywhere. Without it the first row would have to be pressed
+ *  together before it can carry anything. What it takes to press a particle against a side comes back: the energy per
+ *  mass e(rho), the integral of p/rho^2, gives
+ *
+ *      a_n = -(p/rho^2) d rho_side/dd.
+ *
+ *  m is such that this push and the pairs of a lattice half a spacing off the side balance under even pressure. */
+#ifndef SPH2D_METHODS_MULLER_MULLER_SIDE_H
+#define SPH2D_METHODS_MULLER_MULLER_SIDE_H
+
+#include <math.h>
+
+#include "methods/common/system.h"
+
+/** w at distance d and minus its slope [1/m]. */
+typedef struct sph2d__side_part {
+    double value, slope;
+} sph2d__side_part;
+
+static inline void sph2d__side_add(const sph2d__system *s, double d, sph2d__side_part *to)
+{
+    double n = fmax(d + s->spacing / 2, 0), h2 = s->support * s->support, u = 1 - n * n / h2;
+    if (!(u > 0))
+        return;
+    double value = pow(u / (1 - s->spacing * s->spacing / h2), s->side_power);
+    to->value += value;
+    to->slope += 2 * s->side_power * n / (h2 * u) * value;
+}
+
+/** Both for the sides across and for those along y. */
+static inline void sph2d__sides_at(const sph2d__system *s, double x, double y, sph2d__side_part parts[2])
+{
+    const sph2d__spring_walls *w = &s->body.springs;
+    const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
+    parts[0] = parts[1] = (sph2d__side_part){0, 0};
+    for (int k = 0; k < 4; ++k)
+        if (distances[k] < s->support) {
+            sph2d__side_part part = {0, 0};
+            sph2d__side_add(s, distances[k], &part);
+            parts[k / 2].value += part.value;
+            parts[k / 2].slope += k & 1 ? -part.slope : part.slope;
+        }
+}
+
+#endif

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/** @file constraint.c
+ *  Method `constraint`: the system of a step, its solution, step limits. */
+#include "methods/projection/constraint.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "methods/projection/constraint_pass.h"
+#include "methods/projection/local_correction.h"
+
+/** The numbers of the step that is being taken. */
+typedef struct spook {
+    double dt, gamma;
+    double soft; /**< S */
+} spook;
+
+static spook spook_of(const sph2d__system *s)
+{
+    spook k = {.dt = s->step, .gamma = 1 / (1 + 4 * s->method.damping)};
+    k.soft = s->sound_speed < INFINITY ? 4 * k.gamma / (s->sound_speed * s->sound_speed * k.dt * k.dt) : 0;
+    return k;
+}
+
+static const sph2d__constraint_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__constraint_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__constraint_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__constraint_passes_baseline;
+}
+
+/* ---- the system -------------------------------------------------------------------------------------------------- */
+
+/** Nothing, in the rows behind the last one that a pass may reach. */
+static void end_rows(const sph2d__slab *slab)
+{
+    sph2d__store *t = slab->rows;
+    double *all[] = {t->diagonal, t->residual, t->multiplier, t->direction, t->product};
+    for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
+        memset(all[k] + slab->last, 0, (SPH2D__WIDEST - slab->last % SPH2D__WIDEST) * sizeof *all[k]);
+}
+
+/** The residual of the multipliers of the step before: the right-hand side less the matrix times them, both with one
+ *  sum over neighbours. */
+static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const spook *k = with;
+    sph2d__store *t = slab->rows;
+    (void)sum;
+    sph2d__projection_collect(s, slab, k->dt * (1 - k->gamma), t->residual);
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double weight = slab->walls ? t->mass[i] / s->mass : 1, g = weight * (t->density[i] / s->rest_density - 1);
+        t->residual[i] += 4 * k->gamma * g - k->soft * t->multiplier[i];
+        t->diagonal[i] = t->diagonal[i] > 0 ? 1 / (t->diagonal[i] + k->soft) : 0;
+    }
+    if (slab->last % SPH2D__WIDEST > 0)
+        end_rows(slab);
+}
+
+static void load(sph2d__system *s, const spook *k)
+{
+    sph2d__projection_begin(s, 1);
+    sph2d__projection_lead(s, k->dt * (1 - k->gamma), k->dt * k->dt);
+    sph2d__over_rows(s, load_slab, k);
+}
+
+/* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
+
+/** How far to go, and the part of the direction to keep. */
+typedef struct way {
+    double length, keep;
+} way;
+
+static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    passes(s->isa)->begin(slab, sum);
+}
+
+static void apply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const spook *k = with;
+    sph2d__projection_collect(s, slab, 0, slab->rows->product);
+    passes(s->isa)->apply(slab, k->soft, sum);
+}
+
+static void advance_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const way *w = with;
+    passes(s->isa)->advance(slab, w->length, w->keep, sum);
+}
+
+static void clamp_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    passes(s->isa)->clamp(slab, sum);
+}
+
+/** product = (D D' + S) direction, and what apply sums up. */
+static sph2d__slab_sum apply(sph2d__system *s, const spook *k)
+{
+    sph2d__projection_spread(s);
+    return sph2d__over_rows(s, apply_slab, k);
+}
+
+/** One iteration from where `left` is left; that is set anew. What will be left, and with it the next direction,
+ *  follows from the sums of the product, so that rows are read once less. False where the matrix bends nothing. */
+static bool iterate(sph2d__system *s, const spook *k, sph2d__slab_sum *left)
+{
+    sph2d__slab_sum sum = apply(s, k);
+    if (!(sum.first > 0))
+        return false;
+    double length = left->first / sum.first, next = left->first - length * (2 * sum.second - length * sum.third);
+    *left = sph2d__over_rows(s, advance_slab, &(way){length, fmax(next, 0) / left->first});
+    return true;
+}
+
+/* A round ends where so much is left of what it began with: the active rows are others then. */
+static const double ROUND = 0.3;
+/* The last one ends where so much of what may be left is left: multipliers below zero are still to be cut off. */
+static const double LAST = 0.75;
+/* What cutting off may leave in all rows, over what it leaves in its own: 1 at most in a collapsing column. */
+static const double BESIDE = 2;
+
+/** Rounds of preconditioned conjugate gradients (Hestenes & Stiefel 1952) on the rows that are active, until what is
+ *  left is small. Returns the most that is left in one. */
+static double solve(sph2d__system *s, const spook *k)
+{
+    double wanted = s->method.tolerance * (double)s->fluid.count;
+    uint64_t steps = 0, most = s->method.max_iterations;
+    load(s, k);
+    sph2d__slab_sum now = sph2d__over_rows(s, begin_slab, NULL);
+    bool falls = true; /* not where nothing but an even compression is left, in a room that is full */
+    while (now.second > wanted && steps < most && falls) {
+        double round = fmax(ROUND * now.second, LAST * wanted);
+        while (falls && now.second > round && steps < most) {
+            falls = iterate(s, k, &now);
+            steps += falls;
+        }
+        double cut = BESIDE * sph2d__over_rows(s, clamp_slab, NULL).second;
+        if (now.second + cut <= wanted) { /* the usual end: little is cut off, and is not worth a look */
+            now.second += cut;
+            break;
+        }
+        if (cut > 0) {
+            apply(s, k);
+            sph2d__over_rows(s, advance_slab, &(way){1, 0});
+        }
+        now = sph2d__over_rows(s, begin_slab, NULL);
+    }
+    s->iterations = steps;
+    s->left = now.second / fmax(1, (double)s->fluid.count);
+    s->wanted = s->method.tolerance;
+    s->unconverged = !(now.second <= wanted);
+    return now.most;
+}
+
+/* ---- the step ---------------------------------------------------------------------------------------------------- */
+
+/* Part of the support radius: over shorter ways the matrix of a step holds, and nobody has to look. */
+static const double STILL = 0.02;
+
+static void project(sph2d__system *s)
+{
+    spook k = spook_of(s);
+    double most = solve(s, &k), limit = s->method.max_compression;
+    sph2d__projection_end(s);
+    if (most > limit / 2 || s->speed * s->step > STILL * s->support)
+        sph2d__stragglers_correct(s, limit, k.soft / (4 * k.gamma));
+}
+
+const sph2d__method sph2d__constraint = {
+    .name = "constraint",
+    .integrator = SPH2D__PROJECTED,
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(product) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
+    .carried = SPH2D__PROJECTION_CARRIED,
+    .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(product),
+    .prepare = sph2d__projection_prepare,
+    .evaluate = sph2d__projection_gather,
+    .project = project,
+    .wall_force = sph2d__projection_wall_force,
+    .stable_step = sph2d__projection_step,
+};

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pcisph.c
+ *  Method `pcisph`: the loop of a step, step limits. */
+#include "methods/projection/pcisph.h"
+
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/projection/projection.h"
+#include "simd/lanes.h"
+
+/* w */
+static const double RELAXATION = 0.9;
+/* Part of the last step's pressure that a step starts from: all of it, where little of it has to change, keeps what is
+ * wrong with it from step to step. */
+static const double WARMTH = 0.3;
+/* The step along what is left was too long when more is left than so much of the least. */
+static const double GROWTH = 1.5;
+
+double sph2d__pcisph_prototype(const sph2d__system *s)
+{
+    double ratio = s->spacing / s->support;
+    double g = s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio / s->support;
+    return g * g * sph2d__projection_lattice(s).square;
+}
+
+/** One correction of a store's multipliers, which are ahead of those of the last correction: a step along what is left,
+ *  and on by `ahead` of the way from there. */
+typedef struct correction {
+    double factor; /**< of the step */
+    double ahead;
+    double soft; /**< compression that a multiplier keeps */
+} correction;
+
+/** Predicts the densities of a slab, then corrects. Sums and largest: what was left of the fluid, compression and
+ *  pressure that is too large. Second sum: left . way, below zero where going ahead went too far. */
+static void correct_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const correction *c = with;
+    sph2d__store *rows = slab->rows;
+    double total = 0, most = 0;
+    sph2d__projection_predict(s, slab);
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double ahead = sph2d__twin_value(rows->direction[i]), r = rows->residual[i] - c->soft * ahead;
+        double left = r > 0 ? r : ahead > 0 ? -r : 0, y = ahead + c->factor * r;
+        y = y > 0 ? y : 0;
+        double way = y - rows->multiplier[i];
+        ahead = y + c->ahead * way;
+        rows->multiplier[i] = y;
+        rows->direction[i] = sph2d__twin(ahead > 0 ? ahead : 0);
+        total += left;
+        sum->second += r * way;
+        most = left > most ? left : most;
+    }
+    if (slab->walls)
+        return;
+    sum->first = total;
+    sum->most = most;
+}
+
+static void project(sph2d__system *s)
+{
+    double sound = s->sound_speed * s->step, t = 1, least = INFINITY;
+    correction c = {RELAXATION / (2 * sph2d__pcisph_prototype(s)), 0, 1 / (sound * sound)};
+    uint64_t n = 0;
+    sph2d__projection_begin(s, WARMTH);
+    s->wanted = s->method.max_compression;
+    s->unconverged = true;
+    while (n < s->method.max_iterations && (s->unconverged || n < s->method.min_iterations)) {
+        double next = (1 + sqrt(1 + 4 * t * t)) / 2;
+        c.ahead = (t - 1) / next;
+        sph2d__projection_move(s);
+        sph2d__slab_sum left = sph2d__over_rows(s, correct_slab, &c);
+        s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
+        s->unconverged = !(s->left <= s->wanted);
+        bool grows = left.first > GROWTH * least;
+        c.factor *= grows ? 0.5 : 1;
+        t = grows || left.second < 0 ? 1 : next;
+        least = fmin(least, left.first);
+        ++n;
+    }
+    s->iterations = n;
+    sph2d__projection_end(s);
+}
+
+const sph2d__method sph2d__pcisph = {
+    .name = "pcisph",
+    .integrator = SPH2D__PROJECTED,
+    .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
+    .carried = SPH2D__PROJECTION_CARRIED,
+    .walls = SPH2D__PROJECTION_WALLS,
+    .prepare = sph2d__projection_prepare,
+    .evaluate = sph2d__projection_gather,
+    .project = project,
+    .wall_force = sph2d__projection_wall_force,
+    .stable_step = sph2d__projection_step,
+};

@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: MIT */
+/** @file projection.c
+ *  The pair loops of projection.h for the instruction set in use, and what comes before them. */
+#include "methods/projection/projection.h"
+
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/terms/stable_step.h"
+#include "methods/terms/tension.h"
+#include "simd/lanes.h"
+
+static const sph2d__projection_passes *passes(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__projection_passes_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__projection_passes_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__projection_passes_baseline;
+}
+
+static const sph2d__projection_gather_pass *gathers(sph2d_isa isa)
+{
+#ifdef SPH2D__ISA_X86
+    if (isa == SPH2D_ISA_AVX512)
+        return &sph2d__projection_gather_avx512;
+    if (isa == SPH2D_ISA_AVX2)
+        return &sph2d__projection_gather_avx2;
+#else
+    (void)isa;
+#endif
+    return &sph2d__projection_gather_baseline;
+}
+
+/** Pairs of a particle in a filled lattice, half as many again for disorder, and walls. */
+static size_t usual_pairs(const sph2d__system *s)
+{
+    double ratio = s->support / s->spacing;
+    return (size_t)(1.5 * SPH2D__PI * ratio * ratio) + 8;
+}
+
+/** Puts the particle that shorter lists end with where no kernel reaches: behind the last one of a store. */
+static void put_far(const sph2d__store *store, double *x, double *y)
+{
+    if (store->capacity > 0)
+        x[store->count] = y[store->count] = 1e30;
+}
+
+/** Gathers for the slab; its largest is 1 when there was not room enough. */
+static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const sph2d__projection_gather_pass *pass = gathers(s->isa);
+    (void)with;
+    sum->most = !(slab->walls ? pass->walls : pass->fluid)[s->method.kernel](s, slab->first / SPH2D__SLAB);
+}
+
+bool sph2d__projection_gather(sph2d__system *s)
+{
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SEARCH);
+    size_t each = usual_pairs(s);
+    put_far(&s->fluid, s->fluid.x, s->fluid.y);
+    put_far(&s->walls, s->walls.x, s->walls.y);
+    for (;; each = 2 * s->neighbours.each) {
+        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
+            (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
+            return false;
+        s->neighbours.lanes = s->wall_neighbours.lanes = gathers(s->isa)->lanes;
+        if (sph2d__over_rows(s, gather_slab, NULL).most == 0)
+            break;
+    }
+    sph2d__tension_add(s);
+    sph2d__profile_enter(&s->profile, before);
+    return true;
+}
+
+/* ---- sums over neighbours ---------------------------------------------------------------------------------------- */
+
+/** How much of velocities and accelerations leads. */
+typedef struct shares {
+    double keep, fall;
+} shares;
+
+static void spread_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    (void)sum;
+    passes(s->isa)->spread(s, slab->first, slab->last);
+}
+
+static void lead_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const shares *w = with;
+    (void)sum;
+    passes(s->isa)->lead(s, w->keep, w->fall, slab->first, slab->last);
+}
+
+static void move_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    (void)sum;
+    passes(s->isa)->move(s, slab->first, slab->last);
+}
+
+static void press_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *share = with;
+    (void)sum;
+    passes(s->isa)->press(s, *share, slab->first, slab->last);
+}
+
+/** What stands behind the last particle, with which shorter lists end: nothing that a gradient of zero would not undo.
+ */
+static void push_nothing(sph2d__store *f)
+{
+    if (f->capacity > 0)
+        f->push[f->count] = 0;
+}
+
+void sph2d__projection_spread(sph2d__system *s)
+{
+    sph2d__over_fluid(s, spread_slab, NULL);
+    push_nothing(&s->fluid);
+}
+
+void sph2d__projection_lead(sph2d__system *s, double keep, double fall)
+{
+    sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
+    push_nothing(&s->fluid);
+}
+
+void sph2d__projection_collect(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
+{
+    const sph2d__projection_passes *pass = passes(s->isa);
+    (slab->walls ? pass->collect_walls : pass->collect_fluid)(s, share, out, slab->first, slab->last);
+}
+
+void sph2d__projection_move(sph2d__system *s)
+{
+    sph2d__over_fluid(s, move_slab, NULL);
+    put_far(&s->fluid, s->fluid.next_x, s->fluid.next_y);
+}
+
+void sph2d__projection_predict(sph2d__system *s, const sph2d__slab *slab)
+{
+    const sph2d__projection_passes *pass = passes(s->isa);
+    (slab->walls ? pass->predict_walls : pass->predict_fluid)[s->method.kernel](s, slab->first, slab->last);
+}
+
+/* ---- pressures and multipliers ----------------------------------------------------------------------------------- */
+
+static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *part = with;
+    double factor = *part * s->step * s->step / (s->rest_density * s->moment);
+    sph2d__store *t = slab->rows;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        t->direction[i] = sph2d__twin(t->multiplier[i] = t->pressure[i] > 0 ? factor * t->pressure[i] : 0);
+}
+
+void sph2d__projection_begin(sph2d__system *s, double part)
+{
+    sph2d__over_rows(s, begin_slab, &part);
+}
+
+static void end_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    double factor = s->moment * s->rest_density / (s->step * s->step);
+    sph2d__store *t = slab->rows;
+    (void)with;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        t->multiplier[i] = t->multiplier[i] > 0 ? t->multiplier[i] : 0;
+        t->pressure[i] = factor * t->multiplier[i];
+    }
+}
+
+void sph2d__projection_end(sph2d__system *s)
+{
+    const double share = 1 / (s->step * s->step);
+    sph2d__over_rows(s, end_slab, NULL);
+    sph2d__over_fluid(s, press_slab, &share);
+}
+
+sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
+{
+    double h2 = s->support * s->support, q = hypot(dx, dy) / s->support;
+    double weight = s->calibration * s->walls.mass[b] / s->rest_density;
+    double g =
+        weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) * sph2d__kernel_slope_at(s->method.kernel, q);
+    double press = s->mass / (s->moment * s->rest_density) * (s->fluid.pressure[i] + s->walls.pressure[b]);
+    return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
+}
+
+double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
+{
+    double c2 = s->sound_speed * s->sound_speed, held = s->fluid.density[i] / s->rest_density - 1;
+    double unknown = s->method.name == SPH2D_METHOD_PCISPH ? s->method.max_compression : 0;
+    if (pressed)
+        held = fmin(held, s->fluid.pressure[i] / (s->rest_density * c2));
+    return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;
+}
+
+/* Step limit as a fraction of sqrt(H/a): 0.25 sqrt(h/a) of Monaghan 1992. Viscosity is explicit, too. */
+static const double FORCE = 0.18;
+
+double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    double push = sqrt(s->hardest / s->rest_density);
+    return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, s->viscosity / s->rest_density,
+                                sph2d__viscous_limit(s->method.kernel), FORCE, limit);
+}
+
+sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)
+{
+    int reach = (int)(s->support / s->spacing) + 1;
+    sph2d__lattice sum = {0};
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            double q = hypot(i, j) * s->spacing / s->support, g = sph2d__kernel_slope_at(s->method.kernel, q);
+            sum.value += sph2d__kernel_value_at(s->method.kernel, q);
+            sum.moment -= q * q * g;
+            sum.square += q * q * g * g;
+        }
+    return sum;
+}
+
+/** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
+ *  of layers have their mass by their area. */
+static void weigh_rows(sph2d__system *s, double lattice)
+{
+    sph2d__store *w = &s->walls;
+    for (size_t b = 0; b < w->count; ++b) {
+        if (w->bounce[b] >= 0 || w->mass[b] > 0)
+            continue;
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]), &ranges);
+        double sum = 0;
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+            double dx = w->x[b] + ranges.x[r] - w->x[j], dy = w->y[b] + ranges.y[r] - w->y[j];
+            if (w->bounce[j] < 0)
+                sum += sph2d__kernel_value_at(s->method.kernel, hypot(dx, dy) / s->support);
+        }
+        w->mass[b] = s->mass * lattice / sum;
+    }
+}
+
+/** What a lattice in front of a straight wall adds to the density at a boundary particle, over rest density. */
+static double filled_at(const sph2d__system *s, double depth)
+{
+    int reach = (int)(s->support / s->spacing) + 1;
+    double sum = 0, dx = s->spacing;
+    for (int row = 0; row <= reach; ++row)
+        for (int column = -reach; column <= reach; ++column)
+            sum += sph2d__kernel_value_at(s->method.kernel, hypot(column * dx, depth + (row + 0.5) * dx) / s->support);
+    double ratio = dx / s->support;
+    return s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio * sum;
+}
+
+/** Boundary particles of layers have rows, but in corners, where the surface is not straight. Those of the domain's
+ *  sides know the room around them, those of obstacles take their surface for straight. */
+static void fill_layers(sph2d__system *s)
+{
+    sph2d__store *w = &s->walls;
+    double scale = s->calibration * sph2d__kernel_constant(s->method.kernel);
+    for (size_t b = 0; b < w->count; ++b) {
+        bool straight = w->bounce[b] < 0 && w->depth[b] > 0 && w->depth[b] < INFINITY;
+        double room = w->filled[b];
+        w->filled[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
+    }
+}
+
+void sph2d__projection_prepare(sph2d__system *s)
+{
+    sph2d__lattice lattice = sph2d__projection_lattice(s);
+    double constant = sph2d__kernel_constant(s->method.kernel), ratio = s->spacing / s->support;
+    s->calibration = 1 / (ratio * ratio * constant * lattice.value);
+    s->moment = s->calibration * ratio * ratio * constant * lattice.moment / 2;
+    weigh_rows(s, lattice.value);
+    fill_layers(s);
+}

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: MIT */
+/** @file projection_gather_pass.c
+ *  Finds the neighbours of methods with a pressure that follows from density, and sums what does not change while the
+ *  pressure is solved for. Compiled once for each instruction set, named by SPH2D__ISA, and in it once for each kernel.
+ *  Neighbours are searched for one particle after another, a block of candidates at a time; what is summed over them
+ *  is summed for a slice of particles at once. */
+#include "kernels/kernel.h"
+#include "methods/common/shortest.h"
+#include "methods/common/traverse.h"
+#include "methods/projection/projection.h"
+
+/** Where the pairs of a slab go. */
+typedef struct slab {
+    size_t next, end;                    /**< room that is left */
+    uint32_t *found;                     /**< the lists of the slice that is searched */
+    size_t longest;                      /**< room of each */
+    uint32_t counts[SPH2D__LANES], most; /**< their lengths, and the largest */
+    sph2d__cursor fluid, walls;
+    bool full;
+} slab;
+
+static slab slab_start(const sph2d__neighbours *n, size_t k)
+{
+    size_t room = n->each * SPH2D__SLAB, longest = sph2d__neighbours_longest(n);
+    return (slab){.next = k * room,
+                  .end = (k + 1) * room,
+                  .found = n->found + k * longest * SPH2D__WIDEST,
+                  .longest = longest,
+                  .fluid = SPH2D__CURSOR_START,
+                  .walls = SPH2D__CURSOR_START};
+}
+
+/* ---- search ------------------------------------------------------------------------------------------------------ */
+
+/** Lists the particles nearer than the support around (x, y), but particle `but`. */
+SPH2D__INLINE void search(slab *to, int lane, const sph2d__store *from, const sph2d__ranges *ranges, double x, double y,
+                          double support2, size_t but)
+{
+    uint32_t *found = to->found + (size_t)lane * to->longest, *next = found;
+    const uint32_t *last = found + to->longest - SPH2D__LANES; /* blocks are written whole */
+    SPH2D__FOR_BLOCKS (ranges, r, j, left) {
+        sph2d__lanes dx = x + ranges->x[r] - sph2d__lanes_load(from->x + j);
+        sph2d__lanes dy = y + ranges->y[r] - sph2d__lanes_load(from->y + j);
+        unsigned near = sph2d__lanes_which(dx * dx + dy * dy, support2);
+        if (left < SPH2D__LANES)
+            near &= (1u << (int)left) - 1;
+        if (but - j < SPH2D__LANES)
+            near &= ~(1u << (but - j));
+        if (next > last) {
+            to->full = true;
+            break;
+        }
+        sph2d__lanes_pack_index(next, (uint32_t)j, near);
+        next += (size_t)__builtin_popcount(near);
+    }
+    uint32_t count = (uint32_t)(next - found);
+    to->counts[lane] = count;
+    to->most = count > to->most ? count : to->most;
+}
+
+/** Lists the neighbours in one store of particles `first` on of another, or of the same one (`own`). */
+SPH2D__INLINE void search_slice(slab *to, sph2d__cursor *cursor, const sph2d__cells *cells, const sph2d__store *from,
+                                const sph2d__store *of, size_t first, double support2, bool own, const double *filled)
+{
+    to->most = 0;
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        size_t i = first + (size_t)l;
+        to->counts[l] = 0;
+        if (i < of->count && (!filled || filled[i] > 0) && sph2d__cursor_move(cursor, cells, of->x[i], of->y[i]))
+            search(to, l, from, &cursor->ranges, of->x[i], of->y[i], support2, own ? i : SIZE_MAX);
+    }
+}
+
+/** Writes the lists as slots; `far` stands where a list is at its end. Returns how many. */
+SPH2D__INLINE uint32_t write_slots(sph2d__neighbours *n, slab *to, size_t far)
+{
+    uint32_t *index = n->index + to->next;
+    if (to->end - to->next < (size_t)to->most * SPH2D__LANES)
+        to->full = true;
+    if (to->full)
+        return 0;
+    for (int l = 0; l < SPH2D__LANES; ++l)
+        for (uint32_t k = to->counts[l]; k < to->most; ++k)
+            to->found[(size_t)l * to->longest + k] = (uint32_t)far;
+    for (uint32_t k = 0; k < to->most; ++k)
+        for (int l = 0; l < SPH2D__LANES; ++l)
+            index[k * SPH2D__LANES + (uint32_t)l] = to->found[(size_t)l * to->longest + k];
+    to->next += (size_t)to->most * SPH2D__LANES;
+    return to->most;
+}
+
+/* ---- sums -------------------------------------------------------------------------------------------------------- */
+
+/** The particles of a slice and what is summed over their pairs. */
+typedef struct slice {
+    sph2d__lanes x, y, vx, vy;
+    sph2d__lanes value;          /* f(q), weighted */
+    sph2d__lanes gx, gy, square; /* G and |G|^2 */
+    sph2d__lanes drag_x, drag_y;
+} slice;
+
+/** What the sums over the pairs with one store need. */
+typedef struct weights {
+    double support, slope;
+    sph2d__lanes weight; /* c m/rho0, or c/rho0 with masses given */
+    const double *mass;  /* of each boundary particle; NULL: in the weight */
+    bool viscous;        /* the velocities differ: drag */
+    const sph2d__store *from;
+    const sph2d__period *period;
+} weights;
+
+/** Sums over `slots` slots whose pairs begin at `at`, and keeps their gradients. */
+SPH2D__INLINE void sum_slots(sph2d__neighbours *n, size_t at, uint32_t slots, const weights *w, sph2d_kernel kernel,
+                             slice *to)
+{
+    const sph2d__store *from = w->from;
+    slice sum = *to;
+    for (uint32_t k = 0; k < slots; ++k, at += SPH2D__LANES) {
+        const uint32_t *index = n->index + at;
+        sph2d__lanes dx = sph2d__shortest(sum.x - sph2d__lanes_gather(from->x, index), w->period->length_x);
+        sph2d__lanes dy = sph2d__shortest(sum.y - sph2d__lanes_gather(from->y, index), w->period->length_y);
+        sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / w->support), share = w->weight;
+        if (w->mass)
+            share *= sph2d__lanes_gather(w->mass, index);
+        sph2d__lanes g = share * w->slope * sph2d__kernel_slope(kernel, q), gx = g * dx, gy = g * dy;
+        sum.value += share * sph2d__kernel_value(kernel, q);
+        sum.gx += gx;
+        sum.gy += gy;
+        if (!w->mass)
+            sum.square += gx * gx + gy * gy;
+        if (w->viscous) {
+            sum.drag_x += g * (sum.vx - sph2d__lanes_gather(from->vx, index));
+            sum.drag_y += g * (sum.vy - sph2d__lanes_gather(from->vy, index));
+        }
+        sph2d__pairs_store(n->gradient + at, sph2d__pairs_of(gx, gy));
+    }
+    *to = sum;
+}
+
+/** Acceleration without pressure of the particles of a slice. */
+SPH2D__INLINE void accelerate(const sph2d__system *s, size_t first, const slice *p)
+{
+    const sph2d__store *f = &s->fluid;
+    double nu = s->viscosity / s->rest_density;
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < f->count; ++l) {
+        double ax = 2 * nu * p->drag_x[l], ay = 2 * nu * p->drag_y[l];
+        sph2d__body_add(&s->body, p->x[l], p->y[l], p->vx[l], p->vy[l], &ax, &ay);
+        f->ax[first + (size_t)l] = ax;
+        f->ay[first + (size_t)l] = ay;
+    }
+}
+
+/** Everything about the fluid particles `first` on of a slice. */
+SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_kernel kernel)
+{
+    sph2d__neighbours *n = &s->neighbours;
+    sph2d__store *f = &s->fluid;
+    sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    double h2 = s->support * s->support, own = s->calibration * s->mass / s->rest_density;
+    double constant = sph2d__kernel_constant(kernel);
+    slice sum = {sph2d__lanes_load(f->x + first), sph2d__lanes_load(f->y + first), sph2d__lanes_load(f->vx + first),
+                 sph2d__lanes_load(f->vy + first), .value = {0}};
+    weights w = {.support = s->support,
+                 .slope = constant / (h2 * h2),
+                 .weight = (sph2d__lanes){0} + own,
+                 .viscous = s->viscosity > 0,
+                 .from = f,
+                 .period = &s->fluid_cells.period};
+    *at = (sph2d__slice){.begin = to->next};
+    search_slice(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
+    at->fluid = write_slots(n, to, f->count);
+    sum_slots(n, at->begin, at->fluid, &w, kernel, &sum);
+    if (s->walls_press) {
+        w.weight = (sph2d__lanes){0} + s->calibration / s->rest_density;
+        w.mass = s->walls.mass;
+        w.from = &s->walls;
+        w.viscous = false;
+        search_slice(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
+        at->walls = write_slots(n, to, s->walls.count);
+        sum_slots(n, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &w, kernel, &sum);
+    }
+    sph2d__lanes middle = sum.value + own * sph2d__kernel_value_at(kernel, 0);
+    sph2d__lanes_store(f->density + first, s->rest_density * constant / h2 * middle);
+    sph2d__lanes_store(f->diagonal + first, sum.square + sum.gx * sum.gx + sum.gy * sum.gy);
+    accelerate(s, first, &sum);
+}
+
+/** Everything about boundary particles `first` on: their pairs where they have rows, and what liquid adds there. */
+SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_kernel kernel)
+{
+    sph2d__neighbours *n = &s->wall_neighbours;
+    sph2d__store *w = &s->walls;
+    sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    double h2 = s->support * s->support, constant = sph2d__kernel_constant(kernel);
+    sph2d__lanes mass = sph2d__lanes_load(w->mass + first);
+    slice sum = {sph2d__lanes_load(w->x + first), sph2d__lanes_load(w->y + first), .value = {0}};
+    weights weigh = {.support = s->support,
+                     .slope = constant / (h2 * h2),
+                     .weight = s->calibration / s->rest_density * mass,
+                     .from = &s->fluid,
+                     .period = &s->fluid_cells.period};
+    *at = (sph2d__slice){.begin = to->next};
+    search_slice(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filled);
+    at->fluid = write_slots(n, to, s->fluid.count);
+    sum_slots(n, at->begin, at->fluid, &weigh, kernel, &sum);
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l) {
+        size_t b = first + (size_t)l;
+        double added = constant / h2 * s->mass / w->mass[b] * sum.value[l];
+        w->density[b] = s->rest_density * (1 + (to->counts[l] > 0 ? added - w->filled[b] : 0));
+        w->diagonal[b] = sum.square[l];
+    }
+}
+
+/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+
+/** Gathers for the particles of slab k. False when it is full. */
+SPH2D__INLINE bool gather_slab(sph2d__system *s, bool walls, size_t k, sph2d_kernel kernel)
+{
+    slab to = slab_start(walls ? &s->wall_neighbours : &s->neighbours, k);
+    size_t count = walls ? s->walls.count : s->fluid.count;
+    size_t end = (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count;
+    for (size_t i = k * SPH2D__SLAB; i < end && !to.full; i += SPH2D__LANES) {
+        if (walls)
+            gather_walls(s, &to, i, kernel);
+        else
+            gather_slice(s, &to, i, kernel);
+    }
+    return !to.full;
+}
+
+#define FOR_KERNEL(name, kernel)                                                                                       \
+    static bool fluid_##name(sph2d__system *s, size_t k)                                                               \
+    {                                                                                                                  \
+        return gather_slab(s, false, k, kernel);                                                                       \
+    }                                                                                                                  \
+    static bool walls_##name(sph2d__system *s, size_t k)                                                               \
+    {                                                                                                                  \
+        return gather_slab(s, true, k, kernel);                                                                        \
+    }
+FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
+FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
+FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
+FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
+FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+
+#define NAME_(isa) sph2d__projection_gather_##isa
+#define NAME(isa) NAME_(isa)
+const sph2d__projection_gather_pass NAME(SPH2D__ISA) = {SPH2D__LANES,
+                                                        {fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
+                                                        {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic}};

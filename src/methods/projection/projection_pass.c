@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/** @file projection_pass.c
+ *  The sums of projection.h over the neighbours that were gathered. Compiled once for each instruction set, named by
+ *  SPH2D__ISA, and prediction in it once for each kernel. Every lane is a particle. */
+#include "kernels/kernel.h"
+#include "methods/common/shortest.h"
+#include "methods/projection/projection.h"
+
+/** Runs the statement behind it for each slice of particles `first` to `end` - 1, its first particle being `i`. */
+#define FOR_SLICES(first, end, i) for (size_t i = (first); i < (end); i += SPH2D__LANES)
+
+/** Where the pairs of a slice with fluid and with boundary particles end. */
+typedef struct ends {
+    size_t begin, fluid, walls;
+} ends;
+
+SPH2D__INLINE ends ends_of(const sph2d__neighbours *n, size_t first)
+{
+    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    size_t fluid = at->begin + (size_t)at->fluid * SPH2D__LANES;
+    return (ends){at->begin, fluid, fluid + (size_t)at->walls * SPH2D__LANES};
+}
+
+/* ---- spreading --------------------------------------------------------------------------------------------------- */
+
+/** D' over the pairs from `first` to `end`, in floats as good as the gradients; `y` is of the other particles. */
+SPH2D__INLINE sph2d__pairs spread_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__pairs own,
+                                       const double *y, sph2d__pairs sum)
+{
+    for (size_t k = first; k < end; k += SPH2D__LANES)
+        sum += (own + sph2d__pairs_gather(y, n->index + k)) * sph2d__pairs_load(n->gradient + k);
+    return sum;
+}
+
+SPH2D__INLINE sph2d__pairs spread_slice(const sph2d__system *s, size_t i)
+{
+    const double *y = s->fluid.direction;
+    ends at = ends_of(&s->neighbours, i);
+    sph2d__pairs own = sph2d__pairs_load(y + i);
+    sph2d__pairs sum = spread_over(&s->neighbours, at.begin, at.fluid, own, y, (sph2d__pairs){0});
+    return spread_over(&s->neighbours, at.fluid, at.walls, own, s->walls.direction, sum);
+}
+
+static void spread(sph2d__system *s, size_t first, size_t last)
+{
+    FOR_SLICES (first, last, i)
+        sph2d__pairs_store(s->fluid.push + i, spread_slice(s, i));
+}
+
+static void lead(sph2d__system *s, double keep, double fall, size_t first, size_t last)
+{
+    const sph2d__store *f = &s->fluid;
+    FOR_SLICES (first, last, i) {
+        sph2d__lanes x = keep * sph2d__lanes_load(f->vx + i) + fall * sph2d__lanes_load(f->ax + i);
+        sph2d__lanes up = keep * sph2d__lanes_load(f->vy + i) + fall * sph2d__lanes_load(f->ay + i);
+        sph2d__pairs_store(f->push + i, sph2d__pairs_of(x, up) - spread_slice(s, i));
+    }
+}
+
+static void move(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__store *f = &s->fluid;
+    double dt = s->step;
+    FOR_SLICES (first, last, i) {
+        sph2d__pairs push = spread_slice(s, i);
+        sph2d__lanes x = sph2d__lanes_load(f->vx + i) + dt * sph2d__lanes_load(f->ax + i);
+        sph2d__lanes up = sph2d__lanes_load(f->vy + i) + dt * sph2d__lanes_load(f->ay + i);
+        sph2d__lanes_store(f->next_x + i, sph2d__lanes_load(f->x + i) + (dt * x - sph2d__pairs_x(push)));
+        sph2d__lanes_store(f->next_y + i, sph2d__lanes_load(f->y + i) + (dt * up - sph2d__pairs_y(push)));
+    }
+}
+
+/** Takes `share` of D' multiplier off the acceleration. Summed in doubles: forces between two particles are opposite,
+ *  and what momentum the sums lose stays as small as their rounding. */
+static void press(sph2d__system *s, double share, size_t first, size_t last)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    sph2d__store *f = &s->fluid;
+    const double *walls = s->walls.multiplier;
+    FOR_SLICES (first, last, i) {
+        ends at = ends_of(n, i);
+        sph2d__lanes own = sph2d__lanes_load(f->multiplier + i), px = {0}, py = {0};
+        for (size_t k = at.begin; k < at.walls; k += SPH2D__LANES) {
+            sph2d__lanes both = own + sph2d__lanes_gather_late(k < at.fluid ? f->multiplier : walls, n->index + k);
+            sph2d__pairs g = sph2d__pairs_load(n->gradient + k);
+            px += both * sph2d__pairs_x(g);
+            py += both * sph2d__pairs_y(g);
+        }
+        sph2d__lanes_store(f->ax + i, sph2d__lanes_load(f->ax + i) - share * px);
+        sph2d__lanes_store(f->ay + i, sph2d__lanes_load(f->ay + i) - share * py);
+    }
+}
+
+/* ---- collecting -------------------------------------------------------------------------------------------------- */
+
+/** D over the pairs with fluid particles from `first` to `end`, of particles that move by u. */
+SPH2D__INLINE sph2d__pairs collect_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__pairs u,
+                                        const double *push)
+{
+    sph2d__pairs sum = {0};
+    for (size_t k = first; k < end; k += SPH2D__LANES)
+        sum += (u - sph2d__pairs_gather(push, n->index + k)) * sph2d__pairs_load(n->gradient + k);
+    return sum;
+}
+
+static void collect_fluid(sph2d__system *s, double share, double *out, size_t first, size_t last)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    FOR_SLICES (first, last, i) {
+        ends at = ends_of(n, i);
+        sph2d__pairs u = sph2d__pairs_load(f->push + i), sum = collect_over(n, at.begin, at.fluid, u, f->push);
+        for (size_t k = at.fluid; k < at.walls; k += SPH2D__LANES) {
+            sph2d__pairs wall = {0};
+            if (share != 0)
+                wall = sph2d__pairs_of(share * sph2d__lanes_gather(w->vx, n->index + k),
+                                       share * sph2d__lanes_gather(w->vy, n->index + k));
+            sum += (u - wall) * sph2d__pairs_load(n->gradient + k);
+        }
+        sph2d__lanes_store(out + i, sph2d__pairs_x(sum) + sph2d__pairs_y(sum));
+    }
+}
+
+static void collect_walls(sph2d__system *s, double share, double *out, size_t first, size_t last)
+{
+    const sph2d__neighbours *n = &s->wall_neighbours;
+    const sph2d__store *w = &s->walls;
+    FOR_SLICES (first, last, b) {
+        ends at = ends_of(n, b);
+        sph2d__pairs u = sph2d__pairs_of(share * sph2d__lanes_load(w->vx + b), share * sph2d__lanes_load(w->vy + b));
+        sph2d__pairs sum = collect_over(n, at.begin, at.fluid, u, s->fluid.push);
+        sph2d__lanes_store(out + b, sph2d__pairs_x(sum) + sph2d__pairs_y(sum));
+    }
+}
+
+/* ---- prediction -------------------------------------------------------------------------------------------------- */
+
+/** f(q) for particles that will be at (x, y), and at (jx, jy). */
+SPH2D__INLINE sph2d__lanes value_at(const sph2d__system *s, sph2d__lanes x, sph2d__lanes y, sph2d__lanes jx,
+                                    sph2d__lanes jy, sph2d_kernel kernel)
+{
+    const sph2d__period *period = &s->fluid_cells.period;
+    sph2d__lanes dx = sph2d__shortest(x - jx, period->length_x), dy = sph2d__shortest(y - jy, period->length_y);
+    return sph2d__kernel_value(kernel, sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support));
+}
+
+/** f(q) summed over the fluid's pairs from `first` to `end`. */
+SPH2D__INLINE sph2d__lanes values(const sph2d__system *s, const sph2d__neighbours *n, size_t first, size_t end,
+                                  sph2d__lanes x, sph2d__lanes y, sph2d_kernel kernel)
+{
+    const sph2d__store *f = &s->fluid;
+    sph2d__lanes sum = {0};
+    for (size_t k = first; k < end; k += SPH2D__LANES)
+        sum += value_at(s, x, y, sph2d__lanes_gather(f->next_x, n->index + k),
+                        sph2d__lanes_gather(f->next_y, n->index + k), kernel);
+    return sum;
+}
+
+/** The same over boundary particles, with their masses. */
+SPH2D__INLINE sph2d__lanes wall_values(const sph2d__system *s, const sph2d__neighbours *n, size_t first, size_t end,
+                                       sph2d__lanes x, sph2d__lanes y, sph2d_kernel kernel)
+{
+    const sph2d__store *w = &s->walls;
+    sph2d__lanes sum = {0};
+    for (size_t k = first; k < end; k += SPH2D__LANES) {
+        const uint32_t *b = n->index + k;
+        sph2d__lanes jx = sph2d__lanes_gather(w->x, b) + s->step * sph2d__lanes_gather(w->vx, b);
+        sph2d__lanes jy = sph2d__lanes_gather(w->y, b) + s->step * sph2d__lanes_gather(w->vy, b);
+        sum += sph2d__lanes_gather(w->mass, b) * value_at(s, x, y, jx, jy, kernel);
+    }
+    return sum;
+}
+
+/** Factor that makes a density over rest density of masses times f(q). */
+static double scale_of(const sph2d__system *s, sph2d_kernel kernel)
+{
+    return s->calibration * sph2d__kernel_constant(kernel) / (s->support * s->support * s->rest_density);
+}
+
+SPH2D__INLINE void predict_fluid(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    sph2d__store *f = &s->fluid;
+    double middle = sph2d__kernel_value_at(kernel, 0), scale = scale_of(s, kernel);
+    FOR_SLICES (first, last, i) {
+        ends at = ends_of(n, i);
+        sph2d__lanes x = sph2d__lanes_load(f->next_x + i), y = sph2d__lanes_load(f->next_y + i);
+        sph2d__lanes sum = s->mass * (middle + values(s, n, at.begin, at.fluid, x, y, kernel));
+        sum += wall_values(s, n, at.fluid, at.walls, x, y, kernel);
+        sph2d__lanes_store(f->residual + i, scale * sum - 1);
+    }
+}
+
+SPH2D__INLINE void predict_walls(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
+{
+    const sph2d__neighbours *n = &s->wall_neighbours;
+    sph2d__store *w = &s->walls;
+    double scale = scale_of(s, kernel);
+    FOR_SLICES (first, last, b) {
+        ends at = ends_of(n, b);
+        sph2d__lanes x = sph2d__lanes_load(w->x + b) + s->step * sph2d__lanes_load(w->vx + b);
+        sph2d__lanes y = sph2d__lanes_load(w->y + b) + s->step * sph2d__lanes_load(w->vy + b);
+        sph2d__lanes added = scale * s->mass * values(s, n, at.begin, at.fluid, x, y, kernel);
+        sph2d__lanes left = sph2d__lanes_load(w->mass + b) / s->mass * (added - sph2d__lanes_load(w->filled + b));
+        const sph2d__lanes none = {0};
+        sph2d__lanes_store(w->residual + b, sph2d__lanes_where(sph2d__lanes_load(w->diagonal + b), none, left));
+    }
+}
+
+/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+
+#define FOR_KERNEL(name, kernel)                                                                                       \
+    static void fluid_##name(sph2d__system *s, size_t first, size_t last)                                              \
+    {                                                                                                                  \
+        predict_fluid(s, first, last, kernel);                                                                         \
+    }                                                                                                                  \
+    static void walls_##name(sph2d__system *s, size_t first, size_t last)                                              \
+    {                                                                                                                  \
+        predict_walls(s, first, last, kernel);                                                                         \
+    }
+FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
+FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
+FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
+FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
+FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+
+#define NAME_(isa) sph2d__projection_passes_##isa
+#define NAME(isa) NAME_(isa)
+const sph2d__projection_passes NAME(SPH2D__ISA) = {spread,
+                                                   lead,
+                                                   move,
+                                                   press,
+                                                   collect_fluid,
+                                                   collect_walls,
+                                                   {fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
+                                                   {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic}};

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/** @file stable_step.c */
+#include "methods/terms/stable_step.h"
+
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/terms/tension.h"
+
+double sph2d__viscous_limit(sph2d_kernel kernel)
+{
+    return 0.067 / (sph2d__kernel_constant(kernel) * sph2d__kernel_value_at(kernel, 0));
+}
+
+double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,
+                            double viscous, double force, sph2d__limit *limit)
+{
+    double limits[3] = {
+        [SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound + speed),
+        [SPH2D__LIMIT_FORCE] =
+            fmin(acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY, sph2d__tension_step(s)),
+        [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};
+    *limit = SPH2D__LIMIT_ACOUSTIC;
+    for (int k = 0; k < 3; ++k)
+        if (limits[k] < limits[*limit])
+            *limit = (sph2d__limit)k;
+    return limits[*limit];
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: MIT */
+/** @file tension.c
+ *  Surface tension by the area of a band along the surface. */
+#include "methods/terms/tension.h"
+
+#include <math.h>
+
+#include "base/pi.h"
+#include "methods/common/slabs.h"
+#include "methods/common/traverse.h"
+#include "scene/derive.h"
+
+#define INNER SPH2D__INNER_RADIUS
+#define OUTER SPH2D__OUTER_RADIUS
+
+/* The most neighbours that a particle can have before it counts as covered: four times as many as liquid has. */
+enum { MOST = 192 };
+
+/* Borders end at those that are nearer than so many spacings, most of them: they are looked at first. */
+static const double NEAR = 1.6;
+
+typedef enum kind { INNER_LIQUID, LIQUID, WALL } kind;
+
+/** The particles that a particle's cell can border on; in spacings from it. */
+typedef struct crowd {
+    int count, near; /**< those that are near come first */
+    double x[MOST], y[MOST];
+    kind kind[MOST];
+} crowd;
+
+/** The border of a particle's cell with that of a neighbour, in spacings: on the bisector, at the distance `foot`,
+ *  between two places that count counter-clockwise from there; empty where `from` is not below `to`. */
+typedef struct border {
+    double foot, from, to;
+} border;
+
+/** Whether a particle of the fluid can have a surface. */
+static bool can_have_surface(const sph2d__system *s, size_t i)
+{
+    return !s->fluid.surface || s->fluid.surface[i] < s->support;
+}
+
+/** Adds one, those that are near before the others; there is room. */
+static void add(crowd *c, double x, double y, kind what)
+{
+    int k = c->count++;
+    if (x * x + y * y < NEAR * NEAR) {
+        int first = c->near++;
+        c->x[k] = c->x[first];
+        c->y[k] = c->y[first];
+        c->kind[k] = c->kind[first];
+        k = first;
+    }
+    c->x[k] = x;
+    c->y[k] = y;
+    c->kind[k] = what;
+}
+
+/** Adds the particles of `from` whose cells can meet that of a particle at (x, y) in the band, without the one there
+ *  and without those that only reflect. False when there is no room. */
+static bool gather(crowd *c, const sph2d__system *s, const sph2d__store *from, const sph2d__ranges *ranges, double x,
+                   double y)
+{
+    double reach = 2 * OUTER * s->spacing, scale = 1 / s->spacing;
+    SPH2D__FOR_NEIGHBOURS (ranges, r, j) {
+        double dx = from->x[j] - (x + ranges->x[r]), dy = from->y[j] - (y + ranges->y[r]), r2 = dx * dx + dy * dy;
+        if (!(r2 < reach * reach) || r2 == 0 || (from == &s->walls && from->bounce[j] >= 0))
+            continue;
+        if (c->count == MOST)
+            return false;
+        add(c, dx * scale, dy * scale, from == &s->walls ? WALL : can_have_surface(s, j) ? LIQUID : INNER_LIQUID);
+    }
+    return true;
+}
+
+/** Everything around particle i; false where it has no surface or no end of neighbours. */
+static bool gather_around(crowd *c, const sph2d__system *s, size_t i, sph2d__cursor *liquid, sph2d__cursor *walls)
+{
+    double x = s->fluid.x[i], y = s->fluid.y[i];
+    c->count = c->near = 0;
+    if (!can_have_surface(s, i))
+        return false;
+    bool room = !sph2d__cursor_move(liquid, &s->fluid_cells, x, y) || gather(c, s, &s->fluid, &liquid->ranges, x, y);
+    if (s->walls_press && sph2d__cursor_move(walls, &s->wall_cells, x, y))
+        room &= gather(c, s, &s->walls, &walls->ranges, x, y);
+    return room;
+}
+
+/** The part of the border with k that lies within the outer radius. It is cut no further once it lies within the circle
+ *  that `clear` on either side of the foot is in. */
+static border border_of(const crowd *c, int k, double clear)
+{
+    double r = sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]), half = sqrt(fmax(OUTER * OUTER - r * r / 4, 0));
+    double ex = c->x[k] / r, ey = c->y[k] / r;
+    border b = {r / 2, -half, half};
+    for (int j = 0; j < c->count && b.from < b.to && (b.to > clear || b.from < -clear); ++j) {
+        double x = c->x[j], y = c->y[j], along = ex * y - ey * x, free = (x * (x - r * ex) + y * (y - r * ey)) / 2;
+        if (j == k)
+            continue;
+        if (along > 0)
+            b.to = b.to * along > free ? free / along : b.to;
+        else if (along < 0)
+            b.from = b.from * along > free ? free / along : b.from;
+        else if (free < 0)
+            b.to = b.from;
+    }
+    return b;
+}
+
+/* ---- the weight -------------------------------------------------------------------------------------------------- */
+
+/** Where a border enters the band, from its foot. */
+static double entry_of(double foot)
+{
+    return sqrt(fmax(INNER * INNER - foot * foot, 0));
+}
+
+/** Integral of w = (d^2 - a1^2)(a2^2 - d^2), d^2 = foot^2 + t^2, over t in the band from 0 to a place. */
+static double weight_until(double foot, double t)
+{
+    double low = INNER * INNER - foot * foot, high = OUTER * OUTER - foot * foot, u = fabs(t), v = entry_of(foot);
+    if (!(u > v))
+        return 0;
+    double at_u = u * (u * u * ((low + high) / 3 - u * u / 5) - low * high);
+    double at_v = v * (v * v * ((low + high) / 3 - v * v / 5) - low * high);
+    return copysign(at_u - at_v, t);
+}
+
+/** Integral of t w. */
+static double moment_until(double foot, double t)
+{
+    double low = INNER * INNER - foot * foot, high = OUTER * OUTER - foot * foot, v = entry_of(foot);
+    double u2 = fmax(t * t, v * v), v2 = v * v;
+    double at_u = u2 * (u2 * ((low + high) / 4 - u2 / 6) - low * high / 2);
+    double at_v = v2 * (v2 * ((low + high) / 4 - v2 / 6) - low * high / 2);
+    return at_u - at_v;
+}
+
+/** Integral of w over a sector of angle 1 as far as the outer radius: (a2^2 - a1^2)^3/12. */
+static double sector(void)
+{
+    double width = OUTER * OUTER - INNER * INNER;
+    return width * width * width / 12;
+}
+
+/** Integral of w over the triangle between the particle and its border from the foot to a place. With q = d^2, w over a
+ *  sector of angle 1 is (c0 + c1 q + c2 q^2 + c3 q^3) from a1 on, and the angle's rate foot/q. */
+static double triangle_until(double foot, double t)
+{
+    const double low = INNER * INNER, high = OUTER * OUTER;
+    const double c3 = -1.0 / 6, c2 = (low + high) / 4, c1 = -low * high / 2, c0 = low * low * (high / 4 - low / 12);
+    double f2 = foot * foot, u = fabs(t), v = entry_of(foot), sum = 0;
+    if (!(u > v))
+        return 0;
+    for (int k = 0; k < 2; ++k) {
+        double p = k == 0 ? u : v, p2 = p * p;
+        double at = foot * p * (c1 + c2 * (f2 + p2 / 3) + c3 * (f2 * f2 + p2 * (2 * f2 / 3 + p2 / 5)));
+        sum += (k == 0 ? 1 : -1) * (at + c0 * atan2(p, foot));
+    }
+    return copysign(sum, t);
+}
+
+/* ---- force and energy -------------------------------------------------------------------------------------------- */
+
+/** Minus the gradient of the energy of a crowd. */
+static sph2d_vec2 pull_on(const crowd *c)
+{
+    sph2d_vec2 pull = {0, 0};
+    for (int k = 0; k < c->count; ++k) {
+        if (c->kind[k] == INNER_LIQUID)
+            continue;
+        double clear = entry_of(sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]) / 2);
+        border b = border_of(c, k, clear);
+        if (!(b.from < b.to) || (b.to <= clear && b.from >= -clear))
+            continue;
+        double along = weight_until(b.foot, b.to) - weight_until(b.foot, b.from), across = 0, r = 2 * b.foot;
+        if (c->kind[k] == WALL) {
+            across = -(moment_until(b.foot, b.to) - moment_until(b.foot, b.from)) / r;
+            along /= 2;
+        }
+        pull.x += (along * c->x[k] - across * c->y[k]) / r;
+        pull.y += (along * c->y[k] + across * c->x[k]) / r;
+    }
+    return pull;
+}
+
+/** Integral of w over the cell of the particle in the middle of a crowd. */
+static double energy_of(const crowd *c)
+{
+    double sum = 0, angle = 2 * SPH2D__PI;
+    for (int k = 0; k < c->count; ++k) {
+        border b = border_of(c, k, 0);
+        if (!(b.from < b.to))
+            continue;
+        sum += triangle_until(b.foot, b.to) - triangle_until(b.foot, b.from);
+        angle -= atan2(b.to, b.foot) - atan2(b.from, b.foot);
+    }
+    return sum + fmax(angle, 0) * sector();
+}
+
+/** Sigma over what a film of a single row has a length of each of its surfaces. */
+static double strength(const sph2d__system *s)
+{
+    const crowd row = {.count = 2, .x = {1, -1}, .kind = {LIQUID, LIQUID}};
+    border b = border_of(&row, 0, 0);
+    double pull = weight_until(b.foot, b.to), energy = energy_of(&row) / 2;
+    return s->surface_tension * 2 / (pull + energy);
+}
+
+double sph2d__tension_energy_within(const sph2d__system *s, sph2d_box box)
+{
+    const sph2d__store *f = &s->fluid;
+    double sum = 0;
+    sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
+    crowd c;
+    for (size_t i = 0; s->surface_tension > 0 && i < f->count; ++i) {
+        bool inside = f->x[i] >= box.min.x && f->x[i] <= box.max.x && f->y[i] >= box.min.y && f->y[i] <= box.max.y;
+        if (inside && gather_around(&c, s, i, &liquid, &walls))
+            sum += energy_of(&c);
+    }
+    return strength(s) * s->spacing * sum;
+}
+
+double sph2d__tension_energy(const sph2d__system *s)
+{
+    return sph2d__tension_energy_within(s, (sph2d_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}});
+}
+
+static void pull_particles(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    double scale = strength(s) / s->mass;
+    sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
+    crowd c;
+    for (size_t i = first; i < last; ++i) {
+        if (!gather_around(&c, s, i, &liquid, &walls))
+            continue;
+        sph2d_vec2 pull = pull_on(&c);
+        f->ax[i] += scale * pull.x;
+        f->ay[i] += scale * pull.y;
+    }
+}
+
+void sph2d__tension_add(sph2d__system *s)
+{
+    if (!(s->surface_tension > 0))
+        return;
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, s->fluid.count, pull_particles);
+    sph2d__profile_enter(&s->profile, before);
+}
+
+double sph2d__tension_step(const sph2d__system *s)
+{
+    if (!(s->surface_tension > 0))
+        return INFINITY;
+    return 0.5 * sqrt(s->rest_density * s->spacing * s->spacing * s->spacing / s->surface_tension);
+}

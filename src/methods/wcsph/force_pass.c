@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: MIT */
+/** @file force_pass.c
+ *  Forces of method `wcsph`, and what is known of a particle's neighbourhood. Compiled once for each instruction set,
+ *  named by SPH2D__ISA, and in it once for each kernel. */
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/terms/shift.h"
+#include "methods/wcsph/pair.h"
+#include "methods/wcsph/wcsph.h"
+
+/** What is summed for the force and the slope of density. */
+typedef struct force_sums {
+    sph2d__lanes press_x, press_y; /* along the line between two: pressure, and viscosity of Monaghan's form */
+    sph2d__lanes morris_x, morris_y;
+    sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
+    sph2d__lanes xx, xy, yy, slope_x, slope_y;
+    sph2d__lanes crowd_x, crowd_y;
+    sph2d__lanes leave_x, leave_y; /* V_j g v_ij: against the velocity among its neighbours */
+    sph2d__lanes packing;          /* W/W(dx) */
+} force_sums;
+
+/** The terms of a scene, constants in each copy of the loops. */
+typedef struct terms {
+    sph2d_kernel kernel;
+    sph2d__layout layout;
+    bool morris, monaghan; /**< either form of viscosity acts */
+    bool eddies;           /**< Smagorinsky's does; never without `monaghan` */
+} terms;
+
+/** Numbers of the scene. */
+typedef struct numbers {
+    sph2d__real inverse_support;
+    sph2d__real inverse_mass;
+    sph2d__real near;        /**< 1/f(dx/H) */
+    double morris, monaghan; /**< dynamic viscosity of each form [Pa s] */
+    double eddies;           /**< and that of eddies over the rate of strain [Pa s^2] */
+    sph2d__real sticky;      /**< 1 where walls are rough, else 0 */
+} numbers;
+
+/* In place of 0 where it is divided by. */
+#ifdef SPH2D__MIXED
+#define TINY 1e-37
+#else
+#define TINY 1e-300
+#endif
+
+/** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes Monaghan's viscosity of
+ *  the same unit, `eddies` what makes half the rate of strain so, which `strain` is. */
+typedef struct receiver {
+    sph2d__lanes vx, vy, density, own, damping, strain, stretch, shear, eddies;
+} receiver;
+
+/** Adds what tells how neighbours lie around a particle: `vg` is V_j g, `ratio` their mass over that of the liquid's
+ *  particles. */
+SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg,
+                              sph2d__real ratio)
+{
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
+        sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
+        sums->packing += near * ratio;
+        if (with.layout >= SPH2D__LAYOUT_CROWDED) {
+            near *= near;
+            sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
+            sums->crowd_x += crowd * p->dx;
+            sums->crowd_y += crowd * p->dy;
+        }
+    }
+    sums->xx += vg * p->dx * p->dx;
+    sums->xy += vg * p->dx * p->dy;
+    sums->yy += vg * p->dy * p->dy;
+}
+
+/** Adds what acts along the line to a candidate: pressure, and Monaghan's viscosity. The candidate's mass is `ratio`
+ *  times that of the liquid's particles, `theirs` its p V^2 over that, `damped` v_ij . r_ij times what resists.
+ *  Pressure of their own is in the sums already where nothing but these can turn it round. */
+SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
+                             sph2d__real theirs, sph2d__lanes damped)
+{
+    sph2d__lanes stress = sph2d__lanes_all(theirs);
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
+        sph2d__lanes plain = p->g * ratio;
+        sums->plain_x += plain * p->dx;
+        sums->plain_y += plain * p->dy;
+    } else {
+        stress += me->own * ratio;
+    }
+    if (with.monaghan)
+        stress += damped / sph2d__lanes_max(p->r2, sph2d__lanes_all(TINY));
+    sph2d__lanes press = p->g * stress;
+    sums->press_x += press * p->dx;
+    sums->press_y += press * p->dy;
+}
+
+/** Adds Morris' viscosity. */
+SPH2D__INLINE void add_morris(force_sums *sums, sph2d__lanes vg, sph2d__lanes dvx, sph2d__lanes dvy)
+{
+    sums->morris_x += vg * dvx;
+    sums->morris_y += vg * dvy;
+}
+
+/** What eddies damp of `jump`, v_ij . r_ij: all of it where a quarter or more is not linear, nothing in liquid that is
+ *  strained smoothly. */
+SPH2D__INLINE sph2d__lanes rough_part(const receiver *me, const pair *p, const sph2d__packed *f, size_t j,
+                                      sph2d__lanes jump)
+{
+    const sph2d__real half = 0.5, past = SPH2D__PAST_LINEAR;
+    sph2d__lanes linear = (me->stretch + f->stretch[j]) * half * (p->dx * p->dx - p->dy * p->dy) +
+                          (me->shear + f->shear[j]) * p->dx * p->dy;
+    sph2d__lanes most = past * sph2d__lanes_max(jump - linear, linear - jump);
+    return sph2d__lanes_max(-most, -sph2d__lanes_max(-jump, -most));
+}
+
+SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+                              const sph2d__packed *f, size_t j)
+{
+    const sph2d__real volume = f->volume[j];
+    sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = me->damping * volume * jump;
+    if (with.eddies) {
+        const double stretch = f->stretch[j], shear = f->shear[j];
+        const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
+        damped += me->eddies * (me->strain + theirs) * volume * rough_part(me, p, f, j, jump);
+    }
+    add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damped);
+    if (with.morris)
+        add_morris(sums, p->g * volume, dvx, dvy);
+    if (with.layout >= SPH2D__LAYOUT_SLOPED) {
+        sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
+        add_layout(sums, with, n, p, vg, 1);
+        if (with.layout >= SPH2D__LAYOUT_FULL) {
+            sums->leave_x += vg * dvx;
+            sums->leave_y += vg * dvy;
+        }
+        sums->slope_x += vg * p->dx * drho;
+        sums->slope_y += vg * p->dy * drho;
+    }
+}
+
+/** Boundary particles have masses of their own; smooth ones have no viscosity. */
+SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+                            const sph2d__packed *w, size_t j)
+{
+    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass, sticky = n->sticky;
+    const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
+    sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
+    add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky) * (dvx * p->dx + dvy * p->dy));
+    const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
+    sph2d__lanes along =
+        sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
+    sums->press_x += along * along_x;
+    sums->press_y += along * along_y;
+    if (with.morris)
+        add_morris(sums, p->g * (volume * sticky), dvx, dvy);
+    if (with.layout >= SPH2D__LAYOUT_FULL)
+        add_layout(sums, with, n, p, p->g * volume, ratio);
+}
+
+/** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
+ *  both lack the same constant. None where the neighbours are on one line. */
+SPH2D__INLINE void finish_slope(sph2d__store *f, size_t i, const force_sums *sums, int l)
+{
+    double xx = -(double)sums->xx[l], xy = -(double)sums->xy[l], yy = -(double)sums->yy[l];
+    double bx = (double)sums->slope_x[l], by = (double)sums->slope_y[l];
+    corrected(xx, xy, yy, bx, by, &f->slope_x[i], &f->slope_y[i]);
+}
+
+/** How far the neighbourhood is filled: the smaller eigenvalue of M, 1 in the bulk, near 0.5 at a flat surface, less in
+ *  spray (Marrone et al. 2010, eq. 8; there of the inverse). */
+SPH2D__INLINE double fullness_of(const force_sums *sums, int l, double scale)
+{
+    double xx = -scale * (double)sums->xx[l], xy = -scale * (double)sums->xy[l];
+    double yy = -scale * (double)sums->yy[l];
+    double middle = (xx + yy) / 2, half = (xx - yy) / 2;
+    return middle - sqrt(half * half + xy * xy);
+}
+
+/* Of the packing around a particle near the surface, the part of walls from which on it is not shifted. With 0.1 the
+ * level of a tube 10 spacings wide ended 0.44 % low, with 0.3 0.37 %; the edge on a slope rests alike. */
+static const double EDGE = 0.3;
+/* And |S| H/c0 from which on it is shifted all the same, since jets along walls would clump: in the impact of
+ * examples/dam_break_pressure a gauge of 90 mm read 5 to 18 rho g H for a moment, 1.4 with this. */
+static const double CALM = 0.1;
+/* Below the first, spray: no shift. Up to the second, near a surface: along it alone (Sun et al. 2017). */
+static const double SPRAY = 0.4, BULK = 0.75;
+
+/** The crowding that particles are shifted by, which near a free surface has no part across it, and none at all where
+ *  walls are near, too: in the thin edge of liquid on a slope there is room uphill alone, and liquid that was shifted
+ *  there ran down again, with 0.2 to 0.5 sqrt(gH) for ever on walls 160 degrees apart. Where it is strained fast, it is
+ *  shifted all the same. */
+SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, int l, double fullness,
+                                double scale, double by_walls)
+{
+    sph2d__store *f = &s->fluid;
+    double ratio = sph2d__strain_rate(f, i) * s->support / (CALM * s->sound_speed);
+    double edge = f->surface[i] < s->support ? fmin(by_walls / EDGE, 1) / (1 + ratio * ratio) : 0;
+    double unit = fullness < SPRAY ? 0 : (1 - edge) * s->support * scale;
+    double cx = unit * (double)sums->crowd_x[l], cy = unit * (double)sums->crowd_y[l];
+    if (fullness < BULK || f->surface[i] < s->support) {
+        double nx = (double)sums->plain_x[l], ny = (double)sums->plain_y[l], n2 = nx * nx + ny * ny;
+        double across = n2 > 0 ? (cx * nx + cy * ny) / n2 : 0;
+        cx -= across * nx;
+        cy -= across * ny;
+    }
+    f->crowd_x[i] = cx;
+    f->crowd_y[i] = cy;
+}
+
+/** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle where it is not in them. */
+SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int l, terms with, const numbers *n,
+                            double own, double density, double *ax, double *ay)
+{
+    double scale = slope_scale(s), press = -scale / s->mass;
+    double x = sums->press_x[l], y = sums->press_y[l];
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
+        x += own * (double)sums->plain_x[l];
+        y += own * (double)sums->plain_y[l];
+    }
+    *ax += press * x;
+    *ay += press * y;
+    if (with.morris) {
+        double morris = 2 * n->morris * scale / density;
+        *ax += morris * (double)sums->morris_x[l];
+        *ay += morris * (double)sums->morris_y[l];
+    }
+}
+
+static numbers numbers_of(const sph2d__system *s)
+{
+    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
+    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    double near = sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
+    double filter = SPH2D__SMAGORINSKY * 2 * s->support;
+    return (numbers){.inverse_support = (sph2d__real)(1 / s->support),
+                     .inverse_mass = (sph2d__real)(1 / s->mass),
+                     .near = (sph2d__real)(1 / near),
+                     .morris = morris ? s->viscosity : 0,
+                     .monaghan = artificial + (morris ? 0 : s->viscosity),
+                     .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
+                     .sticky = s->wall_slip == SPH2D_SLIP_NONE};
+}
+
+/* |S| H/c0 from which on tension is controlled one way alone. */
+static const double ROUGH = 0.01;
+
+/** Whether |p_i| stands for a negative p_i of an inner particle: where liquid is strained fast, only if that pushes the
+ *  particle against the way that it goes among its neighbours. Both sums have the sign of g. */
+SPH2D__INLINE bool is_pushed(const sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
+                             terms with)
+{
+    bool calm = with.layout >= SPH2D__LAYOUT_CROWDED && /* the strain is known */
+                sph2d__strain_rate(&s->fluid, i) * s->support < ROUGH * s->sound_speed;
+    double work =
+        (double)liquid->leave_x[l] * (double)sums->plain_x[l] + (double)liquid->leave_y[l] * (double)sums->plain_y[l];
+    return calm || work <= 0;
+}
+
+/** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
+SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
+                          terms with, const numbers *n)
+{
+    sph2d__store *f = &s->fluid;
+    const double volume = s->mass / f->density[i];
+    double own = f->pressure[i] * volume * volume, ax = 0, ay = 0;
+    if (with.layout >= SPH2D__LAYOUT_SLOPED)
+        finish_slope(f, i, liquid, l);
+    if (with.layout >= SPH2D__LAYOUT_FULL) {
+        double scale = slope_scale(s), fullness = fullness_of(sums, l, scale);
+        bool inside = fullness > BULK && f->surface[i] >= s->support;
+        f->fullness[i] = fullness;
+        double packing = sums->packing[l];
+        f->packing[i] = s->rest_density / s->lattice_values * packing;
+        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside && is_pushed(s, i, sums, liquid, l, with))
+            own = -own;
+        if (with.layout >= SPH2D__LAYOUT_CROWDED)
+            finish_crowd(s, i, sums, l, fullness, scale, (packing - (double)liquid->packing[l]) / s->lattice_values);
+    }
+    add_sums(s, sums, l, with, n, own, f->density[i], &ax, &ay);
+    sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+    f->ax[i] = ax;
+    f->ay[i] = ay;
+}
+
+/** Adds the boundary particles near a group. There is one for every kernel, in which the other terms are asked for: few
+ *  particles are near walls, and copies take long to compile. */
+typedef void wall_adder(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
+                        terms with, const numbers *n, const receiver *me, const sph2d__packed *walls);
+
+SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
+                             terms with, const numbers *n, const receiver *me, const sph2d__packed *walls)
+{
+    sph2d__ranges ranges;
+    if (!sph2d__group_near(by, g, &ranges))
+        return;
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, &ranges, s->support);
+    while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
+        place at = place_of(&s->fluid, g, sieve.way_x, sieve.way_y);
+        SPH2D__FOR_FOUND (sieve, j) {
+            pair p = pair_with(with.kernel, n->inverse_support, &at, walls, j);
+            add_wall(sums, with, n, me, &p, walls, j);
+        }
+    }
+}
+
+SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
+{
+    sph2d__store *f = &s->fluid;
+    const numbers n = numbers_of(s);
+    const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
+    const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
+    sph2d__sieve sieve;
+    SPH2D__FOR_GROUPS (&by, g, first, last) {
+        sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
+        receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first),
+                       .vy = sph2d__lanes_load(liquid.vy + g.first),
+                       .own = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
+                       .damping = -8 * (sph2d__real)n.monaghan * volume};
+        if (with.layout >= SPH2D__LAYOUT_SLOPED)
+            me.density = sph2d__lanes_load(liquid.density + g.first);
+        if (with.eddies) {
+            me.stretch = sph2d__lanes_load(liquid.stretch + g.first);
+            me.shear = sph2d__lanes_load(liquid.shear + g.first);
+            me.strain = sph2d__lanes_sqrt(me.stretch * me.stretch + me.shear * me.shear);
+            me.eddies = -8 * (sph2d__real)n.eddies * volume;
+        }
+        force_sums sums = {0};
+        sph2d__ranges ranges;
+        sph2d__patch_ranges(by.cells, &g.patch, &ranges);
+        sph2d__group_box(f, &g);
+        sph2d__sieve_start(&sieve, &ranges, s->support);
+        while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
+            place at = place_of(f, &g, sieve.way_x, sieve.way_y);
+            SPH2D__FOR_FOUND (sieve, j) {
+                pair p = pair_with(with.kernel, n.inverse_support, &at, &liquid, j);
+                add_liquid(&sums, with, &n, &me, &p, &liquid, j);
+            }
+        }
+        const force_sums beside = sums; /* the sums themselves can then stay in registers */
+        force_sums all = sums;
+        if (by.other)
+            walls_of(s, &by, &g, &all, with, &n, &me, &walls);
+        SPH2D__FOR_LANES (g, l)
+            finish(s, g.first + (size_t)l, &all, &beside, l, with, &n);
+    }
+}
+
+/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+
+/** The copy of the loops that has the scene's terms and no others. */
+SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
+{
+    const numbers n = numbers_of(s);
+#ifdef SPH2D__BARE
+    with.morris = false;
+#else
+    with.morris = n.morris > 0;
+#endif
+    with.eddies = n.eddies > 0;
+    with.monaghan = n.monaghan > 0 || with.eddies;
+    if (with.eddies && with.morris)
+        force_with(s, first, last, (terms){with.kernel, SPH2D__LAYOUT_CROWDED, true, true, true}, walls_of);
+    else if (with.eddies)
+        force_with(s, first, last, (terms){with.kernel, SPH2D__LAYOUT_CROWDED, false, true, true}, walls_of);
+    else if (with.morris && with.monaghan)
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, true, false}, walls_of);
+    else if (with.morris)
+        force_with(s, first, last, (terms){with.kernel, with.layout, true, false, false}, walls_of);
+    else if (with.monaghan)
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, true, false}, walls_of);
+    else
+        force_with(s, first, last, (terms){with.kernel, with.layout, false, false, false}, walls_of);
+}
+
+SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel,
+                                   wall_adder *walls_of)
+{
+    switch (sph2d__wcsph_layout(&s->method)) {
+    case SPH2D__LAYOUT_BARE:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_BARE}, walls_of);
+        break;
+    case SPH2D__LAYOUT_SLOPED:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_SLOPED}, walls_of);
+        break;
+    case SPH2D__LAYOUT_FULL:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_FULL}, walls_of);
+        break;
+    case SPH2D__LAYOUT_CROWDED:
+        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_CROWDED}, walls_of);
+        break;
+    }
+}
+
+#define FOR_KERNEL(name, kernel_)                                                                                      \
+    static __attribute__((noinline)) void walls_##name(                                                                \
+        const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums, terms with,        \
+        const numbers *n, const receiver *me, const sph2d__packed *walls)                                              \
+    {                                                                                                                  \
+        with.kernel = kernel_;                                                                                         \
+        add_walls(s, by, g, sums, with, n, me, walls);                                                                 \
+    }                                                                                                                  \
+    static void force_##name(sph2d__system *s, size_t first, size_t last)                                              \
+    {                                                                                                                  \
+        force_by_layout(s, first, last, kernel_, walls_##name);                                                        \
+    }
+FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
+FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
+FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
+FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
+FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+
+#define NAME_(isa) sph2d__wcsph_force_##isa
+#define NAME(isa) NAME_(isa)
+sph2d__span_work *const NAME(SPH2D__ISA)[5] = {force_c2, force_c4, force_c6, force_cubic, force_quintic};

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/** @file pair.h
+ *  What the pair loops of method `wcsph` with symmetric operators share. */
+#ifndef SPH2D_METHODS_WCSPH_PAIR_H
+#define SPH2D_METHODS_WCSPH_PAIR_H
+
+#include "kernels/kernel.h"
+#include "methods/common/group.h"
+#include "methods/common/packed.h"
+
+/** Distances of a group to a candidate, in units of the support radius too, and g of the kernel there. */
+typedef struct pair {
+    sph2d__lanes dx, dy, r2, q, g;
+} pair;
+
+/** Where the particles of a group are, as candidates see them to which they have the same way. */
+typedef struct place {
+    sph2d__lanes x, y;
+} place;
+
+SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, double way_x, double way_y)
+{
+    return (place){sph2d__group_lanes(store->x + g->first, way_x), sph2d__group_lanes(store->y + g->first, way_y)};
+}
+
+SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const place *at,
+                             const sph2d__packed *from, size_t j)
+{
+    pair p;
+    p.dx = at->x - from->x[j];
+    p.dy = at->y - from->y[j];
+    p.r2 = p.dx * p.dx + p.dy * p.dy;
+    p.q = sph2d__lanes_sqrt(p.r2) * inverse_support;
+    p.g = sph2d__kernel_slope(kernel, p.q);
+    return p;
+}
+
+/** C/H^4: grad W is this times g times the distance. */
+static inline double slope_scale(const sph2d__system *s)
+{
+    double h2 = s->support * s->support;
+    return sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
+}
+
+/* det M / (tr M)^2 is 0.25 in the bulk, about as much at a flat surface, and 0 where all neighbours are on one line, as
+ * in a film on a wall; below this the inverse would magnify noise. */
+static const double SOUND = 0.1;
+
+/** Inverts M and gives a gradient from its sums, both without the same constant; zero where neighbours are on a line.
+ */
+SPH2D__INLINE void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
+{
+    double det = xx * yy - xy * xy;
+    bool sound = det > SOUND * (xx + yy) * (xx + yy);
+    *gx = sound ? (yy * bx - xy * by) / det : 0;
+    *gy = sound ? (xx * by - xy * bx) / det : 0;
+}
+
+#endif

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT */
+/** @file wcsph.c
+ *  Method `wcsph` with symmetric operators: step limits. The pair loops are in wcsph_*_pass.c. */
+#include "methods/wcsph/wcsph.h"
+
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/common/packed.h"
+#include "methods/common/state_equation.h"
+#include "methods/terms/friction.h"
+#include "methods/terms/stable_step.h"
+#include "methods/terms/tension.h"
+#include "simd/isa.h"
+
+/* Monaghan's form damps compression three times as fast as shear. */
+static const double MONAGHAN = 3;
+/* Step limit as a fraction of sqrt(H/a). */
+static const double FORCE = 0.25;
+
+/** The pair loops of one kind by instruction set and precision, each by kernel. */
+#ifdef SPH2D__ISA_X86
+#define TABLE(kind)                                                                                                    \
+    {                                                                                                                  \
+        {sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed},                                        \
+            {sph2d__wcsph_##kind##_avx2, sph2d__wcsph_##kind##_avx2_mixed},                                            \
+            {sph2d__wcsph_##kind##_avx512, sph2d__wcsph_##kind##_avx512_mixed},                                        \
+    }
+#else
+#define TABLE(kind)                                                                                                    \
+    {                                                                                                                  \
+        {                                                                                                              \
+            sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed                                       \
+        }                                                                                                              \
+    }
+#endif
+
+/** One that suits the system, over the particles of a store. */
+#define RUN(kind, s, store)                                                                                            \
+    do {                                                                                                               \
+        static sph2d__span_work *const *const table[SPH2D__ISA_COUNT][2] = TABLE(kind);                                \
+        bool mixed = (s)->method.precision == SPH2D_PRECISION_MIXED;                                                   \
+        sph2d__over_particles(s, (store)->count, table[(s)->isa - SPH2D_ISA_BASELINE][mixed][(s)->method.kernel]);     \
+    } while (0)
+
+/* Lattice places on either side of a particle that the widest support reaches. */
+enum { REACH = 8 };
+
+/** Sum of f over boundary particles in front of the surface that b is behind, each as much as it has mass. */
+static double taken_in_front(const sph2d__system *s, size_t b)
+{
+    const sph2d__store *w = &s->walls;
+    uint32_t cell = sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]);
+    double sum = 0;
+    if (cell == UINT32_MAX)
+        return 0;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    for (int r = 0; r < ranges.count; ++r)
+        for (size_t j = ranges.begin[r]; j < ranges.end[r]; ++j) {
+            double dx = w->x[j] - w->x[b] - ranges.x[r], dy = w->y[j] - w->y[b] - ranges.y[r];
+            if (dx * w->normal_x[b] + dy * w->normal_y[b] > w->depth[b])
+                sum += sph2d__kernel_value_at(s->method.kernel, hypot(dx, dy) / s->support) * w->mass[j] / s->mass;
+        }
+    return sum;
+}
+
+static void walls_placed(sph2d__system *s)
+{
+    for (size_t b = 0; b < s->walls.count; ++b)
+        s->walls.front[b] = fmax(1 - taken_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
+}
+
+static void prepare(sph2d__system *s)
+{
+    double q = s->spacing / s->support, unit = sph2d__kernel_value_at(s->method.kernel, q);
+    s->lattice_values = s->lattice_slopes = 0;
+    for (int i = -REACH; i <= REACH; ++i)
+        for (int j = -REACH; j <= REACH; ++j) {
+            double r = hypot(i, j) * q;
+            s->lattice_values += sph2d__kernel_value_at(s->method.kernel, r) / unit;
+            if (i != 0 || j != 0)
+                s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
+        }
+    walls_placed(s);
+}
+
+/** The kinematic viscosity that limits the step as much as what acts does in Morris' form [m^2/s]. */
+static double limiting_viscosity(const sph2d__system *s)
+{
+    double artificial = s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    double liquid = s->viscosity / s->rest_density;
+    return MONAGHAN * artificial + (s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN ? MONAGHAN : 1) * liquid;
+}
+
+/** Whether density diffuses by what exceeds that of a liquid at rest. */
+static bool diffuses_excess(const sph2d_method_options *m)
+{
+    return m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
+}
+
+/** Work of gravity and the central force from (x, y) to the domain's corner, over rho0/c0^2 the density of a liquid at
+ *  rest there [m^2/s^2]. None in periodic directions. */
+static double work_from(const sph2d__system *s, double x, double y)
+{
+    const sph2d__period *p = &s->fluid_cells.period;
+    const sph2d__body *b = &s->body;
+    double gx = p->length_x > 0 ? 0 : b->gravity_x, gy = p->length_y > 0 ? 0 : b->gravity_y;
+    double rx = x - b->center_x, ry = y - b->center_y;
+    return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry);
+}
+
+/** Volumes of particles, in the precision in which pair loops read them. */
+static void set_some_volumes(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    float *floats = sph2d__packed_volume(f);
+    if (floats)
+        for (size_t i = first; i < last; ++i)
+            floats[i] = (float)(s->mass / f->density[i]);
+    else
+        for (size_t i = first; i < last; ++i)
+            f->volume[i] = s->mass / f->density[i];
+}
+
+/** What of a density diffuses in Fourtakas' form. */
+static double excess_of(const sph2d__system *s, size_t i)
+{
+    const sph2d__store *f = &s->fluid;
+    double c2 = s->sound_speed * s->sound_speed;
+    return f->density[i] - s->rest_density * (1 + work_from(s, f->x[i], f->y[i]) / c2);
+}
+
+/** What the rate of density needs of particles. */
+static void set_some_excesses(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    float *floats = sph2d__packed_excess(f);
+    set_some_volumes(s, first, last);
+    if (!diffuses_excess(&s->method))
+        return;
+    if (floats)
+        for (size_t i = first; i < last; ++i)
+            floats[i] = (float)excess_of(s, i);
+    else
+        for (size_t i = first; i < last; ++i)
+            f->excess[i] = excess_of(s, i);
+}
+
+/** What the force needs. */
+static void set_some_pressures(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    float *floats = sph2d__packed_pressure(f);
+    set_some_volumes(s, first, last);
+    for (size_t i = first; i < last; ++i)
+        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
+    if (floats)
+        for (size_t i = first; i < last; ++i)
+            floats[i] = (float)f->pressure[i];
+}
+
+static void density_rate(sph2d__system *s)
+{
+    sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_DENSITY);
+    sph2d__over_particles(s, s->fluid.count, set_some_excesses);
+    sph2d__pack_fluid_rates(s);
+    if (s->walls_press) {
+        RUN(wall_rate, s, &s->walls);
+        sph2d__pack_wall_rates(s);
+    }
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
+    RUN(rate, s, &s->fluid);
+    sph2d__profile_enter(&s->profile, before);
+}
+
+static bool evaluate(sph2d__system *s)
+{
+    sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, s->fluid.count, set_some_pressures);
+    sph2d__pack_fluid(s);
+    if (s->walls_press) {
+        RUN(wall, s, &s->walls);
+        sph2d__pack_walls(s);
+        sph2d__friction_set(s);
+    }
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    RUN(force, s, &s->fluid);
+    sph2d__friction_add(s);
+    sph2d__tension_add(s);
+    sph2d__profile_enter(&s->profile, before);
+    return true;
+}
+
+/* Fuller, and farther than H from the surface, is inside: as in force_pass.c. */
+static const double BULK = 0.75;
+
+/** What slides is pushed along by liquid, not by the wall: along_x, along_y take that part off. */
+static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    double h2 = s->support * s->support, r2 = dx * dx + dy * dy;
+    double g = sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
+               sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
+    double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
+    bool held = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->fullness[i] > BULK &&
+                f->surface[i] >= s->support;
+    double own = held ? -f->pressure[i] : f->pressure[i];
+    double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
+    double push = -g * press, slides = push * (dx * w->along_x[b] + dy * w->along_y[b]);
+    sph2d__wall_force force = {.pressure = {push * dx - slides * w->along_x[b], push * dy - slides * w->along_y[b]}};
+    force.friction = sph2d__friction_of(s, b, dx, dy);
+    if (s->wall_slip != SPH2D_SLIP_NONE)
+        return force;
+    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
+    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    double along = artificial + (morris ? 0 : s->viscosity), dvx = f->vx[i] - w->image_vx[b];
+    double dvy = f->vy[i] - w->image_vy[b], drag = vi * vb * g, approach = r2 > 0 ? (dvx * dx + dvy * dy) / r2 : 0;
+    double shear = morris ? 2 * s->viscosity : 0;
+    force.friction.x = drag * (8 * along * approach * dx + shear * dvx);
+    force.friction.y = drag * (8 * along * approach * dy + shear * dvy);
+    return force;
+}
+
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    double sound = sqrt(sph2d__sound_speed2_at(s, s->densest));
+    double viscous = sph2d__viscous_limit(s->method.kernel);
+    return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), viscous, FORCE, limit);
+}
+
+/** What is known of how liquid is strained. */
+#define STRAINS (SPH2D__BIT(stretch) | SPH2D__BIT(shear))
+
+static sph2d__set unused(const sph2d_method_options *m)
+{
+    sph2d__layout layout = sph2d__wcsph_layout(m);
+    sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
+    sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(packing);
+    sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
+    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | shifts | STRAINS;
+    bool floats = m->precision == SPH2D_PRECISION_MIXED;
+    return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
+           (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
+           (floats ? SPH2D__BIT(volume) : 0);
+}
+
+const sph2d__method sph2d__wcsph = {
+    .name = "wcsph",
+    .integrator = SPH2D__MIDPOINT,
+    .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
+             SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
+             SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(fullness) | SPH2D__BIT(surface) |
+             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
+    .unused = unused,
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
+               SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
+               SPH2D__BIT(surface) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
+             SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
+             SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |
+             SPH2D__BIT(wall_rate) | SPH2D__BIT(depth) | SPH2D__BIT(front) | SPH2D__BIT(along_x) | SPH2D__BIT(along_y) |
+             SPH2D__BIT(slide) | SPH2D__BIT(skin) | SPH2D__BIT(drag),
+    .prepare = prepare,
+    .walls_placed = walls_placed,
+    .evaluate = evaluate,
+    .density_rate = density_rate,
+    .wall_force = wall_force,
+    .stable_step = stable_step,
+};

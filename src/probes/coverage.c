@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coverage.c
+ *  The grid of coverage.h: particles and walls are spread over its nodes, and the area that is covered read off it. */
+#include "probes/coverage.h"
+
+#include <math.h>
+
+#include "kernels/kernel.h"
+
+/* Cells a spacing, and the kernel's support radius in spacings and cells. */
+enum { CELLS = SPH2D__COVERAGE_CELLS, SUPPORT = SPH2D__COVERAGE_SUPPORT, REACH = SUPPORT * CELLS };
+/* Points across a cell in which obstacles are looked at. */
+enum { LOOKS = 4, WHOLE = LOOKS * LOOKS };
+_Static_assert((int)WHOLE == (int)SPH2D__COVERAGE_WHOLE, "sixteenths");
+/* Columns across a cell in which its covered part is found. */
+enum { COLUMNS = 8 };
+static const double MOST_CELLS = 268435456;
+/* Where walls leave less of the kernel than this nothing is said. */
+static const double LEAST_ROOM = 0.1;
+
+/* ---- the grid ---------------------------------------------------------------------------------------------------- */
+
+/** Where cells begin and how many there are in one direction, `ghosts` of them beyond either end of the domain. */
+typedef struct axis {
+    double origin, size;
+    size_t count, nodes;
+} axis;
+
+/** Cells along a direction: as many as fit the domain, beyond its ends as far as walls are felt or liquid is. */
+static axis axis_of(double low, double high, double period, double dx, const double *x, size_t count)
+{
+    double cells = fmax(ceil((high - low) * CELLS / dx - 1e-9), 1), size = (high - low) / cells;
+    if (period > 0)
+        return (axis){low, size, (size_t)cells, (size_t)cells};
+    double least = low, most = high, far = high - low;
+    for (size_t i = 0; i < count; ++i) {
+        least = fmin(least, x[i]);
+        most = fmax(most, x[i]);
+    }
+    double before = REACH + ceil((low - fmax(least, low - far)) / size);
+    double behind = REACH + ceil((fmin(most, high + far) - high) / size);
+    size_t all = (size_t)(cells + before + behind);
+    return (axis){low - before * size, size, all, all + 1};
+}
+
+bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    const sph2d_boundary b = scene->boundary;
+    const sph2d_box d = scene->domain;
+    return (b.left == SPH2D_SIDE_WALL && p.x < d.min.x) || (b.right == SPH2D_SIDE_WALL && p.x > d.max.x) ||
+           (b.bottom == SPH2D_SIDE_WALL && p.y < d.min.y) || (b.top == SPH2D_SIDE_WALL && p.y > d.max.y);
+}
+
+static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
+{
+    if (sph2d__coverage_beyond_wall(&sim->scene, p))
+        return true;
+    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
+        const sph2d_obstacle *o = &sim->scene.obstacles[k];
+        sph2d_vec2 way = sph2d__sim_way_of(sim, o);
+        if (sph2d__outline_encloses(&o->outline, (sph2d_vec2){p.x - way.x, p.y - way.y}))
+            return true;
+    }
+    return false;
+}
+
+/** Looks where walls are: at a cell's corners, and closer where those differ. */
+static void find_solids(sph2d__coverage *c)
+{
+    for (size_t j = 0; j < c->ny; ++j)
+        for (size_t i = 0; i < c->nx; ++i) {
+            int n = 0;
+            for (int k = 0; k < WHOLE; ++k) {
+                double x = (double)i + (k % LOOKS + 0.5) / LOOKS, y = (double)j + (k / LOOKS + 0.5) / LOOKS;
+                n += is_solid(c->sim, (sph2d_vec2){c->origin.x + x * c->size_x, c->origin.y + y * c->size_y});
+            }
+            c->solid[j * c->nx + i] = (unsigned char)n;
+        }
+}
+
+size_t sph2d__coverage_node(long k, size_t nodes, size_t cells)
+{
+    if (nodes == cells) /* periodic */
+        return (size_t)((k % (long)cells + (long)cells) % (long)cells);
+    return k >= 0 && k < (long)nodes ? (size_t)k : SIZE_MAX;
+}
+
+/** Adds `amount` W(r) to the nodes around a place, which is in cells from the origin; `out` are sums of nodes. */
+static void spread(const sph2d__coverage *c, double x, double y, double amount, float *out)
+{
+    const double h = SUPPORT * c->sim->system.spacing;
+    long i0 = (long)floor(x) - REACH - 1, j0 = (long)floor(y) - REACH - 1;
+    for (long j = j0; j <= j0 + 2 * REACH + 3; ++j) {
+        size_t row = sph2d__coverage_node(j, c->nodes_y, c->ny);
+        double dy = ((double)j - y) * c->size_y / h;
+        if (row == SIZE_MAX || !(dy * dy < 1))
+            continue;
+        for (long i = i0; i <= i0 + 2 * REACH + 3; ++i) {
+            size_t column = sph2d__coverage_node(i, c->nodes_x, c->nx);
+            double dx = ((double)i - x) * c->size_x / h, q2 = dx * dx + dy * dy;
+            if (column != SIZE_MAX && q2 < 1)
+                out[row * c->nodes_x + column] +=
+                    (float)(amount * sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, sqrt(q2)));
+        }
+    }
+}
+
+/** Spreads liquid and walls, and divides by what walls leave free. */
+static void fill_nodes(sph2d__coverage *c, float *walls)
+{
+    const sph2d__store *f = &c->sim->system.fluid;
+    const double dx = c->sim->system.spacing;
+    const double constant = sph2d__kernel_constant(SPH2D_KERNEL_WENDLAND_C2) / (SUPPORT * SUPPORT);
+    for (size_t i = 0; i < f->count; ++i)
+        spread(c, (f->x[i] - c->origin.x) / c->size_x, (f->y[i] - c->origin.y) / c->size_y, constant, c->fill);
+    double share = constant * c->size_x * c->size_y / (dx * dx) / WHOLE;
+    for (size_t j = 0; j < c->ny; ++j)
+        for (size_t i = 0; i < c->nx; ++i)
+            if (c->solid[j * c->nx + i] > 0)
+                spread(c, (double)i + 0.5, (double)j + 0.5, share * c->solid[j * c->nx + i], walls);
+    for (size_t k = 0; k < c->nodes_x * c->nodes_y; ++k) {
+        double room = 1 - (double)walls[k];
+        c->fill[k] = (float)(room > LEAST_ROOM ? (double)c->fill[k] / room : 0);
+    }
+}
+
+bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    const sph2d_box d = sim->scene.domain;
+    axis x = axis_of(d.min.x, d.max.x, p->length_x, sim->system.spacing, f->x, f->count);
+    axis y = axis_of(d.min.y, d.max.y, p->length_y, sim->system.spacing, f->y, f->count);
+    *c = (sph2d__coverage){.sim = sim,
+                           .origin = {x.origin, y.origin},
+                           .size_x = x.size,
+                           .size_y = y.size,
+                           .nx = x.count,
+                           .ny = y.count,
+                           .nodes_x = x.nodes,
+                           .nodes_y = y.nodes};
+    if (!((double)x.nodes * (double)y.nodes < MOST_CELLS))
+        return false;
+    size_t nodes = x.nodes * y.nodes;
+    c->fill = sph2d__alloc(sim->system.memory, nodes, sizeof(float));
+    c->solid = sph2d__alloc(sim->system.memory, x.count * y.count, 1);
+    void *walls = sph2d__alloc(sim->system.memory, nodes, sizeof(float));
+    bool ok = c->fill && c->solid && walls;
+    if (ok) {
+        find_solids(c);
+        fill_nodes(c, walls);
+    }
+    sph2d__release(sim->system.memory, &walls, walls ? nodes : 0, sizeof(float));
+    if (!ok)
+        sph2d__coverage_free(c);
+    return ok;
+}
+
+void sph2d__coverage_free(sph2d__coverage *c)
+{
+    void *blocks[2] = {c->fill, c->solid};
+    sph2d__release(c->sim->system.memory, &blocks[0], c->fill ? c->nodes_x * c->nodes_y : 0, sizeof(float));
+    sph2d__release(c->sim->system.memory, &blocks[1], c->solid ? c->nx * c->ny : 0, 1);
+    c->fill = NULL;
+    c->solid = NULL;
+}
+
+/* ---- area -------------------------------------------------------------------------------------------------------- */
+
+/** The fill at a cell's corners: lower left, lower right, upper left, upper right. */
+static void corners_of(const sph2d__coverage *c, size_t i, size_t j, double out[4])
+{
+    size_t right = (i + 1) % c->nodes_x, above = (j + 1) % c->nodes_y;
+    out[0] = (double)c->fill[j * c->nodes_x + i];
+    out[1] = (double)c->fill[j * c->nodes_x + right];
+    out[2] = (double)c->fill[above * c->nodes_x + i];
+    out[3] = (double)c->fill[above * c->nodes_x + right];
+}
+
+/** Part of a line on which a value that goes from a to b is above a half. */
+static double part_above(double a, double b)
+{
+    a -= 0.5;
+    b -= 0.5;
+    if (a >= 0 && b >= 0)
+        return 1;
+    if (a < 0 && b < 0)
+        return 0;
+    return fmax(a, b) / fabs(a - b);
+}
+
+/** Part of a cell that is covered, by linear interpolation between its corners. */
+static double covered_part(const double f[4])
+{
+    double sum = 0;
+    for (int k = 0; k < COLUMNS; ++k) {
+        double t = (k + 0.5) / COLUMNS;
+        sum += part_above(f[0] + t * (f[1] - f[0]), f[2] + t * (f[3] - f[2]));
+    }
+    return sum / COLUMNS;
+}
+
+bool sph2d__coverage_cell(double place, double origin, double size, size_t count, size_t *cell, double *in)
+{
+    double f = (place - origin) / size;
+    if (!(f >= 0 && f < (double)count))
+        return false;
+    *cell = (size_t)f;
+    *in = f - (double)*cell;
+    return true;
+}
+
+/** Fill at a particle; 0 beyond the grid. */
+static double fill_at(const sph2d__coverage *c, double x, double y)
+{
+    size_t i, j;
+    double s, t, f[4];
+    if (!sph2d__coverage_cell(x, c->origin.x, c->size_x, c->nx, &i, &s) ||
+        !sph2d__coverage_cell(y, c->origin.y, c->size_y, c->ny, &j, &t))
+        return 0;
+    corners_of(c, i, j, f);
+    return (1 - t) * (f[0] + s * (f[1] - f[0])) + t * (f[2] + s * (f[3] - f[2]));
+}
+
+double sph2d__coverage_area(const sph2d__coverage *c)
+{
+    const sph2d__store *fluid = &c->sim->system.fluid;
+    double cells = 0, alone = 0;
+    for (size_t j = 0; j < c->ny; ++j)
+        for (size_t i = 0; i < c->nx; ++i) {
+            int solid = c->solid[j * c->nx + i];
+            if (solid == WHOLE)
+                continue;
+            double f[4];
+            corners_of(c, i, j, f);
+            cells += covered_part(f) * (WHOLE - solid) / WHOLE;
+        }
+    for (size_t i = 0; i < fluid->count; ++i)
+        alone += fill_at(c, fluid->x[i], fluid->y[i]) < 0.5;
+    double dx = c->sim->system.spacing;
+    return cells * c->size_x * c->size_y + alone * dx * dx;
+}

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coverage_density.c
+ *  The density inside the liquid, as particles tell it and as it is there. */
+#include <math.h>
+
+#include "probes/coverage.h"
+
+/* Liquid all around: so far [cells]; and by fewer particles nothing is said. */
+enum { INSIDE = 5 * SPH2D__COVERAGE_CELLS, LEAST_INSIDE = 20 };
+
+/** Marks the nodes of a rectangle around a place, in nodes; beyond the grid there are none. */
+static void mark_around(const sph2d__coverage *c, double x, double y, double reach_x, double reach_y,
+                        unsigned char *marks)
+{
+    for (long j = (long)ceil(y - reach_y); j <= (long)floor(y + reach_y); ++j)
+        for (long i = (long)ceil(x - reach_x); i <= (long)floor(x + reach_x); ++i) {
+            size_t row = sph2d__coverage_node(j, c->nodes_y, c->ny);
+            size_t column = sph2d__coverage_node(i, c->nodes_x, c->nx);
+            if (row != SIZE_MAX && column != SIZE_MAX)
+                marks[row * c->nodes_x + column] = 1;
+        }
+}
+
+/** Marks what is near a place where there is no liquid. */
+static void mark_bare(const sph2d__coverage *c, unsigned char *marks)
+{
+    for (size_t j = 0; j < c->nodes_y; ++j)
+        for (size_t i = 0; i < c->nodes_x; ++i) {
+            size_t left = j * c->nodes_x + (i + c->nodes_x - 1) % c->nodes_x;
+            bool bare = (double)c->fill[j * c->nodes_x + i] < 0.5, first = i == 0 && c->nodes_x != c->nx;
+            bool before = !first && (double)c->fill[left] < 0.5;
+            if (bare) /* in a row of them the first marks all that the others would but for their last columns */
+                mark_around(c, (double)i + (before ? INSIDE : 0), (double)j, before ? 0 : INSIDE, INSIDE, marks);
+        }
+}
+
+/** Marks what is near boundary particles and sides. */
+static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
+{
+    const sph2d__store *w = &c->sim->system.walls;
+    double h = SPH2D__COVERAGE_SUPPORT * c->sim->system.spacing;
+    for (size_t b = 0; b < w->count; ++b)
+        mark_around(c, (w->x[b] - c->origin.x) / c->size_x, (w->y[b] - c->origin.y) / c->size_y, h / c->size_x,
+                    h / c->size_y, marks);
+    for (size_t j = 0; j < c->nodes_y; ++j)
+        for (size_t i = 0; i < c->nodes_x; ++i) {
+            double x = c->origin.x + (double)i * c->size_x, y = c->origin.y + (double)j * c->size_y;
+            for (int k = 0; k < 4; ++k) {
+                sph2d_vec2 p = {x + (k == 0 ? -h : k == 1 ? h : 0), y + (k == 2 ? -h : k == 3 ? h : 0)};
+                if (sph2d__coverage_beyond_wall(&c->sim->scene, p))
+                    marks[j * c->nodes_x + i] = 1;
+            }
+        }
+}
+
+/** The means over what is not marked, and in `inside` how many particles those are. */
+static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned char *marks, size_t *inside)
+{
+    const sph2d__store *f = &c->sim->system.fluid;
+    double counted = 0, told = 0;
+    size_t nodes = 0, particles = 0;
+    for (size_t k = 0; k < c->nodes_x * c->nodes_y; ++k)
+        if (!marks[k]) {
+            counted += (double)c->fill[k];
+            ++nodes;
+        }
+    for (size_t i = 0; i < f->count; ++i) {
+        double x = (f->x[i] - c->origin.x) / c->size_x + 0.5, y = (f->y[i] - c->origin.y) / c->size_y + 0.5;
+        size_t column = x >= 0 && x < (double)c->nx + 1 ? sph2d__coverage_node((long)x, c->nodes_x, c->nx) : SIZE_MAX;
+        size_t row = y >= 0 && y < (double)c->ny + 1 ? sph2d__coverage_node((long)y, c->nodes_y, c->ny) : SIZE_MAX;
+        if (column == SIZE_MAX || row == SIZE_MAX || marks[row * c->nodes_x + column])
+            continue;
+        told += f->density[i] / c->sim->system.rest_density;
+        ++particles;
+    }
+    *inside = particles;
+    if (particles < LEAST_INSIDE)
+        return (sph2d_densities){NAN, NAN};
+    return (sph2d_densities){told / (double)particles, counted / (double)nodes};
+}
+
+static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside)
+{
+    sph2d__memory *memory = c->sim->system.memory;
+    size_t nodes = c->nodes_x * c->nodes_y;
+    sph2d_densities found = {NAN, NAN};
+    void *marks = sph2d__alloc(memory, nodes, 1);
+    if (marks) {
+        mark_bare(c, marks);
+        mark_walls(c, marks);
+        found = densities_of(c, marks, inside);
+    }
+    sph2d__release(memory, &marks, marks ? nodes : 0, 1);
+    return found;
+}
+
+static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside)
+{
+    sph2d__coverage c;
+    sph2d_densities found = {NAN, NAN};
+    *inside = 0;
+    if (sph2d__coverage_make(&c, sim)) {
+        found = densities_inside(&c, inside);
+        sph2d__coverage_free(&c);
+    }
+    return found;
+}
+
+sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
+{
+    size_t inside;
+    return densities_now(sim, &inside);
+}
+
+/* Steps between looks, which take as long as some steps do; and by fewer particles the two are not compared, since one
+ * bubble among 20 is a sixth of what is counted there. */
+enum { DENSITY_STEPS = 500, LEAST_COMPARED = 100 };
+
+void sph2d__sim_watch_density(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    if (r->steps % DENSITY_STEPS != 0)
+        return;
+    size_t inside;
+    sph2d_densities now = densities_now(sim, &inside);
+    if (inside >= LEAST_COMPARED)
+        r->density_apart = fmax(r->density_apart, fabs(now.told - now.counted)); /* passes over NaN */
+}

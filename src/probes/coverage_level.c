@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+/** @file coverage_level.c
+ *  The height at which liquid would stand: its area fills from below the cells that it can get to. */
+#include <math.h>
+
+#include "probes/coverage.h"
+
+enum { WHOLE = SPH2D__COVERAGE_WHOLE };
+enum { TO_RIGHT = 1, UPWARDS = 2, LIQUID = 4 };
+enum { DRY, TOUCHED, WET };
+
+/** Liquid that spreads from cell to cell. */
+typedef struct flood {
+    const sph2d__coverage *grid;
+    unsigned char *closed; /**< of each cell: a wall stands in the way to the next, liquid is there */
+    unsigned char *wet;    /**< dry; wet, and liquid goes on from there; or the rest of a cell that has a wall's surface
+                                in it and its middle behind that */
+    uint32_t *queue;
+    size_t queued;
+} flood;
+
+static bool is_crossed(const sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b)
+{
+    bool crossed = sph2d__barrier_crosses(&sim->barrier, a, b);
+    for (size_t k = 0; k < sim->moving_count && !crossed; ++k) {
+        sph2d_vec2 way = sim->moving[k].to;
+        crossed = sph2d__barrier_crosses(&sim->moving[k].barrier, (sph2d_vec2){a.x - way.x, a.y - way.y},
+                                         (sph2d_vec2){b.x - way.x, b.y - way.y});
+    }
+    return crossed;
+}
+
+/** Closes ways between the middles of cells that a wall crosses, and marks cells with liquid. */
+static void lay_out(flood *w)
+{
+    const sph2d__coverage *c = w->grid;
+    const sph2d__store *f = &c->sim->system.fluid;
+    for (size_t j = 0; j < c->ny && c->sim->scene.obstacle_count > 0; ++j)
+        for (size_t i = 0; i < c->nx; ++i) {
+            sph2d_vec2 at = {c->origin.x + ((double)i + 0.5) * c->size_x, c->origin.y + ((double)j + 0.5) * c->size_y};
+            bool x = is_crossed(c->sim, at, (sph2d_vec2){at.x + c->size_x, at.y});
+            bool y = is_crossed(c->sim, at, (sph2d_vec2){at.x, at.y + c->size_y});
+            w->closed[j * c->nx + i] = (unsigned char)((x ? TO_RIGHT : 0) | (y ? UPWARDS : 0));
+        }
+    for (size_t k = 0; k < f->count; ++k) {
+        size_t i, j;
+        double in;
+        if (sph2d__coverage_cell(f->x[k], c->origin.x, c->size_x, c->nx, &i, &in) &&
+            sph2d__coverage_cell(f->y[k], c->origin.y, c->size_y, c->ny, &j, &in))
+            w->closed[j * c->nx + i] |= LIQUID;
+    }
+}
+
+static void wet_cell(flood *w, size_t cell, bool closed)
+{
+    unsigned char solid = w->grid->solid[cell];
+    if (w->wet[cell] == WET || solid == WHOLE || (closed && solid == 0))
+        return;
+    w->wet[cell] = closed ? TOUCHED : WET;
+    if (!closed)
+        w->queue[w->queued++] = (uint32_t)cell;
+}
+
+/** Wets the cells around one that are no higher than row `top`. */
+static void go_on(flood *w, size_t cell, size_t top)
+{
+    const sph2d__coverage *c = w->grid;
+    size_t i = cell % c->nx, j = cell / c->nx, row = cell - i;
+    bool round_x = c->nodes_x == c->nx;
+    size_t left = row + (i + c->nx - 1) % c->nx;
+    if (i + 1 < c->nx || round_x)
+        wet_cell(w, row + (i + 1) % c->nx, w->closed[cell] & TO_RIGHT);
+    if (i > 0 || round_x)
+        wet_cell(w, left, w->closed[left] & TO_RIGHT);
+    if (j < top)
+        wet_cell(w, cell + c->nx, w->closed[cell] & UPWARDS);
+    if (j > 0)
+        wet_cell(w, cell - c->nx, w->closed[cell - c->nx] & UPWARDS);
+}
+
+/** What liquid can get to below the top of a row: its area and that in the row itself, in cells. */
+typedef struct room {
+    double area, row;
+} room;
+
+static room room_below(flood *w, size_t top)
+{
+    const sph2d__coverage *c = w->grid;
+    const size_t cells = c->nx * (top + 1);
+    room r = {0, 0};
+    w->queued = 0;
+    for (size_t k = 0; k < cells; ++k)
+        w->wet[k] = DRY;
+    for (size_t k = 0; k < cells; ++k)
+        if (w->closed[k] & LIQUID)
+            wet_cell(w, k, false);
+    for (size_t k = 0; k < w->queued; ++k)
+        go_on(w, w->queue[k], top);
+    for (size_t k = 0; k < cells; ++k)
+        if (w->wet[k] != DRY) {
+            double part = (double)(WHOLE - c->solid[k]) / WHOLE;
+            r.area += part;
+            r.row += k / c->nx == top ? part : 0;
+        }
+    return r;
+}
+
+/** Looks for the row in which the liquid's surface is. */
+static double level_of(flood *w, double area)
+{
+    const sph2d__coverage *c = w->grid;
+    size_t low = 0, high = c->ny - 1;
+    lay_out(w);
+    if (room_below(w, high).area < area)
+        return NAN;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (room_below(w, middle).area < area)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    room r = room_below(w, low);
+    double spare = r.row > 0 ? fmin((r.area - area) / r.row, 1) : 0;
+    return c->origin.y + ((double)low + 1 - spare) * c->size_y;
+}
+
+double sph2d__coverage_level(const sph2d__coverage *c, double area)
+{
+    const sph2d__body *b = &c->sim->system.body;
+    sph2d__memory *memory = c->sim->system.memory;
+    size_t cells = c->nx * c->ny;
+    if (b->gravity_x != 0 || !(b->gravity_y < 0) || c->nodes_y == c->ny)
+        return NAN;
+    void *closed = sph2d__alloc(memory, cells, 1), *wet = sph2d__alloc(memory, cells, 1);
+    void *queue = sph2d__alloc(memory, cells, sizeof(uint32_t));
+    double level = NAN;
+    if (closed && wet && queue)
+        level =
+            level_of(&(flood){.grid = c, .closed = closed, .wet = wet, .queue = queue}, area / (c->size_x * c->size_y));
+    sph2d__release(memory, &closed, closed ? cells : 0, 1);
+    sph2d__release(memory, &wet, wet ? cells : 0, 1);
+    sph2d__release(memory, &queue, queue ? cells : 0, sizeof(uint32_t));
+    return level;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/** @file probes.h
+ *  The kinds of probes. Each writes the values of its columns and returns how many; it reads the simulation only, and
+ *  gives the same bits for any number of threads. */
+#ifndef SPH2D_PROBES_PROBES_H
+#define SPH2D_PROBES_PROBES_H
+
+#include "sim/simulation.h"
+
+typedef size_t sph2d__probe_kind(const sph2d_sim *sim, const sph2d_probe *probe, double *values);
+
+/* At a point. */
+sph2d__probe_kind sph2d__probe_speed, sph2d__probe_pressure, sph2d__probe_elevation;
+/* Of all liquid. */
+sph2d__probe_kind sph2d__probe_energy, sph2d__probe_momentum, sph2d__probe_extent, sph2d__probe_axes;
+sph2d__probe_kind sph2d__probe_error, sph2d__probe_volume, sph2d__probe_level;
+/* Of the particles. */
+sph2d__probe_kind sph2d__probe_quality;
+
+/** The mean pressure on the face of a gauge now, and what the gauge that is probe `index` shows [Pa]. */
+double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe);
+double sph2d__gauge_shown(const sph2d_sim *sim, size_t index);
+
+#endif

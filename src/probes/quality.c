@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT */
+/** @file quality.c
+ *  A probe of how well the particles represent the liquid: how evenly they lie, how constant their density is. */
+#include <math.h>
+
+#include "probes/coverage.h"
+#include "probes/probes.h"
+
+/* Bins of distances from 0 to the support radius. */
+enum { BINS = 2048 };
+
+/** Distances from each particle to its nearest neighbour. Counts and extremes do not depend on how threads share the
+ *  work. */
+typedef struct distances {
+    size_t counts[BINS];
+    double least[BINS]; /**< smallest in each bin [m] */
+    size_t paired;      /**< below half a spacing */
+} distances;
+
+/** From particle `i` to its nearest neighbour [m], the support radius at most. */
+static double nearest(const sph2d_sim *sim, size_t i)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double least2 = sim->system.support * sim->system.support;
+    sph2d_vec2 place = {f->x[i], f->y[i]};
+    sph2d__ranges ranges;
+    if (!sph2d__sim_around(sim, &place, &ranges))
+        return sim->system.support;
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+        double dx = place.x + ranges.x[r] - f->x[j], dy = place.y + ranges.y[r] - f->y[j];
+        double r2 = dx * dx + dy * dy;
+        least2 = j != i && r2 < least2 ? r2 : least2;
+    }
+    return sqrt(least2);
+}
+
+/** A look at all particles. */
+typedef struct look {
+    const sph2d_sim *sim;
+    distances found;
+} look;
+
+static void count_distances(look *l, const double *found, size_t count)
+{
+    const sph2d__system *s = &l->sim->system;
+    distances *d = &l->found;
+    sph2d__team_lock(s->team);
+    for (size_t k = 0; k < count; ++k) {
+        size_t bin = (size_t)(found[k] / s->support * BINS);
+        bin = bin < BINS ? bin : BINS - 1;
+        ++d->counts[bin];
+        d->least[bin] = found[k] < d->least[bin] ? found[k] : d->least[bin];
+        d->paired += found[k] < s->spacing / 2;
+    }
+    sph2d__team_unlock(s->team);
+}
+
+static void find_some_distances(void *with, size_t first, size_t last)
+{
+    look *l = with;
+    while (first < last) {
+        double found[SPH2D__SLAB];
+        size_t count = 0;
+        for (; first < last && count < SPH2D__SLAB; ++first)
+            found[count++] = nearest(l->sim, first);
+        count_distances(l, found, count);
+    }
+}
+
+static void find_distances(look *l)
+{
+    for (int b = 0; b < BINS; ++b)
+        l->found.least[b] = INFINITY;
+    const sph2d__system *s = &l->sim->system;
+    sph2d__share(s->team, s->fluid.count, SPH2D__SLAB, find_some_distances, l);
+}
+
+/** The distance that `below` others are shorter than, to 1/2048 of the support radius [m]. */
+static double ranked(const distances *d, size_t below)
+{
+    size_t bin = 0, seen = 0;
+    while (seen + d->counts[bin] <= below)
+        seen += d->counts[bin++];
+    return d->least[bin];
+}
+
+size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    (void)probe;
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    for (int k = 0; k < 8; ++k)
+        values[k] = NAN;
+    if (f->count == 0)
+        return 8;
+    look l = {.sim = sim};
+    find_distances(&l);
+    const distances *d = &l.found;
+    double n = (double)f->count, square = 0, most = 0, speed2 = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        double error = f->density[i] / s->rest_density - 1, v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
+        square += error * error;
+        most = fmax(most, fabs(error));
+        speed2 = fmax(speed2, v2);
+    }
+    values[0] = ranked(d, 0) / s->spacing;
+    values[1] = ranked(d, f->count / 100) / s->spacing;
+    values[2] = (double)d->paired / n;
+    values[3] = sqrt(square / n);
+    values[4] = most;
+    values[5] = sqrt(speed2) / s->sound_speed;
+    sph2d_densities inside = sph2d_sim_densities(sim);
+    values[6] = inside.told;
+    values[7] = inside.counted;
+    return 8;
+}

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/** @file sample.c
+ *  The liquid's values at a point, from the particles around it.
+ *
+ *  A polynomial c . p with p = (1, xi, eta, xi^2, xi eta, eta^2), (xi, eta) = (x_j - x)/H, is fitted to the particles
+ *  within the support radius: sum_j w_j (c . p_j - f_j)^2 is least, w Wendland's C2 (moving least squares, Lancaster &
+ *  Salkauskas 1981). Its value at the point is
+ *
+ *      c_0 = sum_j w_j (lambda . p_j) f_j,   M lambda = (1, 0, ...),   M = sum_j w_j p_j p_j^T
+ *
+ *  whose factors depend on places alone and serve all fields. The first three terms make the linear fit, the first
+ *  alone the Shepard average. */
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "sim/simulation.h"
+
+/* Terms of the quadratic, linear and constant polynomial; velocity, pressure and density. */
+enum { QUADRATIC = 6, LINEAR = 3, CONSTANT = 1, TERMS = QUADRATIC, FIELDS = 4 };
+
+/* A term of whose square the terms before it explain all but this fraction is not carried by the neighbours. Inside
+ * liquid a tenth or more is left; from a hundredth on, factors are so small that noise grows tenfold at most. */
+static const double CARRIED = 0.01;
+
+/** The particles around a point. */
+typedef struct surroundings {
+    const sph2d__store *fluid;
+    const double *fields[FIELDS];
+    sph2d_vec2 at;
+    double support;
+    sph2d__ranges ranges;
+    double neighbours;                /**< within the support */
+    size_t nearest;                   /**< the nearest of them */
+    double low[FIELDS], high[FIELDS]; /**< smallest and largest of their values */
+    double matrix[TERMS][TERMS];      /**< M; factored, L below the diagonal and D on it */
+} surroundings;
+
+bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges)
+{
+    const sph2d__cells *cells = &sim->system.fluid_cells;
+    const sph2d__period *period = &cells->period;
+    if (sim->system.fluid.count == 0 || sim->stopped == SPH2D_NOMEM) /* which may leave the cells half made */
+        return false;
+    place->x = sph2d__period_wrap(place->x, period->low_x, period->length_x);
+    place->y = sph2d__period_wrap(place->y, period->low_y, period->length_y);
+    uint32_t cell = sph2d__cells_find(cells, place->x, place->y);
+    if (cell == UINT32_MAX)
+        return false;
+    sph2d__cells_ranges(cells, cell, ranges);
+    return true;
+}
+
+/** Weight of particle j in range r, 0 beyond the support, and its terms. */
+static double weigh(const surroundings *s, int r, size_t j, double terms[TERMS])
+{
+    double xi = (s->fluid->x[j] - s->at.x - s->ranges.x[r]) / s->support;
+    double eta = (s->fluid->y[j] - s->at.y - s->ranges.y[r]) / s->support;
+    double q2 = xi * xi + eta * eta;
+    terms[0] = 1;
+    terms[1] = xi;
+    terms[2] = eta;
+    terms[3] = xi * xi;
+    terms[4] = xi * eta;
+    terms[5] = eta * eta;
+    return q2 < 1 ? sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, sqrt(q2)) : 0;
+}
+
+/** Sums the matrix, and finds the nearest neighbour and the range of values. */
+static void look_around(surroundings *s)
+{
+    double terms[TERMS], most = 0;
+    SPH2D__FOR_NEIGHBOURS (&s->ranges, r, j) {
+        double w = weigh(s, r, j, terms);
+        if (!(w > 0))
+            continue;
+        for (int a = 0; a < TERMS; ++a)
+            for (int b = 0; b <= a; ++b)
+                s->matrix[a][b] += w * terms[a] * terms[b];
+        for (int k = 0; k < FIELDS; ++k) {
+            double value = s->fields[k][j];
+            s->low[k] = s->neighbours > 0 ? fmin(s->low[k], value) : value;
+            s->high[k] = s->neighbours > 0 ? fmax(s->high[k], value) : value;
+        }
+        if (w > most) {
+            most = w;
+            s->nearest = j;
+        }
+        ++s->neighbours;
+    }
+}
+
+/** Factors M = L D L^T in place. Returns how many of its leading terms the neighbours carry. */
+static int factor(double m[TERMS][TERMS])
+{
+    for (int k = 0; k < TERMS; ++k) {
+        double whole = m[k][k];
+        for (int a = 0; a < k; ++a) {
+            for (int b = 0; b < a; ++b)
+                m[k][a] -= m[k][b] * m[b][b] * m[a][b];
+            m[k][a] /= m[a][a];
+            m[k][k] -= m[k][a] * m[k][a] * m[a][a];
+        }
+        if (!(m[k][k] > CARRIED * whole))
+            return k;
+    }
+    return TERMS;
+}
+
+/** Solves M lambda = (1, 0, ...) with the leading `count` terms. */
+static void solve(double m[TERMS][TERMS], int count, double lambda[TERMS])
+{
+    for (int k = 0; k < count; ++k) {
+        lambda[k] = k == 0;
+        for (int a = 0; a < k; ++a)
+            lambda[k] -= m[k][a] * lambda[a];
+    }
+    for (int k = count - 1; k >= 0; --k) {
+        lambda[k] /= m[k][k];
+        for (int a = k + 1; a < count; ++a)
+            lambda[k] -= m[a][k] * lambda[a];
+    }
+}
+
+/** Values of the fit with `count` terms. Differences to the nearest neighbour are fitted, so that what is uniform stays
+ *  so to the last bit. */
+static void evaluate(surroundings *s, int count, double values[FIELDS])
+{
+    double lambda[TERMS], terms[TERMS];
+    solve(s->matrix, count, lambda);
+    for (int k = 0; k < FIELDS; ++k)
+        values[k] = s->fields[k][s->nearest];
+    SPH2D__FOR_NEIGHBOURS (&s->ranges, r, j) {
+        double w = weigh(s, r, j, terms), share = 0;
+        if (!(w > 0))
+            continue;
+        for (int a = 0; a < count; ++a)
+            share += lambda[a] * terms[a];
+        for (int k = 0; k < FIELDS; ++k)
+            values[k] += w * share * (s->fields[k][j] - s->fields[k][s->nearest]);
+    }
+}
+
+/** Fits each field by the highest polynomial that the neighbours carry and that stays within a spread of their values.
+ */
+static void fit(surroundings *s, double values[FIELDS])
+{
+    static const int counts[] = {QUADRATIC, LINEAR, CONSTANT};
+    int carried = factor(s->matrix);
+    bool done[FIELDS] = {false};
+    for (int n = 0; n < 3; ++n) {
+        double tried[FIELDS];
+        if (counts[n] > carried)
+            continue;
+        evaluate(s, counts[n], tried);
+        for (int k = 0; k < FIELDS; ++k) {
+            double spread = s->high[k] - s->low[k];
+            bool sane = tried[k] >= s->low[k] - spread && tried[k] <= s->high[k] + spread;
+            if (!done[k] && (sane || counts[n] == CONSTANT)) {
+                values[k] = tried[k];
+                done[k] = true;
+            }
+        }
+        if (done[0] && done[1] && done[2] && done[3])
+            return;
+    }
+}
+
+bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    surroundings s = {.fluid = f, .fields = {f->vx, f->vy, f->pressure, f->density}, .support = sim->system.support};
+    double values[FIELDS] = {NAN, NAN, NAN, NAN};
+    s.at = at;
+    if (sph2d__sim_around(sim, &s.at, &s.ranges))
+        look_around(&s);
+    if (s.neighbours > 0)
+        fit(&s, values);
+    *out = (sph2d_sample){{values[0], values[1]}, values[2], values[3], s.neighbours};
+    return s.neighbours > 0;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/** @file accessors.c
+ *  Asking a simulation for its numbers, and steering it while it runs. */
+#include <math.h>
+
+#include "sim/simulation.h"
+
+sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
+{
+    if (!isfinite(gravity.x) || !isfinite(gravity.y))
+        return SPH2D_INVALID;
+    sph2d_summary before, after;
+    sph2d__sim_sum_energy(sim, &before);
+    sim->record.gravity_x = gravity.x;
+    sim->record.gravity_y = gravity.y;
+    sim->system.body.gravity_x = gravity.x;
+    sim->system.body.gravity_y = gravity.y;
+    sph2d__sim_sum_energy(sim, &after);
+    sim->record.energy_fed += after.potential - before.potential;
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration)
+{
+    if (!isfinite(at.x) || !isfinite(at.y) || !isfinite(acceleration) || !isfinite(radius))
+        return SPH2D_INVALID;
+    if (acceleration != 0 ? !(radius > 0) : !(radius >= 0))
+        return SPH2D_INVALID;
+    sim->record.pointer_x = at.x;
+    sim->record.pointer_y = at.y;
+    sim->record.pointer_radius = radius;
+    sim->record.pointer_acceleration = acceleration;
+    return SPH2D_OK;
+}
+
+double sph2d_sim_time(const sph2d_sim *sim)
+{
+    return sim->record.time;
+}
+
+uint64_t sph2d_sim_steps(const sph2d_sim *sim)
+{
+    return sim->record.steps;
+}
+
+double sph2d_sim_time_step(const sph2d_sim *sim)
+{
+    return sim->record.next_step;
+}
+
+sph2d_isa sph2d_sim_isa(const sph2d_sim *sim)
+{
+    return sim->system.isa;
+}
+
+int sph2d_sim_threads(const sph2d_sim *sim)
+{
+    return sph2d__team_limit(sim->system.team);
+}
+
+size_t sph2d_sim_memory(const sph2d_sim *sim)
+{
+    return sim->memory.bytes;
+}
+
+const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)
+{
+    return &sim->scene;
+}
+
+const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim)
+{
+    return &sim->plan;
+}
+
+static sph2d_view view_of(const sph2d__store *s)
+{
+    return (sph2d_view){s->count, s->x, s->y, s->vx, s->vy, s->ax, s->ay, s->density, s->pressure, s->id};
+}
+
+sph2d_view sph2d_sim_fluid(const sph2d_sim *sim)
+{
+    return view_of(&sim->system.fluid);
+}
+
+sph2d_view sph2d_sim_walls(const sph2d_sim *sim)
+{
+    sph2d_view view = view_of(&sim->system.walls);
+    view.ax = view.ay = NULL;
+    return view;
+}

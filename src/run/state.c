@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: MIT */
+/** @file state.c
+ *  The state of a simulation as named arrays, out and in again. */
+#include <math.h>
+#include <string.h>
+
+#include "sim/simulation.h"
+#include "simd/isa.h"
+#include "sph2d/field.h"
+
+/* Fields that a run needs to go on; the others follow from the scene. */
+static const char *const fluid_fields[] = {"Coordinates", "Velocities", "Accelerations",
+                                           "Densities",   "Pressures",  "ParticleIDs"};
+static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures", "ParticleIDs"};
+
+#define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
+#define ONE_MORE(...) +1
+
+enum {
+    RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
+    PAST_ARRAYS = 6, /* of the fluid, beyond its fields */
+    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 3
+};
+
+static sph2d_array find_field(const sph2d_sim *sim, sph2d_group group, const char *name)
+{
+    for (size_t i = 0; i < sph2d_field_count(group); ++i) {
+        sph2d_array field = sph2d_field(sim, group, i);
+        if (strcmp(field.name, name) == 0)
+            return field;
+    }
+    return (sph2d_array){.group = group, .name = name};
+}
+
+static sph2d_array run_array(const char *name, const char *description, sph2d_type type, size_t count, const void *data)
+{
+    return (sph2d_array){.group = SPH2D_GROUP_RUN,
+                         .name = name,
+                         .description = description,
+                         .type = type,
+                         .components = 1,
+                         .count = count,
+                         .stride = 1,
+                         .data = {data, NULL}};
+}
+
+/** What schemes remember of the fluid beyond its fields. Returns the number of arrays. */
+static size_t list_past(const sph2d__store *f, sph2d_array out[PAST_ARRAYS])
+{
+    const struct {
+        sph2d__set bit;
+        const char *name, *description;
+        signed char unit[3];
+        const double *data[2];
+    } known[PAST_ARRAYS] = {
+        {SPH2D__BIT(surface),
+         "SurfaceDistances",
+         "distance to the free surface within the last step, up to H",
+         {1, 0, 0},
+         {f->surface, NULL}},
+        {SPH2D__BIT(filling),
+         "Fillings",
+         "by other liquid, of the room that walls leave, within the last step: 1 inside, 0 by itself",
+         {0, 0, 0},
+         {f->filling, NULL}},
+        {SPH2D__BIT(stretch),
+         "StrainRates",
+         "half the difference of dvx/dx and dvy/dy, half the sum of dvx/dy and dvy/dx, within the last step",
+         {0, 0, -1},
+         {f->stretch, f->shear}},
+        {SPH2D__BIT(density_rate),
+         "DensityRates",
+         "change of density in the last step",
+         {-3, 1, -1},
+         {f->density_rate, NULL}},
+        {SPH2D__BIT(old_ax), "OldAccelerations", "acceleration one step before", {1, 0, -2}, {f->old_ax, f->old_ay}},
+        {SPH2D__BIT(old_density_rate),
+         "OldDensityRates",
+         "change of density one step before",
+         {-3, 1, -1},
+         {f->old_density_rate, NULL}}};
+    size_t n = 0;
+    for (size_t i = 0; i < PAST_ARRAYS; ++i) {
+        if (!(f->carried & known[i].bit))
+            continue;
+        out[n] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
+                               .name = known[i].name,
+                               .description = known[i].description,
+                               .type = SPH2D_F64,
+                               .components = known[i].data[1] ? 2 : 1,
+                               .count = f->count,
+                               .stride = 1,
+                               .data = {known[i].data[0], known[i].data[1]}};
+        memcpy(out[n++].unit, known[i].unit, sizeof known[i].unit);
+    }
+    return n;
+}
+
+/** Writes all arrays of the state and returns their number. */
+static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
+{
+    const sph2d__record *r = &sim->record;
+    size_t n = 0;
+    for (size_t i = 0; i < COUNT_OF(fluid_fields); ++i)
+        out[n++] = find_field(sim, SPH2D_GROUP_FLUID, fluid_fields[i]);
+    for (size_t i = 0; i < COUNT_OF(wall_fields); ++i)
+        out[n++] = find_field(sim, SPH2D_GROUP_WALL, wall_fields[i]);
+    n += list_past(&sim->system.fluid, out + n);
+#define REAL(member, label, m, kg, s, text)                                                                            \
+    out[n] = run_array(label, text, SPH2D_F64, 1, &r->member);                                                         \
+    memcpy(out[n++].unit, (signed char[3]){m, kg, s}, 3);
+    SPH2D__RECORD_REALS(REAL)
+#undef REAL
+#define COUNT(member, label, text) out[n++] = run_array(label, text, SPH2D_U64, 1, &r->member);
+    SPH2D__RECORD_COUNTS(COUNT)
+#undef COUNT
+    out[n++] =
+        run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count, sim->source_rows);
+    out[n++] = run_array("OutputCounts", "outputs taken: snapshots, frames, then each probe", SPH2D_U64,
+                         SPH2D_OUTPUT_PROBE + sim->scene.probe_count, sim->output_counts);
+    if (sim->gauges_lag) {
+        out[n] = run_array("GaugePressures", "of each probe: pressure on a gauge's face, and what it shows", SPH2D_F64,
+                           2 * sim->scene.probe_count, sim->gauges);
+        memcpy(out[n++].unit, (signed char[3]){-1, 1, -2}, 3);
+    }
+    return n;
+}
+
+sph2d_state sph2d_sim_state(sph2d_sim *sim)
+{
+    if (!sim->state_arrays) {
+        sim->state_arrays = sph2d__alloc(&sim->memory, STATE_ARRAYS, sizeof(sph2d_array));
+        sim->state_capacity = sim->state_arrays ? STATE_ARRAYS : 0;
+    }
+    sph2d_state state = {.version = SPH2D_STATE_VERSION, .arrays = sim->state_arrays};
+    if (sim->state_arrays)
+        state.array_count = list_arrays(sim, sim->state_arrays);
+    return state;
+}
+
+/* ---- in again ---------------------------------------------------------------------------------------------------- */
+
+typedef struct loader {
+    const sph2d_state *state;
+    sph2d_report *report;
+    bool ok;
+} loader;
+
+static void refuse(loader *l, const char *name, const char *what)
+{
+    l->ok = false;
+    sph2d_report_add(l->report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "the state's '%s' %s", name, what);
+}
+
+/** The array like `wanted` in group, name, type and components, with `count` values; NULL, reported, when there is
+ *  none. */
+static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_t count)
+{
+    for (size_t i = 0; i < l->state->array_count; ++i) {
+        const sph2d_array *a = &l->state->arrays[i];
+        if (a->group != wanted->group || strcmp(a->name, wanted->name) != 0)
+            continue;
+        if (a->type != wanted->type || a->components != wanted->components || a->count != count) {
+            refuse(l, wanted->name, "has the wrong type or shape");
+            return NULL;
+        }
+        for (unsigned c = 0; c < a->components; ++c)
+            if (!a->data[c] && count > 0) {
+                refuse(l, wanted->name, "has no data");
+                return NULL;
+            }
+        return a;
+    }
+    refuse(l, wanted->name, "is missing");
+    return NULL;
+}
+
+static void copy_values(loader *l, const sph2d_array *from, const void *to, unsigned component)
+{
+    /* `to` comes from the simulation's own list, whose arrays are const to everyone else. */
+    union {
+        const void *in;
+        void *out;
+    } target = {.in = to};
+    const char *data = from->data[component];
+    for (size_t i = 0; i < from->count; ++i) {
+        const char *value = data + i * from->stride * 8;
+        if (from->type == SPH2D_F64) {
+            double number;
+            memcpy(&number, value, sizeof number);
+            if (!isfinite(number)) {
+                refuse(l, from->name, "has a value that is not finite");
+                return;
+            }
+        }
+        memcpy((char *)target.out + 8 * i, value, 8);
+    }
+}
+
+static bool walls_match(loader *l, const sph2d_sim *sim)
+{
+    const sph2d__store *walls = &sim->system.walls;
+    sph2d_array wanted = find_field(sim, SPH2D_GROUP_WALL, "Coordinates");
+    const sph2d_array *a = find_array(l, &wanted, walls->count);
+    if (!a)
+        return false;
+    const double *x = a->data[0], *y = a->data[1];
+    for (size_t i = 0; i < walls->count; ++i)
+        if (x[i * a->stride] != walls->x[i] || y[i * a->stride] != walls->y[i]) {
+            refuse(l, "Coordinates", "of the walls are not those of the scene");
+            return false;
+        }
+    return true;
+}
+
+static size_t fluid_count(const sph2d_state *state)
+{
+    for (size_t i = 0; i < state->array_count; ++i)
+        if (state->arrays[i].group == SPH2D_GROUP_FLUID && strcmp(state->arrays[i].name, "Coordinates") == 0)
+            return state->arrays[i].count;
+    return 0;
+}
+
+/** Liquid is followed for one more width and height of the domain, and a step more. */
+static void check_places(loader *l, const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    sph2d_box d = sim->scene.domain;
+    double reach = 100 * fmax(d.max.x - d.min.x, d.max.y - d.min.y);
+    for (size_t i = 0; i < f->count; ++i)
+        if (fabs(f->x[i] - d.min.x) > reach || fabs(f->y[i] - d.min.y) > reach) {
+            refuse(l, "Coordinates", "has a place far outside the domain");
+            return;
+        }
+}
+
+/** Density and pressure are stored in cell order: particles in any other order would get those of others. */
+static bool in_cell_order(loader *l, const sph2d_sim *sim)
+{
+    for (size_t k = 0; k < sim->system.fluid.count; ++k)
+        if (sim->system.fluid_cells.order[k] != k) {
+            refuse(l, "Coordinates", "is not in the order of the cells");
+            return false;
+        }
+    return true;
+}
+
+/** Ranges that later code relies on. */
+static void check_record(loader *l, const sph2d_sim *sim)
+{
+    const sph2d__record *r = &sim->record;
+    if (!(r->time >= 0))
+        refuse(l, "Time", "is below 0");
+    if (!(r->next_step > 0))
+        refuse(l, "NextTimeStep", "is not above 0");
+    if (!(r->last_step >= 0))
+        refuse(l, "LastTimeStep", "is below 0");
+    if (!(r->older_step >= 0))
+        refuse(l, "OlderTimeStep", "is below 0");
+    if (r->pointer_acceleration != 0 ? !(r->pointer_radius > 0) : !(r->pointer_radius >= 0))
+        refuse(l, "PointerRadius", "is not above 0");
+    if (r->next_limit >= SPH2D__LIMIT_COUNT)
+        refuse(l, "NextLimit", "is out of range");
+    if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))
+        refuse(l, "InstructionSet", "is one that this processor or build does not have");
+    check_places(l, sim);
+    for (size_t i = 0; i < sim->system.fluid.count; ++i)
+        if (!(sim->system.fluid.density[i] > 0)) {
+            refuse(l, "Densities", "has a value that is not above 0");
+            break;
+        }
+}
+
+sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
+{
+    loader l = {state, report, true};
+    if (state->version != SPH2D_STATE_VERSION) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_VERSION, NULL,
+                         "the state has version %llu, this program reads %u", (unsigned long long)state->version,
+                         SPH2D_STATE_VERSION);
+        return SPH2D_FORMAT;
+    }
+    sph2d__store *fluid = &sim->system.fluid;
+    size_t count = fluid_count(state);
+    if (count >= UINT32_MAX || !sph2d__store_reserve(fluid, &sim->memory, count > 0 ? count : 1))
+        return SPH2D_NOMEM;
+    fluid->count = count;
+    sph2d_array clock = run_array("Time", NULL, SPH2D_F64, 1, &sim->record.time);
+    const sph2d_array *time = find_array(&l, &clock, 1);
+    if (!time)
+        return SPH2D_FORMAT;
+    copy_values(&l, time, &sim->record.time, 0);
+    if (!l.ok)
+        return SPH2D_FORMAT;
+    if (sph2d__sim_aim(sim, sim->record.time) != SPH2D_OK)
+        return SPH2D_NOMEM;
+    if (!walls_match(&l, sim))
+        return SPH2D_FORMAT;
+    sph2d_array wanted[STATE_ARRAYS];
+    size_t n = list_arrays(sim, wanted);
+    for (size_t i = 0; i < n; ++i) {
+        const sph2d_array *from = find_array(&l, &wanted[i], wanted[i].count);
+        for (unsigned c = 0; from && c < from->components; ++c)
+            copy_values(&l, from, wanted[i].data[c], c);
+    }
+    if (l.ok)
+        check_record(&l, sim);
+    if (!l.ok)
+        return SPH2D_FORMAT;
+    sim->system.isa = (sph2d_isa)sim->record.isa;
+    if (!sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.team))
+        return SPH2D_NOMEM;
+    return in_cell_order(&l, sim) ? SPH2D_OK : SPH2D_FORMAT;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/** @file step.c
+ *  One step: sources and drains, the method's scheme, the clock, the guards. */
+#include "probes/coverage.h"
+#include "sim/stages.h"
+
+static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)
+{
+    sim->stopped = status;
+    sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_COUNT);
+    if (status == SPH2D_NOMEM)
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory in step %llu",
+                         (unsigned long long)sim->record.steps);
+    return status;
+}
+
+static void count_limit(sph2d__record *r, uint64_t limit)
+{
+    uint64_t *counters[SPH2D__LIMIT_COUNT] = {&r->limited_acoustic, &r->limited_force, &r->limited_viscous,
+                                              &r->limited_fixed};
+    ++*counters[limit];
+}
+
+static void advance_clock(sph2d_sim *sim, double dt)
+{
+    sph2d__record *r = &sim->record;
+    count_limit(r, r->next_limit);
+    r->time += dt;
+    r->last_step = dt;
+    r->step_min = r->steps == 0 || dt < r->step_min ? dt : r->step_min;
+    r->step_max = dt > r->step_max ? dt : r->step_max;
+    ++r->steps;
+    r->particle_steps += sim->system.fluid.count;
+}
+
+static sph2d_status move(sph2d_sim *sim, double dt)
+{
+    switch (sim->method->integrator) {
+    case SPH2D__ADAMS_BASHFORTH:
+        return sph2d__adams_bashforth(sim, dt);
+    case SPH2D__MIDPOINT:
+        return sph2d__midpoint(sim, dt);
+    case SPH2D__PROJECTED:
+        return sph2d__projected(sim, dt);
+    case SPH2D__LEAPFROG:
+        break;
+    }
+    return sph2d__leapfrog(sim, dt);
+}
+
+/** Sources feed, drains and open sides take. */
+static sph2d_status come_and_go(sph2d_sim *sim)
+{
+    sph2d_status status = sph2d__sim_feed(sim);
+    return status == SPH2D_OK ? sph2d__sim_drain(sim) : status;
+}
+
+sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
+{
+    if (sim->stopped != SPH2D_OK) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "no step can follow: %s",
+                         sph2d_status_text(sim->stopped));
+        return sim->stopped;
+    }
+    sph2d__profile *profile = &sim->system.profile;
+    sph2d__team_begin(sim->system.team);
+    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
+    sph2d_status status = come_and_go(sim);
+    if (status != SPH2D_OK)
+        return halt(sim, status, report);
+    double dt = sim->record.next_step;
+    sim->system.step = dt;
+    sim->system.speed = sim->record.speed;
+    sph2d__profile_enter(profile, SPH2D_PHASE_MOVE);
+    status = move(sim, dt);
+    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
+    if (status == SPH2D_GUARD)
+        sph2d__sim_measure(sim, report); /* names the particle */
+    if (status != SPH2D_OK)
+        return halt(sim, status, report);
+    advance_clock(sim, dt);
+    if (!sph2d__sim_measure(sim, report))
+        return halt(sim, SPH2D_GUARD, report);
+    sph2d__sim_sample(sim);
+    sph2d__sim_read_gauges(sim, dt);
+    sph2d__sim_watch_density(sim);
+    status = sph2d__sim_watch_energy(sim);
+    if (status != SPH2D_OK)
+        return halt(sim, status, report);
+    if (!sph2d__sim_guard_energy(sim, report))
+        return halt(sim, SPH2D_GUARD, report);
+    sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
+    sph2d__team_end(sim->system.team);
+    return SPH2D_OK;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/** @file summary.c
+ *  What a run sums up: compression, energy, momentum, counts. */
+#include <math.h>
+
+#include "methods/common/state_equation.h"
+#include "methods/projection/projection.h"
+#include "methods/terms/tension.h"
+#include "sim/simulation.h"
+
+/* Compression is sampled every so many steps, and not within so many seconds after an impact. */
+enum { SAMPLE_STEPS = 10, BINS = 2048 };
+static const double IMPACT_WINDOW = 0.05;
+
+/** Potential over mass of a spring at `distance`. */
+static double spring_energy(const sph2d__spring_walls *w, double distance)
+{
+    double depth = w->range - distance;
+    return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
+}
+
+/* Gravity along a period has no potential: its work is booked (work.c). */
+double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
+{
+    sph2d_vec2 corner = sim->scene.domain.min;
+    const sph2d__body *body = &sim->system.body;
+    const sph2d__spring_walls *w = &body->springs;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
+    double rx = x - body->center_x, ry = y - body->center_y;
+    double potential = -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
+    if (w->stiffness > 0)
+        potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
+                     spring_energy(w, w->top - y);
+    return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
+}
+
+static bool in_impact(const sph2d_sim *sim)
+{
+    for (size_t i = 0; i < sim->scene.run.impacts.count; ++i) {
+        double since = sim->record.time - sim->scene.run.impacts.items[i];
+        if (since >= 0 && since < IMPACT_WINDOW)
+            return true;
+    }
+    return false;
+}
+
+static double compression_of(const sph2d__system *s, size_t i)
+{
+    double c = s->fluid.density[i] / s->rest_density - 1;
+    return c > 0 ? c : 0;
+}
+
+/** 99th percentile over particles, to 1/2048 of the largest value, from a histogram. */
+static double percentile_99(const sph2d__system *s, double largest)
+{
+    if (!(largest > 0))
+        return 0;
+    size_t bins[BINS] = {0};
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        size_t bin = (size_t)(compression_of(s, i) / largest * BINS);
+        ++bins[bin < BINS ? bin : BINS - 1];
+    }
+    size_t above = s->fluid.count / 100, seen = 0, bin = BINS;
+    while (bin > 0 && seen + bins[bin - 1] <= above)
+        seen += bins[--bin];
+    return largest * (double)bin / BINS;
+}
+
+void sph2d__sim_sample(sph2d_sim *sim)
+{
+    const sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    if (r->steps % SAMPLE_STEPS != 0)
+        return;
+    double span = r->time - r->sample_time;
+    r->sample_time = r->time;
+    if (in_impact(sim) || s->fluid.count == 0)
+        return;
+    double largest = 0, sum = 0;
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        double c = compression_of(s, i);
+        sum += c;
+        largest = c > largest ? c : largest;
+    }
+    r->compression_p99 += span * percentile_99(s, largest);
+    r->compression_mean += span * sum / (double)s->fluid.count;
+    r->sampled_time += span;
+}
+
+/** Mean number of other particles inside the support. */
+static double mean_neighbours(const sph2d__system *s)
+{
+    const sph2d__store *f = &s->fluid;
+    double support2 = s->support * s->support;
+    size_t pairs = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        uint32_t cell = sph2d__cells_find(&s->fluid_cells, f->x[i], f->y[i]);
+        if (cell == UINT32_MAX)
+            continue;
+        sph2d__ranges ranges;
+        sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
+        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+            double dx = f->x[i] + ranges.x[r] - f->x[j], dy = f->y[i] + ranges.y[r] - f->y[j];
+            pairs += j != i && dx * dx + dy * dy < support2;
+        }
+    }
+    return f->count > 0 ? (double)pairs / (double)f->count : 0;
+}
+
+double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)
+{
+    if (sim->method->integrator == SPH2D__PROJECTED)
+        return sph2d__projection_elastic(&sim->system, i, sim->record.steps > 0);
+    return sph2d__elastic_of(&sim->system, sim->system.fluid.density[i]);
+}
+
+bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
+{
+    return sim->system.method.name == SPH2D_METHOD_PCISPH;
+}
+
+void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
+        kinetic += v2 / 2;
+        total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
+        squeezed += sph2d__sim_elastic_of(sim, i);
+        px += f->vx[i];
+        py += f->vy[i];
+        speed2 = v2 > speed2 ? v2 : speed2;
+    }
+    out->kinetic = m * kinetic;
+    out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
+    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * squeezed, sim->record.energy_elastic) : m * squeezed;
+    out->momentum[0] = m * px;
+    out->momentum[1] = m * py;
+    out->speed_max = sqrt(speed2);
+}
+
+sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
+{
+    const sph2d__record *r = &sim->record;
+    double time = r->sampled_time > 0 ? r->sampled_time : 1;
+    sph2d_summary out = {
+        .time = r->time,
+        .steps = r->steps,
+        .particle_steps = r->particle_steps,
+        .particles = sim->system.fluid.count,
+        .compression_p99 = r->compression_p99 / time,
+        .compression_mean = r->compression_mean / time,
+        .compression_max = r->compression_max,
+        .density_apart = r->density_apart,
+        .energy_start = r->energy_start,
+        .energy_fed = r->energy_fed,
+        .energy_rise = sph2d__sim_rise_is_known(sim) ? r->energy_rise : NAN,
+        .energy_error = sph2d__sim_error_is_known(sim) ? r->energy_error : NAN,
+        .energy_error_rise = sph2d__sim_error_is_known(sim) ? r->error_rise : NAN,
+        .energy_walls = r->energy_walls,
+        .energy_forces = r->energy_forces,
+        .energy_viscous = r->energy_viscous,
+        .energy_diffused = r->energy_diffused,
+        .energy_stopped = r->energy_stopped,
+        .energy_pressed = r->energy_pressed,
+        .energy_scale = sph2d__sim_energy_scale(sim),
+        .fed = r->fed,
+        .blocked = r->blocked,
+        .drained = r->drained,
+        .left_open = {r->left_left, r->left_right, r->left_bottom, r->left_top},
+        .backstop_hits = r->backstop_hits,
+        .reflections = r->reflections,
+        .iterations = r->iterations,
+        .unconverged = r->unconverged,
+        .limited_by = {r->limited_acoustic, r->limited_force, r->limited_viscous, r->limited_fixed},
+        .time_step_min = r->step_min,
+        .time_step_max = r->step_max,
+        .neighbours = mean_neighbours(&sim->system),
+    };
+    sph2d__sim_sum_energy(sim, &out);
+    return out;
+}
+
+sph2d_profile sph2d_sim_profile(const sph2d_sim *sim)
+{
+    return sim->system.profile.sums;
+}

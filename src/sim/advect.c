@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT */
+/** @file advect.c
+ *  What every scheme does with a particle on its way: walls, periodic sides, sorting, the second kick. */
+#include <math.h>
+#include <string.h>
+
+#include "sim/stages.h"
+
+/** Reflects a velocity off the nearest boundary particle that is within one spacing and ahead, if that one reflects:
+ *  the part along the line between the two is turned round and damped. */
+static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
+{
+    uint32_t cell = sph2d__cells_find(&s->wall_cells, p.x, p.y);
+    if (cell == UINT32_MAX)
+        return false;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    double nearest2 = s->spacing * s->spacing;
+    size_t nearest = SIZE_MAX;
+    double nx = 0, ny = 0;
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
+        double dx = p.x + ranges.x[r] - s->walls.x[b], dy = p.y + ranges.y[r] - s->walls.y[b];
+        double r2 = dx * dx + dy * dy;
+        if (s->walls.bounce[b] >= 0 && r2 < nearest2 && r2 > 0) {
+            nearest2 = r2;
+            nearest = b;
+            nx = dx;
+            ny = dy;
+        }
+    }
+    if (nearest == SIZE_MAX)
+        return false;
+    double along = (v->x * nx + v->y * ny) / nearest2;
+    if (along >= 0)
+        return false;
+    double turn = (1 + s->walls.bounce[nearest]) * along;
+    v->x -= turn * nx;
+    v->y -= turn * ny;
+    return true;
+}
+
+/** Holds a motion on its side of every obstacle that moves: swept where the obstacle is at rest. */
+static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    uint64_t hits = 0;
+    for (size_t k = 0; k < sim->moving_count; ++k) {
+        const sph2d__moving *m = &sim->moving[k];
+        sph2d_vec2 a = {from.x - m->from.x, from.y - m->from.y}, b = {to->x - m->to.x, to->y - m->to.y};
+        sph2d_vec2 relative = {v->x - m->velocity.x, v->y - m->velocity.y};
+        uint64_t met = (uint64_t)sph2d__barrier_sweep(&m->barrier, a, &b, &relative);
+        if (met == 0)
+            continue;
+        hits += met;
+        *to = (sph2d_vec2){b.x + m->to.x, b.y + m->to.y};
+        *v = (sph2d_vec2){relative.x + m->velocity.x, relative.y + m->velocity.y};
+    }
+    return hits;
+}
+
+/** What happened to particles on their ways. */
+typedef struct events {
+    uint64_t hits, reflections, bad;
+    int64_t stopped, driven; /**< energy that walls took, and that moving ones gave, in whole parts (simulation.h) */
+} events;
+
+/** A particle at the end of its way. */
+typedef struct end {
+    sph2d_vec2 at, v;
+} end;
+
+/* More parts than any particle of a run that goes on has. */
+static const double MOST_PARTS = 1e15;
+
+/** The energy that a particle has more at one end than at another, in whole parts. */
+static int64_t parts_between(const sph2d_sim *sim, end more, end less)
+{
+    double energy = sph2d__sim_energy_of(sim, more.at.x, more.at.y, more.v.x, more.v.y) -
+                    sph2d__sim_energy_of(sim, less.at.x, less.at.y, less.v.x, less.v.y);
+    double parts = energy / sph2d__sim_energy_part(sim);
+    return fabs(parts) < MOST_PARTS ? (int64_t)parts : 0;
+}
+
+/** Moves one particle, which a wall or a side might stop. */
+static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
+{
+    sph2d__store *f = &sim->system.fluid;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    sph2d_vec2 from = {f->x[i], f->y[i]};
+    end free = {{from.x + dx, from.y + dy}, *v};
+    uint64_t reflected = 0, stopped, pushed = 0;
+    if (sim->system.walls_reflect) {
+        sph2d_vec2 before = *v;
+        if (reflect(&sim->system, from, v)) {
+            ++reflected;
+            double dt = sim->system.step;
+            dx += dt * (v->x - before.x);
+            dy += dt * (v->y - before.y);
+        }
+    }
+    sph2d_vec2 to = {from.x + dx, from.y + dy};
+    stopped = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
+    if (reflected + stopped > 0)
+        met->stopped += parts_between(sim, free, (end){to, *v});
+    if (sim->moving_count > 0) {
+        end before = {to, *v};
+        pushed = sweep_moving(sim, from, &to, v);
+        if (pushed > 0)
+            met->driven += parts_between(sim, (end){to, *v}, before);
+    }
+    sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
+                     sph2d__period_wrap(to.y, period->low_y, period->length_y)};
+    if (in.x != to.x || in.y != to.y) { /* the last part of the way lies at the other side */
+        end before = {in, *v};
+        from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
+        uint64_t held = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
+        if (held > 0)
+            met->stopped += parts_between(sim, before, (end){in, *v});
+        stopped += held;
+    }
+    met->reflections += reflected;
+    met->hits += stopped + pushed;
+    met->bad += !isfinite(in.x + in.y + v->x + v->y);
+    f->x[i] = in.x;
+    f->y[i] = in.y;
+    f->vx[i] = v->x;
+    f->vy[i] = v->y;
+}
+
+/** Whether no particle of a flock can meet a wall or a side on its way, and all is finite: the usual case, and the only
+ *  cheap one. */
+static bool goes_free(const sph2d_sim *sim, const sph2d__flock *flock)
+{
+    if (sim->system.walls_reflect || sim->moving_count > 0)
+        return false;
+    const double *x = sim->system.fluid.x + flock->first, *y = sim->system.fluid.y + flock->first;
+    sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    double way = 0, sum = 0;
+    for (size_t k = 0; k < flock->count; ++k) {
+        double to_x = x[k] + flock->dx[k], to_y = y[k] + flock->dy[k], far = fabs(flock->dx[k]) + fabs(flock->dy[k]);
+        low.x = to_x < low.x ? to_x : low.x;
+        low.y = to_y < low.y ? to_y : low.y;
+        high.x = to_x > high.x ? to_x : high.x;
+        high.y = to_y > high.y ? to_y : high.y;
+        way = far > way ? far : way;
+        sum += to_x + to_y + (flock->vx[k] + flock->vy[k]);
+    }
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    return isfinite(sum) && sph2d__period_holds(period, low.x, low.y) && sph2d__period_holds(period, high.x, high.y) &&
+           sph2d__barrier_far_from(&sim->barrier, low, high, way);
+}
+
+/** Moves a flock that goes free. */
+static void carry_free(sph2d__store *f, const sph2d__flock *flock)
+{
+    double *restrict x = f->x + flock->first, *restrict y = f->y + flock->first;
+    for (size_t k = 0; k < flock->count; ++k) {
+        x[k] += flock->dx[k];
+        y[k] += flock->dy[k];
+    }
+    memcpy(f->vx + flock->first, flock->vx, flock->count * sizeof(double));
+    memcpy(f->vy + flock->first, flock->vy, flock->count * sizeof(double));
+}
+
+static void carry_flock(sph2d_sim *sim, const sph2d__flock *flock, events *met)
+{
+    if (goes_free(sim, flock)) {
+        carry_free(&sim->system.fluid, flock);
+        return;
+    }
+    for (size_t k = 0; k < flock->count; ++k) {
+        sph2d_vec2 v = {flock->vx[k], flock->vy[k]};
+        carry_one(sim, flock->first + k, flock->dx[k], flock->dy[k], &v, met);
+    }
+}
+
+/** Carrying all flocks. */
+typedef struct journey {
+    sph2d_sim *sim;
+    double dt;
+    sph2d__flock_work *set, *after;
+    events met;
+} journey;
+
+static void carry_flocks(void *with, size_t first, size_t last)
+{
+    journey *j = with;
+    const size_t count = j->sim->system.fluid.count;
+    events met = {0};
+    for (size_t n = first; n < last; ++n) {
+        sph2d__flock flock;
+        flock.first = n * SPH2D__FLOCK;
+        flock.count = count - flock.first < SPH2D__FLOCK ? count - flock.first : SPH2D__FLOCK;
+        j->set(j->sim, j->dt, &flock);
+        carry_flock(j->sim, &flock, &met);
+        if (j->after)
+            j->after(j->sim, j->dt, &flock);
+    }
+    sph2d__team_lock(j->sim->system.team);
+    j->met.hits += met.hits;
+    j->met.reflections += met.reflections;
+    j->met.bad += met.bad;
+    j->met.stopped += met.stopped;
+    j->met.driven += met.driven;
+    sph2d__team_unlock(j->sim->system.team);
+}
+
+/* Flocks that are worth a thread. */
+enum { FLOCKS = SPH2D__GRAIN / 4 / SPH2D__FLOCK };
+
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after)
+{
+    journey j = {sim, dt, set, after, {0}};
+    const size_t flocks = (sim->system.fluid.count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
+    sph2d__share(sim->system.team, flocks, FLOCKS, carry_flocks, &j);
+    sim->record.backstop_hits += j.met.hits;
+    sim->record.reflections += j.met.reflections;
+    sim->record.energy_stopped += (double)j.met.stopped * sph2d__sim_energy_part(sim);
+    sim->record.energy_walls += (double)j.met.driven * sph2d__sim_energy_part(sim);
+    return j.met.bad == 0 ? SPH2D_OK : SPH2D_GUARD;
+}
+
+sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SORT);
+    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->team);
+    sph2d__profile_enter(&s->profile, before);
+    return sorted ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt)
+{
+    double most = s->speed > 0 ? limit * s->support / (s->speed * dt) : INFINITY;
+    s->shift_gain = fmin(s->method.shifting * gain, most);
+}
+
+void sph2d__predict(sph2d_sim *sim, double dt, sph2d__flock *w)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = w->first; i < w->first + w->count; ++i) {
+        f->vx[i] += dt / 2 * f->ax[i];
+        f->vy[i] += dt / 2 * f->ay[i];
+    }
+}
+
+void sph2d__keep_accelerations(sph2d__store *f)
+{
+    double *x = f->old_ax, *y = f->old_ay;
+    f->old_ax = f->ax;
+    f->old_ay = f->ay;
+    f->ax = x;
+    f->ay = y;
+}
+
+/** The second kick of particles. */
+typedef struct kick {
+    sph2d__store *fluid;
+    double dt;
+} kick;
+
+static void kick_some(void *with, size_t first, size_t last)
+{
+    const kick *k = with;
+    const sph2d__store *f = k->fluid;
+    for (size_t i = first; i < last; ++i) {
+        f->vx[i] += k->dt / 2 * (f->ax[i] - f->old_ax[i]);
+        f->vy[i] += k->dt / 2 * (f->ay[i] - f->old_ay[i]);
+    }
+}
+
+void sph2d__second_kick(sph2d__system *s, double dt)
+{
+    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, kick_some, &(kick){&s->fluid, dt});
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/** @file stages.h
+ *  The schemes that move the particles by one step, and what they share. */
+#ifndef SPH2D_SIM_STAGES_H
+#define SPH2D_SIM_STAGES_H
+
+#include "sim/simulation.h"
+
+/** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all: SPH2D_GUARD when a place is not finite,
+ *  SPH2D_NOMEM. */
+sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
+/** Kick-drift-kick with density moved at the half step (midpoint.c). */
+sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
+/** Half a drift, pressure for the places that come next, kick, half a drift (projected.c). */
+sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
+/** Third order from the rates of three steps (adams_bashforth.c). */
+sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
+
+/** Particles that are moved together: so many that the look for walls around all of them costs little. */
+enum { SPH2D__FLOCK = 32 };
+
+/** Some particles on their way. */
+typedef struct sph2d__flock {
+    size_t first, count;
+    double dx[SPH2D__FLOCK], dy[SPH2D__FLOCK]; /**< their ways [m] */
+    double vx[SPH2D__FLOCK], vy[SPH2D__FLOCK]; /**< velocities on them, which walls may turn [m/s] */
+} sph2d__flock;
+
+/** Sets ways and velocities of a flock for a step of `dt`; or what comes after its way. */
+typedef void sph2d__flock_work(sph2d_sim *sim, double dt, sph2d__flock *flock);
+
+/** Moves all particles by their ways, held by walls and brought round periodic sides, and sets their velocities
+ *  (advect.c). `after` may be NULL. SPH2D_GUARD when a place is not finite. */
+sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after);
+
+/** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
+sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
+
+/** Sets the shift velocity's gain for a step: `gain` times the scene's, but no more than moves particles stably.
+ *  Shifting is a diffusion of particles with D = gain U H, and `limit` the largest D dt / H^2 that the scheme stands.
+ *  */
+void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt);
+
+/** Keeps a(n) beside in old_ax and old_ay, so that the second kick can take the prediction back. */
+void sph2d__keep_accelerations(sph2d__store *fluid);
+
+/** Kicks a flock by dt/2 a, what a(n+1) is found with: v(n+1/2) + dt/2 a(n). */
+sph2d__flock_work sph2d__predict;
+
+/** From the predicted v(n+1/2) + dt/2 a(n) to v(n+1/2) + dt/2 a(n+1). */
+void sph2d__second_kick(sph2d__system *s, double dt);
+
+#endif

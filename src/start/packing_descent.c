@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/** @file packing_descent.c
+ *  The descent of packed places to where no gradient of concentration is left, with the neighbours that it goes by. */
+#include <math.h>
+#include <string.h>
+
+#include "start/packer.h"
+
+/* The descent: length of a step for a gradient of 1 over the spacing, the part of the last step that goes on, both in
+ * spacings; the farthest step; and when it is done. */
+static const double RATE = 0.5, INERTIA = 0.9, FARTHEST = 0.1, DONE = 3e-4;
+enum { MOST_ROUNDS = 400 };
+
+/* ---- neighbours -------------------------------------------------------------------------------------------------- */
+
+/** The bucket of a number of cells from the first. */
+static size_t bucket_of(const sph2d__packer *p, double cells, size_t n)
+{
+    return (size_t)fmin(fmax(floor(cells * p->size / p->bucket), 0), (double)n - 1);
+}
+
+/** Sorts the places into buckets, in their order. */
+static void fill_buckets(sph2d__packer *p)
+{
+    size_t buckets = p->bx * p->by;
+    memset(p->start, 0, (buckets + 1) * sizeof *p->start);
+    for (int pass = 0; pass < 2; ++pass) {
+        for (size_t i = 0; i < p->count; ++i) {
+            sph2d_vec2 c = sph2d__region_in_cells(p->region, p->at[i]);
+            size_t b = bucket_of(p, c.y, p->by) * p->bx + bucket_of(p, c.x, p->bx);
+            if (pass == 0)
+                ++p->start[b + 1];
+            else
+                p->order[p->start[b]++] = (uint32_t)i;
+        }
+        for (size_t b = 0; b < buckets && pass == 0; ++b)
+            p->start[b + 1] += p->start[b];
+    }
+    memmove(p->start + 1, p->start, buckets * sizeof *p->start);
+    p->start[0] = 0;
+}
+
+static bool add_partner(sph2d__packer *p, size_t used, uint32_t j)
+{
+    if (used == p->partner_capacity) {
+        void *block = p->partner;
+        size_t grown = 2 * p->partner_capacity + 64 * p->movers;
+        if (!sph2d__resize(&p->sim->memory, &block, p->partner_capacity, grown, sizeof *p->partner))
+            return false;
+        p->partner = block;
+        p->partner_capacity = grown;
+    }
+    p->partner[used] = j;
+    return true;
+}
+
+/** Finds the neighbours of each mover; false when memory is short. */
+static bool find_partners(sph2d__packer *p)
+{
+    size_t used = 0;
+    fill_buckets(p);
+    memcpy(p->old, p->at, p->count * sizeof *p->at);
+    for (size_t m = 0; m < p->movers; ++m) {
+        size_t i = p->mover[m];
+        sph2d_vec2 c = sph2d__region_in_cells(p->region, p->at[i]);
+        size_t x = bucket_of(p, c.x, p->bx), y = bucket_of(p, c.y, p->by);
+        p->first[m] = (uint32_t)used;
+        for (size_t b = y > 0 ? y - 1 : 0; b <= y + 1 && b < p->by; ++b) {
+            size_t from = p->start[b * p->bx + (x > 0 ? x - 1 : 0)];
+            size_t to = p->start[b * p->bx + (x + 1 < p->bx ? x + 1 : x) + 1];
+            for (size_t k = from; k < to; ++k) {
+                uint32_t j = p->order[k];
+                if (j == i || hypot(p->at[i].x - p->at[j].x, p->at[i].y - p->at[j].y) > p->bucket)
+                    continue;
+                if (!add_partner(p, used++, j))
+                    return false;
+            }
+        }
+    }
+    p->first[p->movers] = (uint32_t)used;
+    return true;
+}
+
+static bool partners_are_old(const sph2d__packer *p)
+{
+    for (size_t m = 0; m < p->movers; ++m) {
+        size_t i = p->mover[m];
+        if (hypot(p->at[i].x - p->old[i].x, p->at[i].y - p->old[i].y) > SPH2D__PACKER_SKIN / 2 * p->size)
+            return true;
+    }
+    return false;
+}
+
+/* ---- the descent ------------------------------------------------------------------------------------------------- */
+
+/** The gradient at each mover. Returns the largest, times the spacing. */
+static double take_gradients(sph2d__packer *p)
+{
+    double largest = 0;
+    for (size_t m = 0; m < p->movers; ++m) {
+        size_t i = p->mover[m];
+        sph2d_vec2 sum = {0, 0};
+        for (uint32_t k = p->first[m]; k < p->first[m + 1]; ++k) {
+            sph2d_vec2 other = p->at[p->partner[k]];
+            sph2d__packer_add_area(p, p->at[i].x - other.x, p->at[i].y - other.y, 1, &sum);
+        }
+        sph2d__packer_add_walls(p, p->at[i], &sum);
+        sph2d__packer_add_missing(p, p->at[i], &sum);
+        p->gradient[i] = sum;
+        largest = fmax(largest, hypot(sum.x, sum.y) * p->size);
+    }
+    return largest;
+}
+
+/** Distance to the nearest side of the domain that is a wall of springs; they push what is nearer than half a spacing.
+ */
+static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
+{
+    const sph2d_boundary b = sim->scene.boundary;
+    const sph2d_box d = sim->scene.domain;
+    if (sim->scene.walls != SPH2D_WALL_SPRING)
+        return INFINITY;
+    double left = b.left == SPH2D_SIDE_WALL ? at.x - d.min.x : INFINITY;
+    double right = b.right == SPH2D_SIDE_WALL ? d.max.x - at.x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? at.y - d.min.y : INFINITY;
+    double top = b.top == SPH2D_SIDE_WALL ? d.max.y - at.y : INFINITY;
+    return fmin(fmin(left, right), fmin(bottom, top));
+}
+
+/** Whether a place may be taken: in the area, on its side of every wall, not into springs. */
+static bool may_go(const sph2d__packer *p, sph2d_vec2 from, sph2d_vec2 to)
+{
+    double apart = distance_to_springs(p->sim, to);
+    if (apart < p->size / 2 && apart < distance_to_springs(p->sim, from))
+        return false;
+    if (p->near_edge[sph2d__packer_cell(p, to)] && !sph2d__region_contains(p->region, to))
+        return false;
+    return !sph2d__packer_crosses(p->sim, from, to);
+}
+
+/** Moves all down their gradients. Inertia is lost where it leads up. */
+static void descend(sph2d__packer *p)
+{
+    double downhill = 0;
+    for (size_t m = 0; m < p->movers; ++m) {
+        size_t i = p->mover[m];
+        downhill -= p->velocity[i].x * p->gradient[i].x + p->velocity[i].y * p->gradient[i].y;
+    }
+    double keep = downhill < 0 ? 0 : INERTIA;
+    for (size_t m = 0; m < p->movers; ++m) {
+        size_t i = p->mover[m];
+        double x = keep * p->velocity[i].x - RATE * p->size * p->size * p->gradient[i].x;
+        double y = keep * p->velocity[i].y - RATE * p->size * p->size * p->gradient[i].y;
+        double shorten = fmin(FARTHEST * p->size / fmax(hypot(x, y), 1e-300), 1);
+        sph2d_vec2 to = {p->at[i].x + shorten * x, p->at[i].y + shorten * y};
+        bool goes = may_go(p, p->at[i], to);
+        p->velocity[i] = goes ? (sph2d_vec2){shorten * x, shorten * y} : (sph2d_vec2){0, 0};
+        p->at[i] = goes ? to : p->at[i];
+    }
+}
+
+bool sph2d__packer_relax(sph2d__packer *p, double *residual)
+{
+    *residual = 0;
+    if (p->movers == 0)
+        return true;
+    for (int round = 0; round < MOST_ROUNDS; ++round) {
+        if ((round == 0 || partners_are_old(p)) && !find_partners(p))
+            return false;
+        *residual = take_gradients(p);
+        if (*residual < DONE)
+            break;
+        descend(p);
+    }
+    return true;
+}

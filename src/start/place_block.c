@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: MIT */
+/** @file place_block.c
+ *  The particles of a block: a square lattice or rings where they fit its area, a lattice that is stretched or shifted,
+ *  or places that are packed. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/pi.h"
+#include "start/packing.h"
+
+/* How much of the area may be missing, or too much, where a lattice stays as it is; by how much one may be stretched;
+ * and the least area, in particles, that is packed. */
+static const double SHORT = 0.002, STRETCH = 0.02, FEWEST = 4;
+
+/* Shifts of a lattice that are tried in each direction, and the most places times corners for which they are. */
+enum { SHIFTS = 16 };
+static const double MOST_SHIFTED = 2e5;
+
+/** The lattice of a block: first place, number of places. */
+typedef struct lattice {
+    sph2d_vec2 first;
+    double x, y;   /**< spacings [m] */
+    double nx, ny; /**< whole numbers, as doubles because a wrong scene may ask for too many */
+} lattice;
+
+static double block_spacing(const sph2d_sim *sim, const sph2d_block *block)
+{
+    return block->spacing > 0 ? block->spacing : sim->scene.spacing;
+}
+
+static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
+{
+    double spacing = block_spacing(sim, block);
+    lattice l = {.x = spacing, .y = spacing};
+    sph2d_box b = sph2d__shape_bounds(&block->shape);
+    double half = block->shape.kind == SPH2D_SHAPE_BOX ? 0.5 : 0.0; /* boxes fit whole columns, others are cut out */
+    l.nx = fmax(floor((b.max.x - b.min.x) / spacing + half), 1);
+    l.ny = fmax(floor((b.max.y - b.min.y) / spacing + half), 1);
+    l.first.x = (b.min.x + b.max.x) / 2 - (l.nx - 1) / 2 * spacing;
+    l.first.y = (b.min.y + b.max.y) / 2 - (l.ny - 1) / 2 * spacing;
+    return l;
+}
+
+/** Whether so many particles have the area of `wanted` of them. */
+static bool is_enough(double count, double wanted)
+{
+    return fabs(count - wanted) <= fmax(0.5, SHORT * wanted);
+}
+
+/** A lattice that fits a box by columns and rows that are a little closer or farther apart; false where it would be too
+ *  much. */
+static bool stretch(const sph2d_sim *sim, const sph2d_block *block, lattice *l)
+{
+    if (block->shape.kind != SPH2D_SHAPE_BOX)
+        return false;
+    sph2d_box b = block->shape.box;
+    double spacing = block_spacing(sim, block), width = b.max.x - b.min.x, height = b.max.y - b.min.y;
+    for (double nx = floor(width / spacing); nx <= ceil(width / spacing); ++nx)
+        for (double ny = floor(height / spacing); ny <= ceil(height / spacing); ++ny) {
+            *l = (lattice){.x = width / nx, .y = height / ny, .nx = nx, .ny = ny};
+            l->first = (sph2d_vec2){b.min.x + l->x / 2, b.min.y + l->y / 2};
+            if (nx > 0 && ny > 0 && fabs(l->x / spacing - 1) <= STRETCH && fabs(l->y / spacing - 1) <= STRETCH &&
+                is_enough(nx * ny, width / spacing * (height / spacing)))
+                return true;
+        }
+    return false;
+}
+
+/** A block that is being placed. */
+typedef struct placing {
+    const sph2d_block *block;
+    double spacing;
+    size_t first;    /**< its first particle */
+    size_t index;    /**< of the block */
+    size_t taken[4]; /**< places that obstacles treat in each way */
+    double asked;    /**< area that it is to fill: its shape without solids [m^2] */
+} placing;
+
+/** A block with a spacing of its own has more or less mass on its area: it starts at that density. */
+static void add(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
+{
+    sph2d__store *fluid = &sim->system.fluid;
+    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
+    fluid->vx[i] = block->velocity.x;
+    fluid->vy[i] = block->velocity.y;
+    double compressed = pow(sim->scene.spacing / block_spacing(sim, block), 2);
+    fluid->density[i] = compressed * sim->scene.fluid.density;
+}
+
+/** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
+static void place(sph2d_sim *sim, placing *b, sph2d_vec2 p)
+{
+    sph2d__taken taken = sph2d__sim_taken(sim, p, 1);
+    ++b->taken[taken];
+    if (taken == SPH2D__FREE)
+        add(sim, b->block, p);
+}
+
+static void place_lattice(sph2d_sim *sim, placing *b, const lattice *l)
+{
+    for (size_t row = 0; row < (size_t)l->ny; ++row)
+        for (size_t column = 0; column < (size_t)l->nx; ++column) {
+            sph2d_vec2 p = {l->first.x + (double)column * l->x, l->first.y + (double)row * l->y};
+            if (b->block->shape.kind == SPH2D_SHAPE_BOX || sph2d__shape_contains(&b->block->shape, p))
+                place(sim, b, p);
+        }
+}
+
+/** Particles of the k-th ring from the middle. */
+static double ring_count(size_t k)
+{
+    return round(2 * SPH2D__PI * ((double)k + 0.5));
+}
+
+/** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first keep a spacing from each other,
+ *  without which they collapse. Rings are turned against each other by the golden angle, which repeats no pattern. */
+static void place_rings(sph2d_sim *sim, placing *b, size_t rings)
+{
+    const double golden = SPH2D__PI * (3 - sqrt(5)), spacing = b->spacing;
+    for (size_t k = 0; k < rings; ++k) {
+        double radius = (k > 0 ? (double)k + 0.5 : 1 / sqrt(3)) * spacing, count = ring_count(k);
+        for (size_t i = 0; i < (size_t)count; ++i) {
+            double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
+            place(sim, b,
+                  (sph2d_vec2){b->block->shape.disc.center.x + radius * cos(angle),
+                               b->block->shape.disc.center.y + radius * sin(angle)});
+        }
+    }
+}
+
+/** Takes the particles of a block away again. */
+static void take_back(sph2d_sim *sim, placing *b)
+{
+    sim->record.next_id -= sim->system.fluid.count - b->first;
+    sim->system.fluid.count = b->first;
+    memset(b->taken, 0, sizeof b->taken);
+}
+
+/** Whether nothing took a place. */
+static bool is_free(const placing *b)
+{
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
+        if (b->taken[k] > 0)
+            return false;
+    return true;
+}
+
+/** Whether a block keeps a spacing or so from the sides of the domain and from obstacles. */
+static bool is_in_the_air(const sph2d_sim *sim, const placing *b)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = b->first; i < f->count; ++i)
+        if (sph2d__sim_taken(sim, (sph2d_vec2){f->x[i], f->y[i]}, 3) != SPH2D__FREE)
+            return false;
+    sph2d_box d = sim->scene.domain, s = sph2d__shape_bounds(&b->block->shape);
+    return s.min.x > d.min.x + b->spacing && s.max.x < d.max.x - b->spacing && s.min.y > d.min.y + b->spacing &&
+           s.max.y < d.max.y - b->spacing;
+}
+
+static double count_inside(const placing *b, const lattice *l)
+{
+    double count = 0;
+    for (double row = 0; row < l->ny; ++row)
+        for (double column = 0; column < l->nx; ++column)
+            count += sph2d__shape_contains(&b->block->shape,
+                                           (sph2d_vec2){l->first.x + column * l->x, l->first.y + row * l->y});
+    return count;
+}
+
+/** Moves the particles of a disc so that their middle is the disc's. */
+static void centre(sph2d_sim *sim, const placing *b)
+{
+    sph2d__store *f = &sim->system.fluid;
+    double x = 0, y = 0, count = (double)(f->count - b->first);
+    for (size_t i = b->first; i < f->count; ++i) {
+        x += (f->x[i] - b->block->shape.disc.center.x) / count;
+        y += (f->y[i] - b->block->shape.disc.center.y) / count;
+    }
+    for (size_t i = b->first; i < f->count; ++i) {
+        f->x[i] -= x;
+        f->y[i] -= y;
+    }
+}
+
+/** Places a disc or polygon in the air by a lattice that is shifted, by sixteenths of a spacing, until what is cut out
+ *  of it has the area; false where none has, or walls are near. A lattice has no pressure to begin with, while packed
+ *  particles differ a little in what summation makes of their density. */
+static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
+{
+    const sph2d_shape *shape = &b->block->shape;
+    double corners = shape->kind == SPH2D_SHAPE_POLYGON ? (double)shape->polygon.count : 1;
+    double wanted = b->asked / (b->spacing * b->spacing), nearest = INFINITY;
+    lattice best = *plain;
+    if (shape->kind == SPH2D_SHAPE_BOX || b->block->arrangement == SPH2D_ARRANGEMENT_RINGS || !is_free(b) ||
+        plain->nx * plain->ny * corners > MOST_SHIFTED || !is_in_the_air(sim, b))
+        return false;
+    for (int k = 1; k < SHIFTS * SHIFTS && nearest > 0.5; ++k) {
+        lattice l = *plain;
+        l.first.x += ((double)(k % SHIFTS) / SHIFTS - 1) * b->spacing;
+        l.first.y += floor((double)k / SHIFTS) * b->spacing / SHIFTS - b->spacing;
+        ++l.nx;
+        ++l.ny;
+        double off = fabs(count_inside(b, &l) - wanted);
+        if (off < nearest) {
+            nearest = off;
+            best = l;
+        }
+    }
+    if (!is_enough(wanted + nearest, wanted))
+        return false;
+    take_back(sim, b);
+    place_lattice(sim, b, &best);
+    if (shape->kind == SPH2D_SHAPE_DISC)
+        centre(sim, b);
+    return true;
+}
+
+static bool has_solid(const sph2d_scene *scene)
+{
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (!sph2d__outline_is_open(&scene->obstacles[i].outline))
+            return true;
+    return false;
+}
+
+/** Whether what was placed fits: no place was lost beside layers, and the number has the area. */
+static bool fits(const sph2d_sim *sim, const placing *b)
+{
+    double wanted = b->asked / (b->spacing * b->spacing), placed = (double)(sim->system.fluid.count - b->first);
+    return b->taken[SPH2D__BESIDE_LAYERS] == 0 && is_enough(placed, wanted);
+}
+
+/** Whether the columns and rows of a box end where it ends, within a twentieth of a spacing on either side. */
+static bool fits_edges(const placing *b, const lattice *l)
+{
+    sph2d_box box = sph2d__shape_bounds(&b->block->shape);
+    double x = l->nx * l->x - (box.max.x - box.min.x), y = l->ny * l->y - (box.max.y - box.min.y);
+    return b->block->shape.kind != SPH2D_SHAPE_BOX || fmax(fabs(x), fabs(y)) <= 0.1 * b->spacing;
+}
+
+/** Places a box anew by a lattice that is a little stretched; false where none fits, or an obstacle takes places. */
+static bool place_stretched(sph2d_sim *sim, placing *b)
+{
+    lattice l;
+    if (!is_free(b) || !stretch(sim, b->block, &l))
+        return false;
+    take_back(sim, b);
+    place_lattice(sim, b, &l);
+    return true;
+}
+
+/** Packs a block anew. False when memory is short. */
+static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
+{
+    sph2d__packing packing;
+    take_back(sim, b);
+    if (!sph2d__pack(sim, region, &packing) ||
+        !sph2d__store_reserve(&sim->system.fluid, &sim->memory, b->first + packing.count))
+        return false;
+    for (size_t i = 0; i < packing.count; ++i)
+        add(sim, b->block, packing.places[i]);
+    sph2d__packing_free(&packing, &sim->memory);
+    return true;
+}
+
+/* A grid of a solid's edge knows its area to so much of a block's. */
+static const double GRID_ERROR = 1e-3;
+
+/** Adds a block to the plan. */
+static void sum_up(sph2d_sim *sim, const placing *b)
+{
+    sph2d_plan *plan = &sim->plan;
+    double whole = sph2d__shape_area(&b->block->shape), part = 1 - b->asked / whole;
+    plan->area_asked += b->asked;
+    plan->area_placed += (double)(sim->system.fluid.count - b->first) * b->spacing * b->spacing;
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
+        plan->places_left_free += b->taken[k];
+    if (!(part > GRID_ERROR))
+        return;
+    plan->area_left_out += whole - b->asked;
+    if (part > plan->most_left_out) {
+        plan->most_left_out = part;
+        plan->most_left_out_block = b->index;
+    }
+}
+
+/** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit,
+ *  by a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
+static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
+{
+    sph2d__region region = {0};
+    bool solids = has_solid(&sim->scene);
+    b->asked = sph2d__shape_area(&b->block->shape);
+    double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
+    sph2d_vec2 corner = {l->first.x - b->spacing / 2, l->first.y - b->spacing / 2};
+    bool ok = !solids ||
+              sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
+    if (ok && solids)
+        b->asked = sph2d__region_area(&region);
+    bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->taken[SPH2D__BESIDE_LAYERS] == 0;
+    bool done = rings || (fits(sim, b) && fits_edges(b, l)); /* rings are whole spacings wide, as they were asked for */
+    done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
+    done = done || fits(sim, b) || place_shifted(sim, b, l);
+    if (!done && b->taken[SPH2D__BESIDE_LINE] == 0) {
+        ok = solids ||
+             sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
+        ok = ok && place_packed(sim, b, &region);
+    }
+    if (region.quarters)
+        sph2d__region_free(&region, &sim->memory);
+    sum_up(sim, b);
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
+{
+    const sph2d_block *block = &sim->scene.blocks[index];
+    sph2d__store *fluid = &sim->system.fluid;
+    placing b = {.block = block, .spacing = block_spacing(sim, block), .first = fluid->count, .index = index};
+    lattice l = lattice_of(sim, block);
+    double count = l.nx * l.ny, rings = 0;
+    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
+        rings = fmax(round(block->shape.disc.radius / b.spacing), 1);
+        count = 2 * SPH2D__PI * rings * rings; /* more than ring_count adds up to */
+    }
+    char path[64];
+    snprintf(path, sizeof path, "blocks[%zu]", index);
+    if (sph2d__sim_too_many(sim, (double)fluid->count + count, path, report))
+        return SPH2D_SCENE;
+    double most = fmax(count, (l.nx + 2) * (l.ny + 2)); /* of a stretched lattice */
+    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + (size_t)ceil(most)))
+        return SPH2D_NOMEM;
+    if (rings > 0)
+        place_rings(sim, &b, (size_t)rings);
+    else
+        place_lattice(sim, &b, &l);
+    return fill_area(sim, &b, &l);
+}

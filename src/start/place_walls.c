@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+/** @file place_walls.c
+ *  Walls of a scene: boundary particles along obstacles and sides, pieces for the backstop, springs. */
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "scene/resolve.h"
+#include "sim/simulation.h"
+
+/* Distance at which the backstop holds a particle, in spacings: well inside what pressure and springs keep free. */
+static const double CLEARANCE = 0.05;
+/* Sides made of boundary particles have them this far outside the domain, in spacings, so that a lattice that starts
+ * half a spacing inside is one spacing away. */
+static const double SIDE_OFFSET = 0.5;
+
+/** A piece of wall with boundary particles along it. */
+typedef struct wall_piece {
+    sph2d__segment segment;
+    sph2d_wall_form form;
+    double restitution;
+    bool with_end; /**< the last particle is this piece's too, not the first of the next piece */
+} wall_piece;
+
+static double piece_intervals(const sph2d__segment *s, double spacing)
+{
+    double n = ceil(hypot(s->b.x - s->a.x, s->b.y - s->a.y) / spacing - 1e-9);
+    return n < 1 ? 1 : n;
+}
+
+/** Boundary particles from a to b, no farther apart than the spacing. */
+static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_report *report)
+{
+    sph2d__system *s = &sim->system;
+    const sph2d__segment *line = &piece->segment;
+    double intervals = piece_intervals(line, s->spacing);
+    if (sph2d__sim_too_many(sim, (double)s->walls.count + intervals, "obstacles", report))
+        return SPH2D_SCENE;
+    size_t n = (size_t)intervals, count = n + piece->with_end;
+    if (!sph2d__store_reserve(&s->walls, s->memory, s->walls.count + count))
+        return SPH2D_NOMEM;
+    for (size_t k = 0; k < count; ++k) {
+        double t = (double)k / (double)n;
+        size_t i = sph2d__store_add(&s->walls, s->walls.count, line->a.x + t * (line->b.x - line->a.x),
+                                    line->a.y + t * (line->b.y - line->a.y));
+        s->walls.bounce[i] = piece->form == SPH2D_WALL_REFLECT ? piece->restitution : -1;
+    }
+    s->walls_press |= piece->form == SPH2D_WALL_HEAVY;
+    s->walls_reflect |= piece->form == SPH2D_WALL_REFLECT;
+    return SPH2D_OK;
+}
+
+static bool is_moving(const sph2d_motion *m)
+{
+    return m->path.count > 0 || (m->frequency > 0 && (m->amplitude.x != 0 || m->amplitude.y != 0));
+}
+
+/** The boundary particles of an obstacle, and its pieces for a backstop. */
+static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
+                                  sph2d_report *report)
+{
+    double spacing = sim->scene.spacing;
+    size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
+    if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
+        return SPH2D_SCENE;
+    sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
+    bool open = sph2d__outline_is_open(&obstacle->outline);
+    for (size_t k = 0; k < pieces; ++k) {
+        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
+                            open && k + 1 == pieces};
+        sph2d__segment wall = piece.segment;
+        if (obstacle->liquid == SPH2D_LIQUID_RIGHT) /* the backstop keeps what starts on a wall on its left */
+            wall = (sph2d__segment){wall.b, wall.a};
+        if (!sph2d__barrier_add(barrier, wall, &sim->memory))
+            return SPH2D_NOMEM;
+        sph2d_status status = form == SPH2D_WALL_GENERALISED ? SPH2D_OK : place_piece(sim, &piece, report);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, obstacle, barrier, report) : SPH2D_OK;
+}
+
+static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *report)
+{
+    const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
+    sph2d__barrier *barrier = &sim->barrier;
+    sph2d__moving *m = NULL;
+    if (is_moving(&obstacle->motion)) {
+        m = &sim->moving[sim->moving_count++];
+        m->motion = &obstacle->motion;
+        m->first_id = sim->system.walls.count;
+        barrier = &m->barrier;
+    }
+    sph2d_status status = place_outline(sim, obstacle, barrier, report);
+    sim->wall_ends[index] = sim->system.walls.count;
+    if (m)
+        m->end_id = sim->system.walls.count;
+    return status;
+}
+
+/** Sum of a kernel over a straight row of particles, a spacing apart, at a distance [spacings]. */
+static double row_sum(const sph2d_method_options *m, double distance)
+{
+    int reach = (int)m->support_ratio + 1;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i)
+        sum += sph2d__kernel_value_at(m->kernel, hypot(i, distance) / m->support_ratio);
+    return sum;
+}
+
+/** How far outside the domain the boundary particles of its sides are, in spacings. A row of them that has the rest
+ *  density by itself (Akinci et al. 2012, eq. 4) stands for all rows behind it. With methods that sum density over
+ *  both, it has to be so far from a lattice that the first row of that has the rest density, too, 1.18 spacings by
+ *  default: at one spacing liquid would start 12 % compressed along its walls, and 20 % in corners. */
+static double side_offset(const sph2d_sim *sim)
+{
+    const sph2d_method_options *m = &sim->scene.method;
+    if (sim->method->integrator != SPH2D__PROJECTED || sim->scene.walls != SPH2D_WALL_HEAVY)
+        return SIDE_OFFSET;
+    double behind = 0, row = row_sum(m, 0), lattice = row;
+    for (int k = 1; k <= (int)m->support_ratio + 1; ++k)
+        behind += row_sum(m, k);
+    lattice += 2 * behind;
+    double low = 0.5, high = 2; /* what is missing behind the first row falls with the distance */
+    for (int n = 0; n < 50; ++n) {
+        double gap = (low + high) / 2;
+        *(row_sum(m, gap) * lattice / row > behind ? &low : &high) = gap;
+    }
+    return low - SIDE_OFFSET;
+}
+
+/** One side of the domain that is a wall. `shift` leads outwards. */
+static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 shift, sph2d_report *report)
+{
+    if (!sph2d__barrier_add(&sim->barrier, (sph2d__segment){a, b}, &sim->memory))
+        return SPH2D_NOMEM;
+    if (sim->scene.walls == SPH2D_WALL_SPRING || sim->scene.walls == SPH2D_WALL_GENERALISED)
+        return SPH2D_OK;
+    double d = side_offset(sim) * sim->scene.spacing;
+    wall_piece piece = {{{a.x + d * shift.x, a.y + d * shift.y}, {b.x + d * shift.x, b.y + d * shift.y}},
+                        sim->scene.walls,
+                        sph2d_obstacle_default().restitution,
+                        true};
+    return place_piece(sim, &piece, report);
+}
+
+/** The domain and, beyond its open sides, the room in which liquid is still followed: walls go on for as far. */
+static sph2d_box followed(const sph2d_scene *scene)
+{
+    sph2d_box d = scene->domain;
+    double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
+    d.min.x -= scene->boundary.left == SPH2D_SIDE_OPEN ? width : 0;
+    d.max.x += scene->boundary.right == SPH2D_SIDE_OPEN ? width : 0;
+    d.min.y -= scene->boundary.bottom == SPH2D_SIDE_OPEN ? height : 0;
+    d.max.y += scene->boundary.top == SPH2D_SIDE_OPEN ? height : 0;
+    return d;
+}
+
+/** Each side has the liquid to the left of its way from a to b, where the backstop keeps what starts on it. */
+static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_box d = followed(&sim->scene);
+    sph2d_boundary sides = sim->scene.boundary;
+    struct {
+        sph2d_side side;
+        sph2d_vec2 a, b, shift;
+    } all[4] = {
+        {sides.left, {d.min.x, d.max.y}, d.min, {-1, 0}},
+        {sides.right, {d.max.x, d.min.y}, d.max, {1, 0}},
+        {sides.bottom, d.min, {d.max.x, d.min.y}, {0, -1}},
+        {sides.top, d.max, {d.min.x, d.max.y}, {0, 1}},
+    };
+    for (int k = 0; k < 4; ++k) {
+        if (all[k].side != SPH2D_SIDE_WALL)
+            continue;
+        sph2d_status status = place_side(sim, all[k].a, all[k].b, all[k].shift, report);
+        if (status != SPH2D_OK)
+            return status;
+    }
+    return SPH2D_OK;
+}
+
+static void set_springs(sph2d_sim *sim)
+{
+    const sph2d_scene *scene = &sim->scene;
+    double dx = scene->spacing, c0 = sim->system.sound_speed;
+    bool spring = scene->walls == SPH2D_WALL_SPRING;
+    sph2d__spring_walls *w = &sim->system.body.springs;
+    w->left = spring && scene->boundary.left == SPH2D_SIDE_WALL ? scene->domain.min.x : -INFINITY;
+    w->right = spring && scene->boundary.right == SPH2D_SIDE_WALL ? scene->domain.max.x : INFINITY;
+    w->bottom = spring && scene->boundary.bottom == SPH2D_SIDE_WALL ? scene->domain.min.y : -INFINITY;
+    w->top = spring && scene->boundary.top == SPH2D_SIDE_WALL ? scene->domain.max.y : INFINITY;
+    w->range = dx / 2;
+    w->stiffness = c0 * c0 / (dx * dx);
+    w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
+}
+
+/** Sorts the boundary particles, once all are placed, and builds the backstops. */
+static bool finish_walls(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    const sph2d__period *period = &s->wall_cells.period;
+    double bucket = s->support, clearance = CLEARANCE * sim->scene.spacing;
+    for (size_t i = 0; i < s->walls.count; ++i) {
+        s->walls.start_x[i] = s->walls.x[i];
+        s->walls.start_y[i] = s->walls.y[i];
+        s->walls.x[i] = sph2d__period_wrap(s->walls.x[i], period->low_x, period->length_x);
+        s->walls.y[i] = sph2d__period_wrap(s->walls.y[i], period->low_y, period->length_y);
+        s->walls.density[i] = s->rest_density;
+    }
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        if (!sph2d__barrier_build(&sim->moving[k].barrier, bucket, clearance, &sim->memory))
+            return false;
+    return sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
+           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL));
+}
+
+sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_status status = place_sides(sim, report);
+    for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
+        status = place_obstacle(sim, i, report);
+    if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
+        status = sph2d__sim_place_rings(sim, report);
+    if (status != SPH2D_OK)
+        return status;
+    set_springs(sim);
+    return finish_walls(sim) ? SPH2D_OK : SPH2D_NOMEM;
+}

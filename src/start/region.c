@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: MIT */
+/** @file region.c
+ *  The area that a block's liquid fills. */
+#include "start/region.h"
+
+#include <math.h>
+
+#include "scene/resolve.h"
+
+/* A side lies on a line between cells that is so many cells away at most. */
+static const double ON_LINE = 0.02;
+
+/** Point `k` of a cell of size 1: a Hammersley set, one point in each sixteenth by sixteenth, each in a column and a
+ *  row of its own, so that edges of any slope are seen. */
+static sph2d_vec2 point_of(unsigned k)
+{
+    unsigned reversed = 0;
+    for (int bit = 0; bit < 8; ++bit)
+        reversed |= (k >> bit & 1) << (7 - bit);
+    return (sph2d_vec2){(k + 0.5) / SPH2D__REGION_WHOLE, (reversed + 0.5) / SPH2D__REGION_WHOLE};
+}
+
+bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
+{
+    const sph2d_scene *scene = r->scene;
+    if (!sph2d__shape_contains(r->shape, p))
+        return false;
+    double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
+    int across = length_x > 0, along = length_y > 0;
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+            continue;
+        for (int image_x = -across; image_x <= across; ++image_x)
+            for (int image_y = -along; image_y <= along; ++image_y) {
+                sph2d_vec2 image = {p.x + image_x * length_x, p.y + image_y * length_y};
+                if (sph2d__outline_encloses(&scene->obstacles[i].outline, image))
+                    return false;
+            }
+    }
+    return true;
+}
+
+/* ---- cells ------------------------------------------------------------------------------------------------------- */
+
+enum { UNKNOWN = 255 }; /* in the first quarter of a cell: an edge may pass through it */
+
+/** Marks the cells around a straight piece of an edge: in each row those that it passes, and their neighbours. */
+static void mark_piece(sph2d__region *r, sph2d__segment s)
+{
+    sph2d_vec2 a = sph2d__region_in_cells(r, s.a), b = sph2d__region_in_cells(r, s.b);
+    double first = fmax(floor(fmin(a.y, b.y)) - 1, 0), last = fmin(floor(fmax(a.y, b.y)) + 1, (double)r->ny - 1);
+    for (double row = first; row <= last; ++row) {
+        double t0 = 0, t1 = 1;
+        if (a.y != b.y) { /* the part of it in this row and half a row beside it */
+            double low = (row - 0.5 - a.y) / (b.y - a.y), high = (row + 1.5 - a.y) / (b.y - a.y);
+            t0 = fmin(fmax(fmin(low, high), 0), 1);
+            t1 = fmin(fmax(fmax(low, high), 0), 1);
+        }
+        double x0 = a.x + t0 * (b.x - a.x), x1 = a.x + t1 * (b.x - a.x);
+        double from = fmax(floor(fmin(x0, x1)) - 1, 0), to = fmin(floor(fmax(x0, x1)) + 1, (double)r->nx - 1);
+        for (double column = from; column <= to; ++column)
+            r->quarters[4 * ((size_t)row * r->nx + (size_t)column)] = UNKNOWN;
+    }
+}
+
+/** A shape's edge as the outline of an obstacle. */
+static sph2d_outline edge_of(const sph2d_shape *shape)
+{
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        return (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = shape->box};
+    case SPH2D_SHAPE_DISC:
+        return (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = shape->disc};
+    case SPH2D_SHAPE_POLYGON:
+        return (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = shape->polygon};
+    case SPH2D_SHAPE_NONE:
+        break;
+    }
+    return (sph2d_outline){.kind = SPH2D_OUTLINE_NONE};
+}
+
+static void mark_outline(sph2d__region *r, const sph2d_outline *outline, double shift_x, double shift_y)
+{
+    size_t pieces = sph2d__outline_pieces(outline, r->size);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, r->size, k);
+        mark_piece(r, (sph2d__segment){{s.a.x + shift_x, s.a.y + shift_y}, {s.b.x + shift_x, s.b.y + shift_y}});
+    }
+}
+
+static void mark_edges(sph2d__region *r)
+{
+    const sph2d_scene *scene = r->scene;
+    sph2d_outline edge = edge_of(r->shape);
+    double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
+    int across = length_x > 0, along = length_y > 0;
+    mark_outline(r, &edge, 0, 0);
+    for (size_t i = 0; i < scene->obstacle_count; ++i) {
+        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+            continue;
+        for (int image_x = -across; image_x <= across; ++image_x)
+            for (int image_y = -along; image_y <= along; ++image_y)
+                mark_outline(r, &scene->obstacles[i].outline, image_x * length_x, image_y * length_y);
+    }
+}
+
+static void look_at_points(sph2d__region *r, size_t cell)
+{
+    unsigned char *quarters = r->quarters + 4 * cell;
+    quarters[0] = 0;
+    for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
+        sph2d_vec2 p = point_of(k);
+        sph2d_vec2 at = sph2d__region_place(r, (double)(cell % r->nx) + p.x, (double)(cell / r->nx) + p.y);
+        quarters[2 * (p.y > 0.5) + (p.x > 0.5)] += sph2d__region_contains(r, at);
+    }
+}
+
+/** Cells that no edge passes are all in or all out, like the one before. */
+static void fill_rows(sph2d__region *r)
+{
+    for (size_t j = 0; j < r->ny; ++j) {
+        bool known = false, inside = false;
+        for (size_t i = 0; i < r->nx; ++i) {
+            size_t cell = j * r->nx + i;
+            if (r->quarters[4 * cell] == UNKNOWN) {
+                look_at_points(r, cell);
+                known = false;
+                continue;
+            }
+            if (!known)
+                inside = sph2d__region_contains(r, sph2d__region_place(r, (double)i + 0.5, (double)j + 0.5));
+            known = true;
+            for (int q = 0; q < 4; ++q)
+                r->quarters[4 * cell + (size_t)q] = inside ? SPH2D__REGION_QUARTER : 0;
+        }
+    }
+}
+
+/** The longest side of a polygon. */
+static sph2d__segment longest_side(sph2d_points corners)
+{
+    sph2d__segment longest = {corners.items[0], corners.items[1]};
+    for (size_t k = 1; k < corners.count; ++k) {
+        sph2d_vec2 a = corners.items[k], b = corners.items[(k + 1) % corners.count];
+        if (hypot(b.x - a.x, b.y - a.y) > (1 + 1e-9) * hypot(longest.b.x - longest.a.x, longest.b.y - longest.a.y))
+            longest = (sph2d__segment){a, b};
+    }
+    return longest;
+}
+
+/** Side k of the shape's polygon, in cells from the region's origin; `turned`: with x and y exchanged. */
+static sph2d__segment side_in_cells(const sph2d__region *r, size_t k, bool turned)
+{
+    sph2d_points corners = r->shape->polygon;
+    sph2d_vec2 a = sph2d__region_in_cells(r, corners.items[k]);
+    sph2d_vec2 b = sph2d__region_in_cells(r, corners.items[(k + 1) % corners.count]);
+    return turned ? (sph2d__segment){{a.y, a.x}, {b.y, b.x}} : (sph2d__segment){a, b};
+}
+
+/** Length of a polygon's sides that lie on columns of cells which begin at x = `from`, or on rows. */
+static double length_on_lines(const sph2d__region *r, double from, bool rows)
+{
+    double length = 0;
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d__segment s = side_in_cells(r, k, rows);
+        double x = s.a.x - from;
+        if (fabs(s.b.x - s.a.x) < ON_LINE && fabs(x - floor(x + 0.5)) < ON_LINE)
+            length += fabs(s.b.y - s.a.y);
+    }
+    return length;
+}
+
+/** Where the columns of cells, or the rows, begin so that the most of a polygon's sides lie on them; in cells. */
+static double best_begin(const sph2d__region *r, bool rows)
+{
+    double best = 0, longest = length_on_lines(r, 0, rows);
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d__segment s = side_in_cells(r, k, rows);
+        double length = fabs(s.b.x - s.a.x) < ON_LINE ? length_on_lines(r, s.a.x, rows) : 0;
+        if (length > longest * (1 + 1e-9)) {
+            longest = length;
+            best = s.a.x - floor(s.a.x);
+        }
+    }
+    return best;
+}
+
+/** Bounds of the shape, in cells from the region's origin. */
+static sph2d_box bounds_in_cells(const sph2d__region *r)
+{
+    sph2d_box b = sph2d__shape_bounds(r->shape);
+    if (r->shape->kind != SPH2D_SHAPE_POLYGON)
+        return (sph2d_box){sph2d__region_in_cells(r, b.min), sph2d__region_in_cells(r, b.max)};
+    b = (sph2d_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+        sph2d_vec2 p = sph2d__region_in_cells(r, r->shape->polygon.items[k]);
+        b = (sph2d_box){{fmin(b.min.x, p.x), fmin(b.min.y, p.y)}, {fmax(b.max.x, p.x), fmax(b.max.y, p.y)}};
+    }
+    return b;
+}
+
+bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
+                        double size, int margin, sph2d__memory *memory)
+{
+    *region = (sph2d__region){.scene = scene, .shape = shape, .axis = {1, 0}, .origin = corner, .size = size};
+    if (shape->kind == SPH2D_SHAPE_POLYGON) {
+        sph2d__segment side = longest_side(shape->polygon);
+        double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
+        region->axis = (sph2d_vec2){(side.b.x - side.a.x) / length, (side.b.y - side.a.y) / length};
+        region->origin = side.a;
+        region->origin = sph2d__region_place(region, best_begin(region, false), best_begin(region, true));
+    }
+    sph2d_box b = bounds_in_cells(region);
+    double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;
+    region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
+    region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
+    region->origin = sph2d__region_place(region, i, j);
+    region->quarters = sph2d__alloc(memory, region->nx * region->ny, 4);
+    if (!region->quarters)
+        return false;
+    mark_edges(region);
+    fill_rows(region);
+    return true;
+}
+
+void sph2d__region_free(sph2d__region *region, sph2d__memory *memory)
+{
+    void *block = region->quarters;
+    sph2d__release(memory, &block, region->nx * region->ny, 4);
+    region->quarters = NULL;
+}
+
+double sph2d__region_area(const sph2d__region *r)
+{
+    double points = 0; /* a whole number, exact */
+    for (size_t cell = 0; cell < r->nx * r->ny; ++cell)
+        points += sph2d__region_cover(r, cell);
+    return points / SPH2D__REGION_WHOLE * r->size * r->size;
+}
+
+sph2d_vec2 sph2d__region_middle(const sph2d__region *r, size_t cell)
+{
+    double x = 0, y = 0, count = 0, i = (double)(cell % r->nx), j = (double)(cell / r->nx);
+    if (sph2d__region_cover(r, cell) == SPH2D__REGION_WHOLE)
+        return sph2d__region_place(r, i + 0.5, j + 0.5);
+    for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
+        sph2d_vec2 p = point_of(k), at = sph2d__region_place(r, i + p.x, j + p.y);
+        if (!sph2d__region_contains(r, at))
+            continue;
+        x += at.x;
+        y += at.y;
+        ++count;
+    }
+    return (sph2d_vec2){x / count, y / count};
+}

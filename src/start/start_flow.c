@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/** @file start_flow.c
+ *  Blocks that start as a known flow. */
+#include <math.h>
+
+#include "methods/common/state_equation.h"
+#include "sim/simulation.h"
+
+/** Height of a place against gravity, over the origin [m]. */
+static double height_of(const sph2d_scene *scene, double x, double y)
+{
+    double g = hypot(scene->gravity.x, scene->gravity.y);
+    return g > 0 ? -(scene->gravity.x * x + scene->gravity.y * y) / g : 0;
+}
+
+/** Where the ground below the particles from `first` on is: half a spacing below the lowest one. */
+static double lowest_of(const sph2d_sim *sim, size_t first)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double lowest = INFINITY;
+    for (size_t i = first; i < f->count; ++i)
+        lowest = fmin(lowest, height_of(&sim->scene, f->x[i], f->y[i]));
+    return lowest - sim->scene.spacing / 2;
+}
+
+/** Moves a particle of liquid that is still, or was until a blow, down to where the liquid below it, compressed by the
+ *  weight on it, leaves it: spacing and density then agree, and the column does not sink when it is let go. A height s
+ *  of the lattice becomes y with dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
+ *
+ *      linear   y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2))
+ *      tait     y = 7/(6k) ((1 + k S)^(6/7) - (1 + k (S - s))^(6/7)),  k = 7 g/c0^2 */
+static void settle(sph2d_sim *sim, size_t i, double pressure, double bottom)
+{
+    const sph2d_scene *scene = &sim->scene;
+    sph2d__store *f = &sim->system.fluid;
+    double g = hypot(scene->gravity.x, scene->gravity.y), c2 = sim->system.sound_speed * sim->system.sound_speed;
+    double s = height_of(scene, f->x[i], f->y[i]) - bottom, above = pressure / (scene->fluid.density * g);
+    if (!(g > 0 && pressure > 0))
+        return;
+    double whole = g * (above + s) / c2, rest = g * above / c2;
+    double y = c2 / g * log((1 + whole) / (1 + rest));
+    if (scene->method.state_equation == SPH2D_STATE_TAIT)
+        y = c2 / (6 * g) * (pow(1 + 7 * whole, 6.0 / 7) - pow(1 + 7 * rest, 6.0 / 7));
+    f->x[i] -= scene->gravity.x / g * (y - s);
+    f->y[i] -= scene->gravity.y / g * (y - s);
+}
+
+sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
+{
+    const sph2d_flow *flow = &sim->scene.blocks[index].start;
+    sph2d__store *f = &sim->system.fluid;
+    if (flow->kind == SPH2D_FLOW_NONE)
+        return SPH2D_OK;
+    double bottom = lowest_of(sim, first);
+    sph2d_flow_context context = sph2d__sim_flow_context(sim);
+    for (size_t i = first; i < f->count; ++i) {
+        double vx, vy, pressure;
+        sph2d_status status = sph2d_flow_values(flow, &context, 0, 1, &f->x[i], &f->y[i], &vx, &vy, &pressure, report);
+        if (status != SPH2D_OK)
+            return SPH2D_SCENE;
+        f->vx[i] += vx;
+        f->vy[i] += vy;
+        if (sim->scene.method.name != SPH2D_METHOD_WCSPH)
+            continue;
+        f->density[i] = sph2d__density_of(&sim->system, pressure);
+        if (flow->kind == SPH2D_FLOW_STILL || flow->kind == SPH2D_FLOW_STANDING_WAVE)
+            settle(sim, i, pressure, bottom);
+    }
+    return SPH2D_OK;
+}
