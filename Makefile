@@ -99,7 +99,7 @@ MISSING := $(filter-out $(FOUND),hdf5 libfyaml $(if $(WITH_RENDER),libpng $(if $
 OMP_CFLAGS := $(if $(WITH_OPENMP),-fopenmp,-Wno-unknown-pragmas -Wno-unused-variable -Wno-unused-parameter)
 # Messages are cut at their capacity by contract, and clang's "not vectorised" is no fault.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wformat=2 -Wno-format-nonliteral -Wstrict-prototypes \
-    -Wmissing-prototypes -Wold-style-definition -Wpointer-arith -Wwrite-strings -Wcast-qual -Wfloat-conversion \
+    -Wmissing-prototypes -Wold-style-definition -Wpointer-arith -Werror=switch -Wwrite-strings -Wcast-qual -Wfloat-conversion \
     $(if $(CLANG),-Wno-pass-failed,-Wno-format-truncation) $(if $(filter 1,$(WERROR)),-Werror)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
 # One position-independent object serves both the archive and the shared library. Contraction is off so that a fused

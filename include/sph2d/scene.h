@@ -111,14 +111,23 @@ typedef enum sph2d_operators {
                                         that fills its room, periodic or between walls */
 } sph2d_operators;
 
-/** Smoothing kernels of the symmetric operators. */
+/** Smoothing kernels of the symmetric operators, in the order of their values from 0 on: name, word of scene files. */
+#define SPH2D_KERNEL_MAP(X)                                                                                            \
+    X(WENDLAND_C2, wendland_c2)                                                                                        \
+    X(WENDLAND_C4, wendland_c4)                                                                                        \
+    X(WENDLAND_C6, wendland_c6)                                                                                        \
+    X(CUBIC, cubic)                                                                                                    \
+    X(QUINTIC, quintic)
+
 typedef enum sph2d_kernel {
-    SPH2D_KERNEL_WENDLAND_C2 = 0,
-    SPH2D_KERNEL_WENDLAND_C4 = 1,
-    SPH2D_KERNEL_WENDLAND_C6 = 2,
-    SPH2D_KERNEL_CUBIC = 3,
-    SPH2D_KERNEL_QUINTIC = 4
+#define SPH2D__KERNEL_ENUM(name, word) SPH2D_KERNEL_##name,
+    SPH2D_KERNEL_MAP(SPH2D__KERNEL_ENUM)
+#undef SPH2D__KERNEL_ENUM
 } sph2d_kernel;
+
+#define SPH2D__KERNEL_ONE(name, word) +1
+enum { SPH2D_KERNEL_COUNT = SPH2D_KERNEL_MAP(SPH2D__KERNEL_ONE) };
+#undef SPH2D__KERNEL_ONE
 
 /** How pressure follows from density in method wcsph. */
 typedef enum sph2d_state_equation {

@@ -18,6 +18,8 @@
 #ifndef SPH2D_KERNELS_KERNEL_H
 #define SPH2D_KERNELS_KERNEL_H
 
+#include <math.h>
+
 #include "base/pi.h"
 #include "simd/lanes.h"
 #include "sph2d/scene.h"
@@ -35,9 +37,9 @@ SPH2D__INLINE double sph2d__kernel_constant(sph2d_kernel kind)
     case SPH2D_KERNEL_QUINTIC:
         return 63 / (478 * SPH2D__PI);
     case SPH2D_KERNEL_WENDLAND_C2:
-    default:
         return 7 / SPH2D__PI;
     }
+    return NAN; /* no kernel: compilers warn of one that is missing above */
 }
 
 /** The positive part. */
@@ -65,9 +67,9 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_value(sph2d_kernel kind, sph2d__lanes q
         return a2 * a2 * a - 6 * b2 * b2 * b + 15 * c2 * c2 * c;
     }
     case SPH2D_KERNEL_WENDLAND_C2:
-    default:
         return t4 * (4 * q + 1);
     }
+    return sph2d__lanes_all(NAN);
 }
 
 /** g(q) = f'(q)/q for q >= 0. */
@@ -95,9 +97,9 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_slope(sph2d_kernel kind, sph2d__lanes q
         return sph2d__lanes_below(s, 1.0, inner, outer);
     }
     case SPH2D_KERNEL_WENDLAND_C2:
-    default:
         return -20 * t2 * t;
     }
+    return sph2d__lanes_all(NAN);
 }
 
 /** f(q) of one distance. */

@@ -44,7 +44,8 @@ static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"symmetric", "fitted", NULL};
 static const char *const precision_words[] = {"double", "mixed", NULL};
-static const char *const kernel_words[] = {"wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic", NULL};
+#define KERNEL_WORD(name, word) #word,
+static const char *const kernel_words[] = {SPH2D_KERNEL_MAP(KERNEL_WORD) NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
 static const char *const turbulence_words[] = {"default", "none", "smagorinsky", NULL};

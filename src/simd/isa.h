@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file isa.h
- *  The instruction sets that pair loops are compiled for. */
+ *  The instruction sets that pair loops are compiled for: a source file *_pass.c once for each, named by SPH2D__ISA,
+ *  those of method wcsph a second time for floats, named with _mixed. */
 #ifndef SPH2D_SIMD_ISA_H
 #define SPH2D_SIMD_ISA_H
 
@@ -9,10 +10,30 @@
 /** The set to use for a wish: `auto` becomes the widest that is there; one that is not there becomes auto (0). */
 sph2d_isa sph2d__isa_choose(sph2d_isa wish);
 
+/** What a source file calls the copy of `name` that it is compiled to. */
+#define SPH2D__OF_ISA(name) SPH2D__OF_ISA_1(name, SPH2D__ISA)
+#define SPH2D__OF_ISA_1(name, isa) SPH2D__OF_ISA_2(name, isa)
+#define SPH2D__OF_ISA_2(name, isa) name##_##isa
+
+/** Declares the copies of `name`, and `name`_find(isa), which finds the one for an instruction set; `tail` is nothing
+ *  or _mixed, and behind all these names. */
 #ifdef SPH2D__ISA_X86
-#define SPH2D__ISA_COUNT 3
+#define SPH2D__COPIES(type, name, tail)                                                                                \
+    extern const type name##_baseline##tail, name##_avx2##tail, name##_avx512##tail;                                   \
+    static inline const type *name##_find##tail(sph2d_isa isa)                                                         \
+    {                                                                                                                  \
+        return isa == SPH2D_ISA_AVX512 ? &name##_avx512##tail                                                          \
+               : isa == SPH2D_ISA_AVX2 ? &name##_avx2##tail                                                            \
+                                       : &name##_baseline##tail;                                                       \
+    }
 #else
-#define SPH2D__ISA_COUNT 1
+#define SPH2D__COPIES(type, name, tail)                                                                                \
+    extern const type name##_baseline##tail;                                                                           \
+    static inline const type *name##_find##tail(sph2d_isa isa)                                                         \
+    {                                                                                                                  \
+        (void)isa;                                                                                                     \
+        return &name##_baseline##tail;                                                                                 \
+    }
 #endif
 
 #endif

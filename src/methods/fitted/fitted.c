@@ -20,13 +20,7 @@ static const double DIFFUSIVE = 0.08;
 static const sph2d__fitted_passes *passes(const sph2d__system *s)
 {
     bool mixed = s->method.precision == SPH2D_PRECISION_MIXED;
-#ifdef SPH2D__ISA_X86
-    if (s->isa == SPH2D_ISA_AVX512)
-        return mixed ? &sph2d__fitted_passes_avx512_mixed : &sph2d__fitted_passes_avx512;
-    if (s->isa == SPH2D_ISA_AVX2)
-        return mixed ? &sph2d__fitted_passes_avx2_mixed : &sph2d__fitted_passes_avx2;
-#endif
-    return mixed ? &sph2d__fitted_passes_baseline_mixed : &sph2d__fitted_passes_baseline;
+    return mixed ? sph2d__fitted_passes_find_mixed(s->isa) : sph2d__fitted_passes_find(s->isa);
 }
 
 /** On f = r^4 the fit finds c (x^2 + y^2), whose Laplacian 4c is all error at the centre, and leaves the residual R:

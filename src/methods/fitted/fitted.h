@@ -29,6 +29,7 @@
 
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "simd/isa.h"
 
 extern const sph2d__method sph2d__wcsph_fitted;
 
@@ -39,11 +40,8 @@ typedef struct sph2d__fitted_passes {
     sph2d__span_work *rates;
 } sph2d__fitted_passes;
 
-extern const sph2d__fitted_passes sph2d__fitted_passes_baseline, sph2d__fitted_passes_baseline_mixed;
-#ifdef SPH2D__ISA_X86
-extern const sph2d__fitted_passes sph2d__fitted_passes_avx2, sph2d__fitted_passes_avx2_mixed;
-extern const sph2d__fitted_passes sph2d__fitted_passes_avx512, sph2d__fitted_passes_avx512_mixed;
-#endif
+SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, )
+SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, _mixed)
 
 /** gamma for a square lattice of spacing 1 and the support radius `ratio`. */
 double sph2d__fitted_residual_gain(double ratio);

@@ -448,6 +448,4 @@ static void rates(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-#define NAME_(isa) sph2d__fitted_passes_##isa
-#define NAME(isa) NAME_(isa)
-const sph2d__fitted_passes NAME(SPH2D__ISA) = {rates};
+const sph2d__fitted_passes SPH2D__OF_ISA(sph2d__fitted_passes) = {rates};

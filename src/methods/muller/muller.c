@@ -16,19 +16,6 @@
 static const double VISCOUS = 0.04;
 static const double FORCE = 0.25;
 
-static const sph2d__muller_passes *passes(sph2d_isa isa)
-{
-#ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__muller_passes_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__muller_passes_avx2;
-#else
-    (void)isa;
-#endif
-    return &sph2d__muller_passes_baseline;
-}
-
 /** Gives each boundary particle the mass with which the boundary alone has the rest density at it, so that it is heavy
  *  where the wall is thin: m_b = rho0 / sum_b' W(r_bb') (Akinci et al. 2012, eq. 4). */
 static void weigh_walls(sph2d__system *s)
@@ -125,7 +112,7 @@ static void set_pressures(void *system, size_t first, size_t last)
 
 static bool evaluate(sph2d__system *s)
 {
-    const sph2d__muller_passes *pass = passes(s->isa);
+    const sph2d__muller_passes *pass = sph2d__muller_passes_find(s->isa);
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     sph2d__over_particles(s, fluid->count, pass->density);

@@ -29,6 +29,7 @@
 
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "simd/isa.h"
 
 extern const sph2d__method sph2d__muller;
 
@@ -42,10 +43,6 @@ typedef struct sph2d__muller_passes {
     sph2d__span_work *force;
 } sph2d__muller_passes;
 
-extern const sph2d__muller_passes sph2d__muller_passes_baseline;
-#ifdef SPH2D__ISA_X86
-extern const sph2d__muller_passes sph2d__muller_passes_avx2;
-extern const sph2d__muller_passes sph2d__muller_passes_avx512;
-#endif
+SPH2D__COPIES(sph2d__muller_passes, sph2d__muller_passes, )
 
 #endif

@@ -183,6 +183,4 @@ static void force(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-#define NAME_(isa) sph2d__muller_passes_##isa
-#define NAME(isa) NAME_(isa)
-const sph2d__muller_passes NAME(SPH2D__ISA) = {density, wall_density, force};
+const sph2d__muller_passes SPH2D__OF_ISA(sph2d__muller_passes) = {density, wall_density, force};

@@ -22,19 +22,6 @@ static spook spook_of(const sph2d__system *s)
     return k;
 }
 
-static const sph2d__constraint_passes *passes(sph2d_isa isa)
-{
-#ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__constraint_passes_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__constraint_passes_avx2;
-#else
-    (void)isa;
-#endif
-    return &sph2d__constraint_passes_baseline;
-}
-
 /* ---- the system -------------------------------------------------------------------------------------------------- */
 
 /** Nothing, in the rows behind the last one that a pass may reach. */
@@ -80,26 +67,26 @@ typedef struct way {
 static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    passes(s->isa)->begin(slab, sum);
+    sph2d__constraint_passes_find(s->isa)->begin(slab, sum);
 }
 
 static void apply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const spook *k = with;
     sph2d__projection_collect(s, slab, 0, slab->rows->product);
-    passes(s->isa)->apply(slab, k->soft, sum);
+    sph2d__constraint_passes_find(s->isa)->apply(slab, k->soft, sum);
 }
 
 static void advance_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const way *w = with;
-    passes(s->isa)->advance(slab, w->length, w->keep, sum);
+    sph2d__constraint_passes_find(s->isa)->advance(slab, w->length, w->keep, sum);
 }
 
 static void clamp_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    passes(s->isa)->clamp(slab, sum);
+    sph2d__constraint_passes_find(s->isa)->clamp(slab, sum);
 }
 
 /** product = (D D' + S) direction, and what apply sums up. */

@@ -135,6 +135,4 @@ static void clamp(const sph2d__slab *slab, sph2d__slab_sum *sum)
     sum->second = total(&cut);
 }
 
-#define NAME_(isa) sph2d__constraint_passes_##isa
-#define NAME(isa) NAME_(isa)
-const sph2d__constraint_passes NAME(SPH2D__ISA) = {apply, begin, advance, clamp};
+const sph2d__constraint_passes SPH2D__OF_ISA(sph2d__constraint_passes) = {apply, begin, advance, clamp};

@@ -5,6 +5,7 @@
 #define SPH2D_METHODS_PROJECTION_CONSTRAINT_PASS_H
 
 #include "methods/common/slabs.h"
+#include "simd/isa.h"
 
 /** Compiled once for each instruction set, with the same bits. The inverse diagonal is negative in rows that are not
  *  active. What is left to correct is summed as add_left of constraint_pass.c says. */
@@ -23,9 +24,6 @@ typedef struct sph2d__constraint_passes {
     void (*clamp)(const sph2d__slab *slab, sph2d__slab_sum *sum);
 } sph2d__constraint_passes;
 
-extern const sph2d__constraint_passes sph2d__constraint_passes_baseline;
-#ifdef SPH2D__ISA_X86
-extern const sph2d__constraint_passes sph2d__constraint_passes_avx2, sph2d__constraint_passes_avx512;
-#endif
+SPH2D__COPIES(sph2d__constraint_passes, sph2d__constraint_passes, )
 
 #endif

@@ -10,32 +10,6 @@
 #include "methods/terms/tension.h"
 #include "simd/lanes.h"
 
-static const sph2d__projection_passes *passes(sph2d_isa isa)
-{
-#ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__projection_passes_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__projection_passes_avx2;
-#else
-    (void)isa;
-#endif
-    return &sph2d__projection_passes_baseline;
-}
-
-static const sph2d__projection_gather_pass *gathers(sph2d_isa isa)
-{
-#ifdef SPH2D__ISA_X86
-    if (isa == SPH2D_ISA_AVX512)
-        return &sph2d__projection_gather_avx512;
-    if (isa == SPH2D_ISA_AVX2)
-        return &sph2d__projection_gather_avx2;
-#else
-    (void)isa;
-#endif
-    return &sph2d__projection_gather_baseline;
-}
-
 /** Pairs of a particle in a filled lattice, half as many again for disorder, and walls. */
 static size_t usual_pairs(const sph2d__system *s)
 {
@@ -53,7 +27,7 @@ static void put_far(const sph2d__store *store, double *x, double *y)
 /** Gathers for the slab; its largest is 1 when there was not room enough. */
 static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const sph2d__projection_gather_pass *pass = gathers(s->isa);
+    const sph2d__projection_gather_pass *pass = sph2d__projection_gather_find(s->isa);
     (void)with;
     sum->most = !(slab->walls ? pass->walls : pass->fluid)[s->method.kernel](s, slab->first / SPH2D__SLAB);
 }
@@ -68,7 +42,7 @@ bool sph2d__projection_gather(sph2d__system *s)
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
             (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
             return false;
-        s->neighbours.lanes = s->wall_neighbours.lanes = gathers(s->isa)->lanes;
+        s->neighbours.lanes = s->wall_neighbours.lanes = sph2d__projection_gather_find(s->isa)->lanes;
         if (sph2d__over_rows(s, gather_slab, NULL).most == 0)
             break;
     }
@@ -88,28 +62,28 @@ static void spread_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 {
     (void)with;
     (void)sum;
-    passes(s->isa)->spread(s, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->spread(s, slab->first, slab->last);
 }
 
 static void lead_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const shares *w = with;
     (void)sum;
-    passes(s->isa)->lead(s, w->keep, w->fall, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->lead(s, w->keep, w->fall, slab->first, slab->last);
 }
 
 static void move_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
     (void)sum;
-    passes(s->isa)->move(s, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->move(s, slab->first, slab->last);
 }
 
 static void press_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const double *share = with;
     (void)sum;
-    passes(s->isa)->press(s, *share, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->press(s, *share, slab->first, slab->last);
 }
 
 /** What stands behind the last particle, with which shorter lists end: nothing that a gradient of zero would not undo.
@@ -134,7 +108,7 @@ void sph2d__projection_lead(sph2d__system *s, double keep, double fall)
 
 void sph2d__projection_collect(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
 {
-    const sph2d__projection_passes *pass = passes(s->isa);
+    const sph2d__projection_passes *pass = sph2d__projection_passes_find(s->isa);
     (slab->walls ? pass->collect_walls : pass->collect_fluid)(s, share, out, slab->first, slab->last);
 }
 
@@ -146,7 +120,7 @@ void sph2d__projection_move(sph2d__system *s)
 
 void sph2d__projection_predict(sph2d__system *s, const sph2d__slab *slab)
 {
-    const sph2d__projection_passes *pass = passes(s->isa);
+    const sph2d__projection_passes *pass = sph2d__projection_passes_find(s->isa);
     (slab->walls ? pass->predict_walls : pass->predict_fluid)[s->method.kernel](s, slab->first, slab->last);
 }
 

@@ -29,6 +29,7 @@
 
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "simd/isa.h"
 
 /** Finds the neighbours, and with them the density, the diagonal of D D' and the acceleration by viscosity, body force
  *  and surface tension of every fluid particle; of boundary particles the diagonal, and in place of a density what they
@@ -102,8 +103,8 @@ void sph2d__projection_prepare(sph2d__system *system);
  */
 typedef struct sph2d__projection_gather_pass {
     size_t lanes; /**< that it is compiled with */
-    bool (*fluid[5])(sph2d__system *system, size_t slab);
-    bool (*walls[5])(sph2d__system *system, size_t slab);
+    bool (*fluid[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t slab);
+    bool (*walls[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t slab);
 } sph2d__projection_gather_pass;
 
 /** The other pair loops, for particles `first`, which begins a slab, to `last` - 1. Prediction is compiled once for
@@ -115,15 +116,11 @@ typedef struct sph2d__projection_passes {
     void (*press)(sph2d__system *system, double share, size_t first, size_t last);
     void (*collect_fluid)(sph2d__system *system, double share, double *out, size_t first, size_t last);
     void (*collect_walls)(sph2d__system *system, double share, double *out, size_t first, size_t last);
-    void (*predict_fluid[5])(sph2d__system *system, size_t first, size_t last);
-    void (*predict_walls[5])(sph2d__system *system, size_t first, size_t last);
+    void (*predict_fluid[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
+    void (*predict_walls[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
 } sph2d__projection_passes;
 
-extern const sph2d__projection_gather_pass sph2d__projection_gather_baseline;
-extern const sph2d__projection_passes sph2d__projection_passes_baseline;
-#ifdef SPH2D__ISA_X86
-extern const sph2d__projection_gather_pass sph2d__projection_gather_avx2, sph2d__projection_gather_avx512;
-extern const sph2d__projection_passes sph2d__projection_passes_avx2, sph2d__projection_passes_avx512;
-#endif
+SPH2D__COPIES(sph2d__projection_gather_pass, sph2d__projection_gather, )
+SPH2D__COPIES(sph2d__projection_passes, sph2d__projection_passes, )
 
 #endif

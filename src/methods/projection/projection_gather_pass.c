@@ -228,23 +228,18 @@ SPH2D__INLINE bool gather_slab(sph2d__system *s, bool walls, size_t k, sph2d_ker
     return !to.full;
 }
 
-#define FOR_KERNEL(name, kernel)                                                                                       \
-    static bool fluid_##name(sph2d__system *s, size_t k)                                                               \
+#define FOR_KERNEL(name, word)                                                                                         \
+    static bool fluid_##word(sph2d__system *s, size_t k)                                                               \
     {                                                                                                                  \
-        return gather_slab(s, false, k, kernel);                                                                       \
+        return gather_slab(s, false, k, SPH2D_KERNEL_##name);                                                          \
     }                                                                                                                  \
-    static bool walls_##name(sph2d__system *s, size_t k)                                                               \
+    static bool walls_##word(sph2d__system *s, size_t k)                                                               \
     {                                                                                                                  \
-        return gather_slab(s, true, k, kernel);                                                                        \
+        return gather_slab(s, true, k, SPH2D_KERNEL_##name);                                                           \
     }
-FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
-FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
-FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
-FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
-FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+SPH2D_KERNEL_MAP(FOR_KERNEL)
 
-#define NAME_(isa) sph2d__projection_gather_##isa
-#define NAME(isa) NAME_(isa)
-const sph2d__projection_gather_pass NAME(SPH2D__ISA) = {SPH2D__LANES,
-                                                        {fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
-                                                        {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic}};
+#define FLUID_ENTRY(name, word) [SPH2D_KERNEL_##name] = fluid_##word,
+#define WALLS_ENTRY(name, word) [SPH2D_KERNEL_##name] = walls_##word,
+const sph2d__projection_gather_pass SPH2D__OF_ISA(sph2d__projection_gather) = {
+    .lanes = SPH2D__LANES, .fluid = {SPH2D_KERNEL_MAP(FLUID_ENTRY)}, .walls = {SPH2D_KERNEL_MAP(WALLS_ENTRY)}};

@@ -209,28 +209,25 @@ SPH2D__INLINE void predict_walls(sph2d__system *s, size_t first, size_t last, sp
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
-#define FOR_KERNEL(name, kernel)                                                                                       \
-    static void fluid_##name(sph2d__system *s, size_t first, size_t last)                                              \
+#define FOR_KERNEL(name, word)                                                                                         \
+    static void fluid_##word(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        predict_fluid(s, first, last, kernel);                                                                         \
+        predict_fluid(s, first, last, SPH2D_KERNEL_##name);                                                            \
     }                                                                                                                  \
-    static void walls_##name(sph2d__system *s, size_t first, size_t last)                                              \
+    static void walls_##word(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        predict_walls(s, first, last, kernel);                                                                         \
+        predict_walls(s, first, last, SPH2D_KERNEL_##name);                                                            \
     }
-FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
-FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
-FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
-FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
-FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+SPH2D_KERNEL_MAP(FOR_KERNEL)
 
-#define NAME_(isa) sph2d__projection_passes_##isa
-#define NAME(isa) NAME_(isa)
-const sph2d__projection_passes NAME(SPH2D__ISA) = {spread,
-                                                   lead,
-                                                   move,
-                                                   press,
-                                                   collect_fluid,
-                                                   collect_walls,
-                                                   {fluid_c2, fluid_c4, fluid_c6, fluid_cubic, fluid_quintic},
-                                                   {walls_c2, walls_c4, walls_c6, walls_cubic, walls_quintic}};
+#define FLUID_ENTRY(name, word) [SPH2D_KERNEL_##name] = fluid_##word,
+#define WALLS_ENTRY(name, word) [SPH2D_KERNEL_##name] = walls_##word,
+const sph2d__projection_passes SPH2D__OF_ISA(sph2d__projection_passes) = {
+    .spread = spread,
+    .lead = lead,
+    .move = move,
+    .press = press,
+    .collect_fluid = collect_fluid,
+    .collect_walls = collect_walls,
+    .predict_fluid = {SPH2D_KERNEL_MAP(FLUID_ENTRY)},
+    .predict_walls = {SPH2D_KERNEL_MAP(WALLS_ENTRY)}};

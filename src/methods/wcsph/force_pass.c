@@ -345,70 +345,60 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
     }
 }
 
-/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+/* ---- copies ------------------------------------------------------------------------------------------------------ */
 
-/** The copy of the loops that has the scene's terms and no others. */
-SPH2D__INLINE void force_by_viscosity(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
+/** The terms of a scene. */
+static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 {
     const numbers n = numbers_of(s);
-#ifdef SPH2D__BARE
-    with.morris = false;
-#else
+    terms with = {.kernel = kernel, .layout = sph2d__wcsph_layout(&s->method), .eddies = n.eddies > 0};
+#ifndef SPH2D__BARE
     with.morris = n.morris > 0;
 #endif
-    with.eddies = n.eddies > 0;
     with.monaghan = n.monaghan > 0 || with.eddies;
-    if (with.eddies && with.morris)
-        force_with(s, first, last, (terms){with.kernel, SPH2D__LAYOUT_CROWDED, true, true, true}, walls_of);
-    else if (with.eddies)
-        force_with(s, first, last, (terms){with.kernel, SPH2D__LAYOUT_CROWDED, false, true, true}, walls_of);
-    else if (with.morris && with.monaghan)
-        force_with(s, first, last, (terms){with.kernel, with.layout, true, true, false}, walls_of);
-    else if (with.morris)
-        force_with(s, first, last, (terms){with.kernel, with.layout, true, false, false}, walls_of);
-    else if (with.monaghan)
-        force_with(s, first, last, (terms){with.kernel, with.layout, false, true, false}, walls_of);
-    else
-        force_with(s, first, last, (terms){with.kernel, with.layout, false, false, false}, walls_of);
+    return with;
 }
 
-SPH2D__INLINE void force_by_layout(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel,
-                                   wall_adder *walls_of)
+/* The copies of the loops for the usual kernel: layout, Morris' viscosity, Monaghan's, eddies. */
+#define FOR_COPIES(X)                                                                                                  \
+    X(BARE, 0, 0, 0)                                                                                                   \
+    X(BARE, 0, 1, 0) X(BARE, 1, 0, 0) X(BARE, 1, 1, 0) X(SLOPED, 0, 0, 0) X(SLOPED, 0, 1, 0) X(SLOPED, 1, 0, 0)        \
+        X(SLOPED, 1, 1, 0) X(FULL, 0, 0, 0) X(FULL, 0, 1, 0) X(FULL, 1, 0, 0) X(FULL, 1, 1, 0) X(CROWDED, 0, 0, 0)     \
+            X(CROWDED, 0, 1, 0) X(CROWDED, 1, 0, 0) X(CROWDED, 1, 1, 0) X(CROWDED, 0, 1, 1) X(CROWDED, 1, 1, 1)
+
+/* The kernel that nearly all scenes have. */
+static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
+
+/** The copy that has a scene's terms and no others. */
+SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
-    switch (sph2d__wcsph_layout(&s->method)) {
-    case SPH2D__LAYOUT_BARE:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_BARE}, walls_of);
-        break;
-    case SPH2D__LAYOUT_SLOPED:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_SLOPED}, walls_of);
-        break;
-    case SPH2D__LAYOUT_FULL:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_FULL}, walls_of);
-        break;
-    case SPH2D__LAYOUT_CROWDED:
-        force_by_viscosity(s, first, last, (terms){.kernel = kernel, .layout = SPH2D__LAYOUT_CROWDED}, walls_of);
-        break;
-    }
+    const terms with = terms_of(s, USUAL);
+#define TRY(layout_, morris_, monaghan_, eddies_)                                                                      \
+    if (with.layout == SPH2D__LAYOUT_##layout_ && with.morris == morris_ && with.monaghan == monaghan_ &&              \
+        with.eddies == eddies_)                                                                                        \
+        force_with(s, first, last,                                                                                     \
+                   (terms){SPH2D_KERNEL_WENDLAND_C2, SPH2D__LAYOUT_##layout_, morris_, monaghan_, eddies_}, walls_of);
+    FOR_COPIES(TRY)
+#undef TRY
 }
 
-#define FOR_KERNEL(name, kernel_)                                                                                      \
-    static __attribute__((noinline)) void walls_##name(                                                                \
+/* For every kernel; those that are not usual ask for their terms in the loops, which takes 2 % of a step. */
+#define FOR_KERNEL(name, word)                                                                                         \
+    static __attribute__((noinline)) void walls_##word(                                                                \
         const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums, terms with,        \
         const numbers *n, const receiver *me, const sph2d__packed *walls)                                              \
     {                                                                                                                  \
-        with.kernel = kernel_;                                                                                         \
+        with.kernel = SPH2D_KERNEL_##name;                                                                             \
         add_walls(s, by, g, sums, with, n, me, walls);                                                                 \
     }                                                                                                                  \
-    static void force_##name(sph2d__system *s, size_t first, size_t last)                                              \
+    static void force_##word(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        force_by_layout(s, first, last, kernel_, walls_##name);                                                        \
+        if (SPH2D_KERNEL_##name == USUAL)                                                                              \
+            force_by_copy(s, first, last, walls_##word);                                                               \
+        else                                                                                                           \
+            force_with(s, first, last, terms_of(s, SPH2D_KERNEL_##name), walls_##word);                                \
     }
-FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
-FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
-FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
-FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
-FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+SPH2D_KERNEL_MAP(FOR_KERNEL)
 
-#define NAME_(isa) sph2d__wcsph_force_##isa
-#define NAME(isa) NAME_(isa)
-sph2d__span_work *const NAME(SPH2D__ISA)[5] = {force_c2, force_c4, force_c6, force_cubic, force_quintic};
+#define ENTRY(name, word) [SPH2D_KERNEL_##name] = force_##word,
+const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph_force) = {{SPH2D_KERNEL_MAP(ENTRY)}};

@@ -269,17 +269,12 @@ SPH2D__INLINE void rate_by_terms(sph2d__system *s, size_t first, size_t last, sp
         density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_BARE);
 }
 
-#define FOR_KERNEL(name, kernel)                                                                                       \
-    static void rate_##name(sph2d__system *s, size_t first, size_t last)                                               \
+#define FOR_KERNEL(name, word)                                                                                         \
+    static void rate_##word(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        rate_by_terms(s, first, last, kernel);                                                                         \
+        rate_by_terms(s, first, last, SPH2D_KERNEL_##name);                                                            \
     }
-FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
-FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
-FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
-FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
-FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+SPH2D_KERNEL_MAP(FOR_KERNEL)
 
-#define NAME_(isa) sph2d__wcsph_rate_##isa
-#define NAME(isa) NAME_(isa)
-sph2d__span_work *const NAME(SPH2D__ISA)[5] = {rate_c2, rate_c4, rate_c6, rate_cubic, rate_quintic};
+#define ENTRY(name, word) [SPH2D_KERNEL_##name] = rate_##word,
+const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph_rate) = {{SPH2D_KERNEL_MAP(ENTRY)}};

@@ -157,25 +157,21 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */
 
-#define FOR_KERNEL(name, kernel)                                                                                       \
-    static void rates_##name(sph2d__system *s, size_t first, size_t last)                                              \
+#define FOR_KERNEL(name, word)                                                                                         \
+    static void rates_##word(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \
-        walls_with(s, first, last, kernel, RATES);                                                                     \
+        walls_with(s, first, last, SPH2D_KERNEL_##name, RATES);                                                        \
     }                                                                                                                  \
-    static void wall_##name(sph2d__system *s, size_t first, size_t last)                                               \
+    static void wall_##word(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
         if (s->wall_slip == SPH2D_SLIP_NONE)                                                                           \
-            walls_with(s, first, last, kernel, PRESSURES_AND_IMAGES);                                                  \
+            walls_with(s, first, last, SPH2D_KERNEL_##name, PRESSURES_AND_IMAGES);                                     \
         else                                                                                                           \
-            walls_with(s, first, last, kernel, PRESSURES);                                                             \
+            walls_with(s, first, last, SPH2D_KERNEL_##name, PRESSURES);                                                \
     }
-FOR_KERNEL(c2, SPH2D_KERNEL_WENDLAND_C2)
-FOR_KERNEL(c4, SPH2D_KERNEL_WENDLAND_C4)
-FOR_KERNEL(c6, SPH2D_KERNEL_WENDLAND_C6)
-FOR_KERNEL(cubic, SPH2D_KERNEL_CUBIC)
-FOR_KERNEL(quintic, SPH2D_KERNEL_QUINTIC)
+SPH2D_KERNEL_MAP(FOR_KERNEL)
 
-#define NAME_(kind, isa) sph2d__wcsph_##kind##_##isa
-#define NAME(kind, isa) NAME_(kind, isa)
-sph2d__span_work *const NAME(wall_rate, SPH2D__ISA)[5] = {rates_c2, rates_c4, rates_c6, rates_cubic, rates_quintic};
-sph2d__span_work *const NAME(wall, SPH2D__ISA)[5] = {wall_c2, wall_c4, wall_c6, wall_cubic, wall_quintic};
+#define RATES_ENTRY(name, word) [SPH2D_KERNEL_##name] = rates_##word,
+const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph_wall_rate) = {{SPH2D_KERNEL_MAP(RATES_ENTRY)}};
+#define WALL_ENTRY(name, word) [SPH2D_KERNEL_##name] = wall_##word,
+const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph_wall) = {{SPH2D_KERNEL_MAP(WALL_ENTRY)}};

@@ -11,37 +11,21 @@
 #include "methods/terms/friction.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
-#include "simd/isa.h"
 
 /* Monaghan's form damps compression three times as fast as shear. */
 static const double MONAGHAN = 3;
 /* Step limit as a fraction of sqrt(H/a). */
 static const double FORCE = 0.25;
 
-/** The pair loops of one kind by instruction set and precision, each by kernel. */
-#ifdef SPH2D__ISA_X86
-#define TABLE(kind)                                                                                                    \
-    {                                                                                                                  \
-        {sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed},                                        \
-            {sph2d__wcsph_##kind##_avx2, sph2d__wcsph_##kind##_avx2_mixed},                                            \
-            {sph2d__wcsph_##kind##_avx512, sph2d__wcsph_##kind##_avx512_mixed},                                        \
-    }
-#else
-#define TABLE(kind)                                                                                                    \
-    {                                                                                                                  \
-        {                                                                                                              \
-            sph2d__wcsph_##kind##_baseline, sph2d__wcsph_##kind##_baseline_mixed                                       \
-        }                                                                                                              \
-    }
-#endif
-
-/** One that suits the system, over the particles of a store. */
-#define RUN(kind, s, store)                                                                                            \
-    do {                                                                                                               \
-        static sph2d__span_work *const *const table[SPH2D__ISA_COUNT][2] = TABLE(kind);                                \
-        bool mixed = (s)->method.precision == SPH2D_PRECISION_MIXED;                                                   \
-        sph2d__over_particles(s, (store)->count, table[(s)->isa - SPH2D_ISA_BASELINE][mixed][(s)->method.kernel]);     \
-    } while (0)
+/** Runs a pass that suits the system, over the particles of a store. */
+static void run(sph2d__system *s, const sph2d__store *store, const sph2d__wcsph_pass *in_doubles,
+                const sph2d__wcsph_pass *mixed)
+{
+    const sph2d__wcsph_pass *pass = s->method.precision == SPH2D_PRECISION_MIXED ? mixed : in_doubles;
+    sph2d__over_particles(s, store->count, pass->by_kernel[s->method.kernel]);
+}
+#define RUN(pass, s, store)                                                                                            \
+    run(s, store, sph2d__wcsph_##pass##_find((s)->isa), sph2d__wcsph_##pass##_find_mixed((s)->isa))
 
 /* Lattice places on either side of a particle that the widest support reaches. */
 enum { REACH = 8 };

@@ -96,6 +96,7 @@
 
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "simd/isa.h"
 
 extern const sph2d__method sph2d__wcsph;
 
@@ -146,23 +147,24 @@ static inline double sph2d__connection(double filling)
     return t * t * (3 - 2 * t);
 }
 
-/* Pair loops over some particles; there is one for every kernel and instruction set.
- * rate: density_rate, filling and strain of the fluid, from places, velocities, densities, volumes and slopes;
- *       distance to the surface.
- * wall_rate: wall_rate of the boundary particles, from the fluid.
- * wall: their pressure, density and volume, and the image velocity where they are rough.
- * force: acceleration of the fluid, slope of density, fullness, packing and crowding, from densities, pressures and
- * volumes. */
-#define SPH2D__WCSPH_PASSES(isa)                                                                                       \
-    extern sph2d__span_work *const sph2d__wcsph_rate_##isa[5],                                                         \
-        *const sph2d__wcsph_wall_rate_##isa[5], *const sph2d__wcsph_wall_##isa[5], *const sph2d__wcsph_force_##isa[5];
-SPH2D__WCSPH_PASSES(baseline)
-SPH2D__WCSPH_PASSES(baseline_mixed)
-#ifdef SPH2D__ISA_X86
-SPH2D__WCSPH_PASSES(avx2)
-SPH2D__WCSPH_PASSES(avx2_mixed)
-SPH2D__WCSPH_PASSES(avx512)
-SPH2D__WCSPH_PASSES(avx512_mixed)
-#endif
+/** A pair loop over some particles, compiled once for each instruction set, precision and kernel. */
+typedef struct sph2d__wcsph_pass {
+    sph2d__span_work *by_kernel[SPH2D_KERNEL_COUNT];
+} sph2d__wcsph_pass;
+
+/** density_rate, filling, strain and shift of the fluid, from places, velocities, densities, volumes and slopes;
+ *  distance to the surface. */
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_rate, )
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_rate, _mixed)
+/** wall_rate of the boundary particles, from the fluid. */
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall_rate, )
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall_rate, _mixed)
+/** Pressure, density and volume of the boundary particles, and the image velocity where they are rough. */
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, )
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, _mixed)
+/** Acceleration of the fluid, slope of density, fullness, packing and crowding, from densities, pressures and
+ *  volumes. */
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, )
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, _mixed)
 
 #endif
