@@ -104,7 +104,7 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wformat=2 -Wno-form
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
 # One position-independent object serves both the archive and the shared library. Contraction is off so that a fused
 # multiply-add stands only where it was written; interposition is off so that exported functions can still be inlined.
-ALL_CFLAGS := -std=c17 $(if $(SANITIZE),-O2,-O3) -g $(WARNINGS) -fno-math-errno -ffp-contract=off -fPIC \
+ALL_CFLAGS := -std=c17 $(if $(SANITIZE),-O2 -g,-O3) $(WARNINGS) -fno-math-errno -ffp-contract=off -fPIC \
     -fvisibility=hidden -fno-semantic-interposition -ffile-prefix-map=$(CURDIR)=. $(OMP_CFLAGS) $(SANITIZERS)
 ALL_CPPFLAGS := -D_POSIX_C_SOURCE=200809L -MMD -MP
 ALL_LDFLAGS := -Wl,--as-needed -pthread $(if $(WITH_OPENMP),-fopenmp) $(SANITIZERS) $(LDFLAGS)
@@ -165,8 +165,8 @@ VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LI
     $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
-CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) \
-    $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
+PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
+CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(PASS_OBJ)
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
 BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
@@ -192,6 +192,12 @@ ARCHIVE_LIBS := $(RENDER_LIBS) $(IO_LIBS) $(CORE_LIBS)
 # ---- build -----------------------------------------------------------------------------------------------------------
 QUIET := $(if $(filter-out 0,$(V)),,quiet)
 say = $(if $(QUIET),@printf '  %s %s\n' '$(1)' '$(2)'; )
+# Files are counted as they come, of as many as a dry run finds.
+ifeq ($(COUNTING),)
+TO_COMPILE := $(shell env -u MAKEFLAGS -u MFLAGS $(MAKE) -n COUNTING=1 PACKAGES_CHECKED=1 $(MAKEOVERRIDES) \
+    $(MAKECMDGOALS) 2>/dev/null | grep -c '^ *printf .* CC ')
+endif
+say_compiled = $(eval COMPILED += x)$(if $(QUIET),@printf '  [%s/%s] CC %s\n' $(words $(COMPILED)) '$(TO_COMPILE)' '$(1)'; )
 hush := $(if $(QUIET),@)
 
 all: lib cli ## the command and the libraries (the default)
@@ -210,10 +216,10 @@ $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
 
-compile = $(call say,CC,$(1))mkdir -p $(@D) && \
+compile = $(call say_compiled,$(1))mkdir -p $(@D) && \
     $(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(PART) $(2) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
 link = $(call say,LD,$@)mkdir -p $(@D) && \
-    $(CC) $(ALL_CFLAGS) $(CFLAGS) $(ALL_LDFLAGS) $(1) -o $@ $(filter %.o %.a,$^) $(2) $(LDLIBS)
+    $(CC) $(ALL_CFLAGS) $(CFLAGS) $(ALL_LDFLAGS) $(1) -o $@ $(filter-out $(IN_ARCHIVES),$(filter %.o %.a,$^)) $(2) $(LDLIBS)
 
 define isa_rule
 $(OBJ)/src/methods/%_pass.$(1).o: src/methods/%_pass.c
@@ -246,8 +252,10 @@ $(eval $(call library_rules,libsph2d,$(CORE_OBJ),CORE_LIBS))
 $(eval $(call library_rules,libsph2d-io,$(IO_OBJ) $(BASE_OBJ),IO_SO_LIBS,$(BUILD)/libsph2d.so))
 $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
 
-$(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
+# What takes longest comes first, so that all processors have work to the end.
+$(BUILD)/sph2d: $(PASS_OBJ) $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
+$(BUILD)/sph2d: IN_ARCHIVES = $(PASS_OBJ)
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant

@@ -360,11 +360,14 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 }
 
 /* The copies of the loops for the usual kernel: layout, Morris' viscosity, Monaghan's, eddies. */
+#define OF_LAYOUT(X, layout) X(layout, 0, 0, 0) X(layout, 0, 1, 0) X(layout, 1, 0, 0) X(layout, 1, 1, 0)
+#define WITH_EDDIES(X) X(CROWDED, 0, 1, 1) X(CROWDED, 1, 1, 1)
 #define FOR_COPIES(X)                                                                                                  \
-    X(BARE, 0, 0, 0)                                                                                                   \
-    X(BARE, 0, 1, 0) X(BARE, 1, 0, 0) X(BARE, 1, 1, 0) X(SLOPED, 0, 0, 0) X(SLOPED, 0, 1, 0) X(SLOPED, 1, 0, 0)        \
-        X(SLOPED, 1, 1, 0) X(FULL, 0, 0, 0) X(FULL, 0, 1, 0) X(FULL, 1, 0, 0) X(FULL, 1, 1, 0) X(CROWDED, 0, 0, 0)     \
-            X(CROWDED, 0, 1, 0) X(CROWDED, 1, 0, 0) X(CROWDED, 1, 1, 0) X(CROWDED, 0, 1, 1) X(CROWDED, 1, 1, 1)
+    OF_LAYOUT(X, BARE)                                                                                                 \
+    OF_LAYOUT(X, SLOPED)                                                                                               \
+    OF_LAYOUT(X, FULL)                                                                                                 \
+    OF_LAYOUT(X, CROWDED)                                                                                              \
+    WITH_EDDIES(X)
 
 /* The kernel that nearly all scenes have. */
 static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
@@ -373,11 +376,9 @@ static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
 SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
     const terms with = terms_of(s, USUAL);
-#define TRY(layout_, morris_, monaghan_, eddies_)                                                                      \
-    if (with.layout == SPH2D__LAYOUT_##layout_ && with.morris == morris_ && with.monaghan == monaghan_ &&              \
-        with.eddies == eddies_)                                                                                        \
-        force_with(s, first, last,                                                                                     \
-                   (terms){SPH2D_KERNEL_WENDLAND_C2, SPH2D__LAYOUT_##layout_, morris_, monaghan_, eddies_}, walls_of);
+#define TRY(of, form1, form2, rough)                                                                                   \
+    if (with.layout == SPH2D__LAYOUT_##of && with.morris == form1 && with.monaghan == form2 && with.eddies == rough)   \
+        force_with(s, first, last, (terms){USUAL, SPH2D__LAYOUT_##of, form1, form2, rough}, walls_of);
     FOR_COPIES(TRY)
 #undef TRY
 }
