@@ -67,7 +67,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "\n"
         "  sph2d init basin --template stir\n",
     [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file);\n"
-                  "materials (liquids by name).\n",
+                  "materials (liquids by name); methods (what each is for, its defaults and keys).\n",
 };
 
 void help_print(void)
@@ -190,10 +190,50 @@ static void print_materials(void)
     }
 }
 
+static void print_wall_forms(uint32_t forms)
+{
+    static const char *const words[] = {"default", "spring", "heavy", "reflect", "generalised"};
+    const char *between = "";
+    for (unsigned k = 1; k < sizeof words / sizeof *words; ++k)
+        if (forms >> k & 1) {
+            printf("%s%s", between, words[k]);
+            between = ", ";
+        }
+    printf("\n");
+}
+
+static void print_methods(void)
+{
+    const sph2d_method_info *method;
+    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
+        printf("%s%s\n", method->name, k == 0 ? " (the default)" : "");
+        printf("  for       %s\n", method->use);
+        printf("  scheme    %s\n", method->scheme);
+        printf("  source    %s\n", method->source);
+        printf("  defaults  support_ratio %g, max_compression %g\n", method->support_ratio, method->max_compression);
+        printf("  walls     ");
+        print_wall_forms(method->wall_forms);
+        printf("\n");
+    }
+    printf("Not every method has:\n");
+#define FEATURE_ROW(name, key) SPH2D_FEATURE_##name,
+    static const sph2d_feature features[] = {SPH2D_FEATURE_MAP(FEATURE_ROW)};
+#undef FEATURE_ROW
+    for (size_t k = 0; k < sizeof features / sizeof *features; ++k) {
+        char having[200] = "";
+        keys_append_methods(features[k], having, sizeof having);
+        printf("  %-32s %s\n", sph2d_feature_key(features[k]), having);
+    }
+}
+
 static const struct {
     const char *name;
     void (*print)(void);
-} topics[] = {{"exit", print_exits}, {"codes", print_codes}, {"scene", keys_print_all}, {"materials", print_materials}};
+} topics[] = {{"exit", print_exits},
+              {"codes", print_codes},
+              {"scene", keys_print_all},
+              {"materials", print_materials},
+              {"methods", print_methods}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
 static void unknown_topic(const char *topic)

@@ -39,9 +39,46 @@ static void append_range(char *out, size_t size, const sph2d_key *key)
         append(out, size, "; at most %g", key->max);
 }
 
+/* Whether all rows of a method have a feature. */
+static bool all_operators_have(const sph2d_method_info *method, sph2d_feature feature)
+{
+    const sph2d_method_info *other;
+    for (size_t k = 0; (other = sph2d_method_row(k)) != NULL; ++k)
+        if (other->method == method->method && !sph2d_method_has(other, feature))
+            return false;
+    return true;
+}
+
+void keys_append_methods(sph2d_feature feature, char *out, size_t size)
+{
+    const sph2d_method_info *method, *last = NULL, *lacks = NULL;
+    size_t lacking = 0;
+    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k)
+        if (!sph2d_method_has(method, feature)) {
+            lacks = method;
+            ++lacking;
+        }
+    if (lacking == 1) {
+        append(out, size, "not %s", lacks->name);
+        return;
+    }
+    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
+        bool all = all_operators_have(method, feature);
+        if (!sph2d_method_has(method, feature) || (all && last != NULL && last->method == method->method))
+            continue;
+        append(out, size, "%s%s", last == NULL ? "" : ", ", all ? method->word : method->name);
+        last = method;
+    }
+}
+
 char *keys_describe(const sph2d_key *key, char *out, size_t size)
 {
-    snprintf(out, size, "%s", key->text);
+    out[0] = '\0';
+    if (key->feature != SPH2D_FEATURE_NONE) {
+        keys_append_methods((sph2d_feature)key->feature, out, size);
+        append(out, size, ": ");
+    }
+    append(out, size, "%s", key->text);
     if (key->unit[0] != '\0')
         append(out, size, " [%s]", key->unit);
     if (is_number(key->kind))

@@ -7,9 +7,13 @@
 #include <stddef.h>
 
 #include <sph2d/key.h>
+#include <sph2d/method.h>
 
 /** "between particles [m]; above 0; must be given". Returns `out`. */
 char *keys_describe(const sph2d_key *key, char *out, size_t size);
+
+/** Appends the methods that have a feature, "wcsph, muller". */
+void keys_append_methods(sph2d_feature feature, char *out, size_t size);
 
 /** Prints every key of a scene, indented as in a file, to stdout. */
 void keys_print_all(void);

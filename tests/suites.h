@@ -58,6 +58,7 @@
     X(overrides)                                                                                                       \
     X(scene_text)                                                                                                      \
     X(materials)                                                                                                       \
+    X(methods)                                                                                                         \
     X(plan)                                                                                                            \
     X(basin)                                                                                                           \
     X(packing)                                                                                                         \

@@ -43,7 +43,7 @@ _sph2d() {
     run | check | study) mapfile -t COMPREPLY < <(compgen -d -- "$word" && compgen -f -X '!*.@(yaml|yml|json)' -- "$word") ;;
     render | info) mapfile -t COMPREPLY < <(compgen -d -- "$word" && compgen -f -X '!*.h5' -- "$word") ;;
     resume) mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
-    help) mapfile -t COMPREPLY < <(compgen -W "$commands exit codes scene materials" -- "$word") ;;
+    help) mapfile -t COMPREPLY < <(compgen -W "$commands exit codes scene materials methods" -- "$word") ;;
     esac
 }
 

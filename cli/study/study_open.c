@@ -30,8 +30,8 @@ static void put_quoted(FILE *out, const char *text)
 /* How much stiffer or softer: whatever the scene itself says it with. */
 static void put_stiffness(FILE *out, const sph2d_method_options *method)
 {
-    bool muller = method->name == SPH2D_METHOD_MULLER;
-    double compression = method->max_compression > 0 ? method->max_compression : muller ? 0.1 : 0.01;
+    double standard = sph2d_method_of(method)->max_compression;
+    double compression = method->max_compression > 0 ? method->max_compression : standard;
     if (method->sound_speed > 0)
         fprintf(out, "  method.sound_speed: [%.4g, %.15g]\n", method->sound_speed / 2, method->sound_speed);
     else if (method->stiffness > 0)

@@ -49,6 +49,7 @@ typedef struct sph2d_key {
     const char *standard;          /**< the default, in words; NULL for none */
     const char *text;              /**< one sentence */
     bool stands_alone;             /**< of a WORD: in a file it may stand for the whole group, `method: wcsph` */
+    int feature;                   /**< sph2d_feature (method.h) that the key asks for; 0: all methods have it */
     void (*preset)(void *owner);   /**< of a WORD that stands for values of other keys: sets them in the struct, once it
                                         has its own; those that are given replace them */
 } sph2d_key;

@@ -8,6 +8,7 @@
 #include "sph2d/array.h"
 #include "sph2d/field.h"
 #include "sph2d/key.h"
+#include "sph2d/method.h"
 #include "sph2d/scene.h"
 #include "sph2d/sim.h"
 #include "sph2d/state.h"

@@ -8,13 +8,16 @@
 #include "methods/projection/pcisph.h"
 #include "methods/wcsph/wcsph.h"
 
+static const sph2d__method *const methods[][2] = {
+    [SPH2D_METHOD_MULLER] = {&sph2d__muller},
+    [SPH2D_METHOD_WCSPH] =
+        {[SPH2D_OPERATORS_SYMMETRIC] = &sph2d__wcsph, [SPH2D_OPERATORS_FITTED] = &sph2d__wcsph_fitted},
+    [SPH2D_METHOD_PCISPH] = {&sph2d__pcisph},
+    [SPH2D_METHOD_CONSTRAINT] = {&sph2d__constraint},
+};
+
 const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
 {
-    if (options->name == SPH2D_METHOD_MULLER)
-        return &sph2d__muller;
-    if (options->name == SPH2D_METHOD_PCISPH)
-        return &sph2d__pcisph;
-    if (options->name == SPH2D_METHOD_CONSTRAINT)
-        return &sph2d__constraint;
-    return options->operators == SPH2D_OPERATORS_FITTED ? &sph2d__wcsph_fitted : &sph2d__wcsph;
+    const sph2d__method *method = methods[options->name][options->operators];
+    return method ? method : methods[options->name][0];
 }

@@ -22,24 +22,14 @@
 #include <math.h>
 
 #include "base/pi.h"
+#include "scene/method_table.h"
 #include "sim/simulation.h"
-
-/* Densities that integrated ones never have in a sound run, over rest density. Sums over places have no lower bound,
- * and the upper one of liquid that collapses into a point. Energy: fifteen times what sound scenes do. */
-static const struct {
-    double thinnest, densest, rise;
-} bounds[] = {
-    [SPH2D_METHOD_MULLER] = {0, 20, 0.1},
-    [SPH2D_METHOD_WCSPH] = {0.2, 5, 0.1},
-    [SPH2D_METHOD_PCISPH] = {0, 20, 0.1},
-    [SPH2D_METHOD_CONSTRAINT] = {0, 20, 0.1},
-};
 
 /** How much denser than the rest the scene's blocks start, where density is a sum; 1 at least. */
 static double start_of(const sph2d_sim *sim)
 {
     double most = 1, dx = sim->scene.spacing;
-    for (size_t k = 0; k < sim->scene.block_count && sim->scene.method.name != SPH2D_METHOD_WCSPH; ++k)
+    for (size_t k = 0; k < sim->scene.block_count && sph2d__method_row_of(&sim->scene.method)->summed_density; ++k)
         if (sim->scene.blocks[k].spacing > 0)
             most = fmax(most, pow(dx / sim->scene.blocks[k].spacing, 2));
     return most;
@@ -47,10 +37,10 @@ static double start_of(const sph2d_sim *sim)
 
 sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
 {
-    sph2d_method name = sim->scene.method.name;
+    const sph2d__method_row *row = sph2d__method_row_of(&sim->scene.method);
     double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
-    return (sph2d__bounds){bounds[name].thinnest * rest, bounds[name].densest * rest * start_of(sim),
-                           rise > 0 ? rise : bounds[name].rise};
+    return (sph2d__bounds){row->thinnest * rest, row->densest * rest * start_of(sim),
+                           rise > 0 ? rise : row->energy_rise};
 }
 
 double sph2d__sim_energy_scale(const sph2d_sim *sim)
@@ -98,7 +88,7 @@ sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
     if (sim->method->integrator == SPH2D__PROJECTED)
         book_pressed(r, now.elastic);
     double energy = now.kinetic + now.potential + now.elastic - r->energy_fed - r->energy_walls - r->energy_forces;
-    bool starts = sim->scene.method.name != SPH2D_METHOD_WCSPH && r->steps <= START_STEPS;
+    bool starts = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;
     r->energy_low = starts ? energy : fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
     r->energy_error =
@@ -123,21 +113,6 @@ static size_t fastest_of(const sph2d__store *f)
     return fastest;
 }
 
-/** What takes energy out of the liquid of the scene's method. */
-static const char *calming_key(const sph2d_sim *sim)
-{
-    switch (sim->scene.method.name) {
-    case SPH2D_METHOD_MULLER:
-        return "more fluid.dynamic_viscosity";
-    case SPH2D_METHOD_WCSPH:
-        return "method.artificial_viscosity: 0.05";
-    case SPH2D_METHOD_PCISPH:
-    case SPH2D_METHOD_CONSTRAINT:
-        break;
-    }
-    return "a smaller method.cfl";
-}
-
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__record *r = &sim->record;
@@ -157,6 +132,6 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
     sph2d_diagnostic_hint(d,
                           "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
                           "more than %g times the scale pass",
-                          calming_key(sim), most);
+                          sph2d__method_row_of(&sim->scene.method)->calmed_by, most);
     return false;
 }

@@ -3,6 +3,7 @@
  *  What a step looks at when it is done: guards, extremes, the length of the next step. */
 #include <math.h>
 
+#include "scene/method_table.h"
 #include "sim/simulation.h"
 
 /* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
@@ -115,7 +116,7 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
             f->density[e->strange], (unsigned long long)f->id[e->strange], at.x, at.y, sph2d__sim_where(sim, at, where),
             (unsigned long long)sim->record.steps, sim->record.time);
         sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
-                              sim->scene.method.name == SPH2D_METHOD_WCSPH
+                              !sph2d__method_row_of(&sim->scene.method)->summed_density
                                   ? "; method.shifting: 1 and method.tensile_control: on keep particles apart"
                                   : "; lower method.cfl");
         return false;
@@ -143,8 +144,7 @@ static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
                          "is wanted (step %llu, "
                          "time %g s)",
                          UNCONVERGED_STEPS, s->left, s->wanted, (unsigned long long)r->steps, r->time);
-    sph2d_diagnostic_hint(d, "raise method.max_iterations, or method.%s",
-                          sim->scene.method.name == SPH2D_METHOD_PCISPH ? "max_compression" : "tolerance");
+    sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s", sph2d__method_row_of(&sim->scene.method)->ended_by);
     return false;
 }
 

@@ -6,6 +6,7 @@
 #include "methods/common/state_equation.h"
 #include "methods/projection/projection.h"
 #include "methods/terms/tension.h"
+#include "scene/method_table.h"
 #include "sim/simulation.h"
 
 /* Compression is sampled every so many steps, and not within so many seconds after an impact. */
@@ -117,7 +118,7 @@ double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)
 
 bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
 {
-    return sim->system.method.name == SPH2D_METHOD_PCISPH;
+    return sph2d__method_row_of(&sim->system.method)->free_compression;
 }
 
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)

@@ -2,86 +2,93 @@
 /** @file check_method.c
  *  Which method has which feature, and periodic sides. */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "kernels/kernel.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
+#include "scene/method_table.h"
 #include "scene/resolve.h"
+#include "sph2d/key.h"
 
-/** The solvers, as bits. */
-enum { MULLER = 1, SYMMETRIC = 2, FITTED = 4, PCISPH = 8, CONSTRAINT = 16, PROJECTED = PCISPH | CONSTRAINT };
-
-static int solver_of(const sph2d_method_options *m)
+/** What to do about a feature that the scene's method does not have. */
+static void hint_at(const sph2d__checker *c, sph2d_diagnostic *d, sph2d_feature feature)
 {
-    if (m->name == SPH2D_METHOD_MULLER)
-        return MULLER;
-    if (m->name == SPH2D_METHOD_PCISPH)
-        return PCISPH;
-    if (m->name == SPH2D_METHOD_CONSTRAINT)
-        return CONSTRAINT;
-    return m->operators == SPH2D_OPERATORS_FITTED ? FITTED : SYMMETRIC;
+    const sph2d_method_info *other;
+    for (size_t k = 0; (other = sph2d_method_row(k)) && !sph2d_method_has(other, feature);)
+        ++k;
+    if (!other)
+        sph2d_diagnostic_hint(d, "leave it out");
+    else if (other->method == c->scene->method.name)
+        sph2d_diagnostic_hint(d, "leave it out, or take `operators: %s`",
+                              other->operators == SPH2D_OPERATORS_FITTED ? "fitted" : "symmetric");
+    else
+        sph2d_diagnostic_hint(d, "leave it out, or take `method: {name: %s}`", other->word);
 }
 
-static const char *solver_name(int solver)
+/** Refuses what is used and what only other methods have; without a hint of its own the table gives one. */
+static void refuse(sph2d__checker *c, const char *path, bool used, sph2d_feature feature, const char *hint)
 {
-    return solver == MULLER       ? "method muller"
-           : solver == PCISPH     ? "method pcisph"
-           : solver == CONSTRAINT ? "method constraint"
-           : solver == FITTED     ? "method wcsph with fitted operators"
-                                  : "method wcsph";
-}
-
-/** Refuses a feature that is used and that only other solvers have. */
-static void refuse(sph2d__checker *c, const char *path, bool used, int have, const char *hint)
-{
-    int solver = solver_of(&c->scene->method);
-    if (!used || (have & solver))
+    const sph2d_method_info *method = sph2d_method_of(&c->scene->method);
+    if (!used || sph2d_method_has(method, feature))
         return;
     char message[160];
-    snprintf(message, sizeof message, "%s does not have this", solver_name(solver));
+    snprintf(message, sizeof message, "method %s does not have this", method->name);
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, message);
-    sph2d_diagnostic_hint(d, "%s", hint);
+    if (hint)
+        sph2d_diagnostic_hint(d, "%s", hint);
+    else
+        hint_at(c, d, feature);
 }
 
-/** The options with the tolerance that they have by themselves. */
-static sph2d_method_options without_tolerance(sph2d_method_options m)
+/** Bytes of a key that is a word or a number. */
+static size_t size_of(const sph2d_key *key)
 {
-    m.tolerance = 0;
-    return sph2d__method_resolve(m);
+    return key->kind == SPH2D_KEY_WORD ? sizeof(int) : key->kind == SPH2D_KEY_COUNT ? sizeof(uint64_t) : sizeof(double);
+}
+
+/** Whether the options have another value of a key than by default, or than the method sets by itself. */
+static bool is_given(const sph2d_method_options *m, const sph2d_key *key)
+{
+    sph2d_method_options standard = sph2d_scene_default().method, without = *m;
+    memcpy((char *)&without + key->offset, (const char *)&standard + key->offset, size_of(key));
+    without = sph2d__method_resolve(without);
+    const char *value = (const char *)m + key->offset;
+    return memcmp(value, (const char *)&standard + key->offset, size_of(key)) != 0 &&
+           memcmp(value, (const char *)&without + key->offset, size_of(key)) != 0;
+}
+
+static const sph2d_keys *method_keys(void)
+{
+    const sph2d_keys *scene = sph2d_scene_keys();
+    for (size_t k = 0; k < scene->count; ++k)
+        if (scene->items[k].kind == SPH2D_KEY_GROUP && scene->items[k].offset == offsetof(sph2d_scene, method))
+            return scene->items[k].keys;
+    return NULL;
+}
+
+static void check_keys(sph2d__checker *c)
+{
+    const sph2d_method_options *m = &c->scene->method;
+    const sph2d_keys *keys = method_keys();
+    for (size_t k = 0; k < keys->count; ++k) {
+        const sph2d_key *key = &keys->items[k];
+        if (key->feature != SPH2D_FEATURE_NONE)
+            refuse(c, sph2d_feature_key(key->feature), is_given(m, key), key->feature, NULL);
+    }
 }
 
 static void check_options(sph2d__checker *c)
 {
-    const sph2d_method_options *m = &c->scene->method, standard = sph2d_scene_default().method;
-    const char *wcsph = "take `method: {name: wcsph}`", *symmetric = "leave it out, or take `operators: symmetric`";
-    bool other = m->name != SPH2D_METHOD_WCSPH;
-    const char *hint = other ? wcsph : symmetric;
-    refuse(c, "method.operators", other && m->operators != standard.operators, 0, wcsph);
-    refuse(c, "method.precision", m->precision != standard.precision, SYMMETRIC | FITTED, wcsph);
-    refuse(c, "method.kernel", m->kernel != standard.kernel, SYMMETRIC | PROJECTED, hint);
-    refuse(c, "method.state_equation", m->state_equation != standard.state_equation, SYMMETRIC | FITTED, wcsph);
-    refuse(c, "method.viscosity_form", m->viscosity_form != standard.viscosity_form, SYMMETRIC, hint);
-    refuse(c, "method.turbulence", m->turbulence != standard.turbulence, SYMMETRIC, hint);
-    refuse(c, "method.artificial_viscosity", m->artificial_viscosity != standard.artificial_viscosity,
-           MULLER | SYMMETRIC, hint);
-    refuse(c, "method.density_diffusion", m->density_diffusion != standard.density_diffusion, SYMMETRIC | FITTED,
-           wcsph);
-    refuse(c, "method.diffusion_form", m->diffusion_form != standard.diffusion_form, SYMMETRIC, hint);
-    refuse(c, "method.shifting", m->shifting != standard.shifting, SYMMETRIC | FITTED, wcsph);
-    refuse(c, "method.tensile_control", m->tensile_control != standard.tensile_control, SYMMETRIC, hint);
-    const char *projected = "leave it out, or take `method: {name: constraint}`";
-    const char *pcisph = "leave it out, or take `method: {name: pcisph}`";
-    refuse(c, "method.damping", m->damping != standard.damping, CONSTRAINT, projected);
-    bool named = m->tolerance != standard.tolerance && m->tolerance != without_tolerance(*m).tolerance;
-    refuse(c, "method.tolerance", named, CONSTRAINT, projected);
-    refuse(c, "method.criterion", m->criterion != standard.criterion, PCISPH, pcisph);
-    refuse(c, "method.min_iterations", m->min_iterations != standard.min_iterations, PCISPH, pcisph);
-    refuse(c, "method.max_iterations", m->max_iterations != standard.max_iterations, PROJECTED, projected);
-    refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, MULLER | SYMMETRIC | PROJECTED, hint);
-    refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SYMMETRIC | FITTED, wcsph);
+    const sph2d_method_options *m = &c->scene->method;
+    check_keys(c);
+    refuse(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, SPH2D_FEATURE_SURFACE_TENSION, NULL);
+    refuse(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SPH2D_FEATURE_WALL_SLIP, NULL);
     bool smooth = c->scene->wall_slip == SPH2D_SLIP_SMOOTH;
-    refuse(c, "wall_slip", smooth && !other, SYMMETRIC, "take `wall_slip: none`, or `operators: symmetric`");
+    if (sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_WALL_SLIP))
+        refuse(c, "wall_slip", smooth, SPH2D_FEATURE_SMOOTH_WALLS, "take `wall_slip: none`, or `operators: symmetric`");
     if (c->scene->slip_length != 0 && !smooth)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",
                            "has an effect on smooth walls alone; take wall_slip: smooth");
@@ -91,7 +98,8 @@ static void check_options(sph2d__checker *c)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
                            "has no effect on free-slip walls; take wall_slip: none or smooth");
     bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
-    if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS && solver_of(m) == SYMMETRIC &&
+    if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS &&
+        sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_DIFFUSION_FORM) &&
         (m->shifting > 0 || m->tensile_control == SPH2D_SWITCH_ON || eddies)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.diffusion_form",
                                                  "shifting, tensile control and eddies need the gradients of antuono");
@@ -125,8 +133,8 @@ static void check_fitted_support(sph2d__checker *c)
 {
     sph2d_method_options standard = c->scene->method;
     double cell = c->scene->fluid.density * sph2d__scene_derive(c->scene).speed * c->scene->spacing;
-    if (solver_of(&standard) != FITTED || !(standard.support_ratio > MOST_FITTED) ||
-        !(cell > MOST_CELL_REYNOLDS * c->scene->fluid.dynamic_viscosity))
+    if (standard.name != SPH2D_METHOD_WCSPH || standard.operators != SPH2D_OPERATORS_FITTED ||
+        !(standard.support_ratio > MOST_FITTED) || !(cell > MOST_CELL_REYNOLDS * c->scene->fluid.dynamic_viscosity))
         return;
     standard.support_ratio = 0;
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio",
@@ -139,7 +147,7 @@ static void check_support(sph2d__checker *c)
 {
     sph2d_method_options m = sph2d__method_resolve(c->scene->method), standard = c->scene->method;
     bool in_range = m.support_ratio >= 1.2 && m.support_ratio <= 6;
-    if (!(solver_of(&m) & PROJECTED) || !in_range || !(own_part(m.kernel, m.support_ratio) > MOST_OWN))
+    if (!sph2d__method_row_of(&m)->ended_by || !in_range || !(own_part(m.kernel, m.support_ratio) > MOST_OWN))
         return;
     char message[160];
     snprintf(message, sizeof message,
@@ -163,7 +171,7 @@ static void check_block_spacings(sph2d__checker *c)
     for (size_t i = 0; i < c->scene->block_count; ++i) {
         double spacing = c->scene->blocks[i].spacing;
         double density = spacing > 0 ? pow(c->scene->spacing / spacing, 2) : 1;
-        if (!(solver_of(&c->scene->method) & (SYMMETRIC | FITTED)) || fabs(density - 1) <= MOST_COMPRESSED)
+        if (sph2d__method_row_of(&c->scene->method)->summed_density || fabs(density - 1) <= MOST_COMPRESSED)
             continue;
         char message[160], path[SPH2D__PATH_SIZE];
         snprintf(message, sizeof message,
@@ -175,31 +183,24 @@ static void check_block_spacings(sph2d__checker *c)
     }
 }
 
-/** The walls' forms that a solver has. */
-static int solvers_with(sph2d_wall_form form)
+/** Refuses a form of walls that the method does not have. */
+static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form)
 {
-    switch (form) {
-    case SPH2D_WALL_SPRING:
-        return MULLER;
-    case SPH2D_WALL_HEAVY:
-        return MULLER | PROJECTED;
-    case SPH2D_WALL_GENERALISED:
-        return SYMMETRIC | FITTED | PROJECTED;
-    case SPH2D_WALL_REFLECT:
-    case SPH2D_WALL_DEFAULT:
-        break;
-    }
-    return MULLER | SYMMETRIC | FITTED | PROJECTED;
+    const sph2d_method_info *method = sph2d_method_of(&c->scene->method);
+    if (form == SPH2D_WALL_DEFAULT || (method->wall_forms >> form & 1))
+        return;
+    char message[160];
+    snprintf(message, sizeof message, "method %s does not have this", method->name);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, message);
+    sph2d_diagnostic_hint(d, "leave it out for the method's own form");
 }
 
 static void check_walls(sph2d__checker *c)
 {
-    const char *hint = "leave it out for the method's own form";
-    refuse(c, "walls", true, solvers_with(c->scene->walls), hint);
+    check_form(c, "walls", c->scene->walls);
     for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
         char path[SPH2D__PATH_SIZE];
-        refuse(c, sph2d__check_path(path, "obstacles", i, ".form"), true, solvers_with(c->scene->obstacles[i].form),
-               hint);
+        check_form(c, sph2d__check_path(path, "obstacles", i, ".form"), c->scene->obstacles[i].form);
     }
 }
 
@@ -212,14 +213,14 @@ static void check_room(sph2d__checker *c)
     static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
     bool walled = scene->obstacle_count > 0;
     for (int k = 0; k < 4; ++k) {
-        refuse(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, MULLER | SYMMETRIC | PROJECTED,
+        refuse(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, SPH2D_FEATURE_FREE_SURFACE,
                "liquid must fill its room: make the side a wall or periodic, or take `operators: symmetric`");
         walled |= sides[k] == SPH2D_SIDE_WALL;
     }
-    refuse(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, MULLER | SYMMETRIC | PROJECTED,
+    refuse(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
            "take `wall_slip: none`, or `operators: symmetric`");
-    refuse(c, "sources", scene->source_count > 0, MULLER | SYMMETRIC | PROJECTED, "take `operators: symmetric`");
-    refuse(c, "drains", scene->drain_count > 0, MULLER | SYMMETRIC | PROJECTED, "take `operators: symmetric`");
+    refuse(c, "sources", scene->source_count > 0, SPH2D_FEATURE_FREE_SURFACE, "take `operators: symmetric`");
+    refuse(c, "drains", scene->drain_count > 0, SPH2D_FEATURE_FREE_SURFACE, "take `operators: symmetric`");
 }
 
 static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char *path, double length)
@@ -230,7 +231,8 @@ static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char
         return;
     }
     double reach = sph2d__scene_reach(c->scene);
-    if (solver_of(&c->scene->method) == FITTED)
+    const sph2d_method_options *m = &c->scene->method;
+    if (m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_FITTED)
         reach += c->scene->spacing; /* as far as boundary particles are looked for */
     if (!periodic || length >= 3.001 * reach)
         return;

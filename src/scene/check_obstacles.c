@@ -7,6 +7,7 @@
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
+#include "scene/method_table.h"
 #include "scene/resolve.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
@@ -159,8 +160,7 @@ static blow hardest_blow(const sph2d_motion *m)
 static void check_blow(checker *c, size_t i)
 {
     sph2d_method_options m = sph2d__method_resolve(c->scene->method);
-    bool sound = m.name == SPH2D_METHOD_WCSPH || m.name == SPH2D_METHOD_MULLER;
-    double c0 = sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
+    double c0 = sph2d__method_row_of(&m)->sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
     blow hit = hardest_blow(&c->scene->obstacles[i].motion);
     if (!(hit.speed > m.max_compression * c0))
         return;

@@ -8,13 +8,12 @@
 
 #include "kernels/muller.h"
 #include "scene/basin.h"
+#include "scene/method_table.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
 /* A liquid that is released at its rest density swings to twice its static compression. */
 static const double OVERSHOOT = 2;
-/* The part of max_compression that liquid of method pcisph may have by its sound speed; the loop keeps the whole. */
-static const double SOFT_PART = 0.1;
 
 /** Largest distance of a block's corners from the centre of the central force. */
 static double farthest_liquid(const sph2d_scene *scene)
@@ -75,9 +74,9 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.height = g > 0 ? sph2d__basin_height(scene, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
-    d.soft_compression = (method.name == SPH2D_METHOD_PCISPH ? SOFT_PART : 1) * method.max_compression;
-    d.stiffness_part =
-        method.name == SPH2D_METHOD_MULLER ? sph2d__muller_stiffness(d.support_radius, scene->spacing) : 1;
+    const sph2d__method_row *row = sph2d__method_row_of(&method);
+    d.soft_compression = row->sound_compression * method.max_compression;
+    d.stiffness_part = row->stiffness_part ? row->stiffness_part(d.support_radius, scene->spacing) : 1;
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
         d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "sph2d/method.h"
+
 /* Each row: key(TYPE, member, name, kind, ...). The columns that a kind needs are set by the macros below. */
 #define AT(type, member) .offset = offsetof(type, member)
 #define ANY .min = -INFINITY, .max = INFINITY
@@ -321,7 +323,7 @@ static const sph2d_key fluid_items[] = {
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
      .standard = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
     {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
-     .standard = "0", .text = "of the free surface"},
+     .standard = "0", .feature = SPH2D_FEATURE_SURFACE_TENSION, .text = "of the free surface"},
 };
 KEYS(fluid, sph2d_fluid, NULL);
 
@@ -329,39 +331,43 @@ static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
      .standard = "wcsph", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
-     .standard = "symmetric",
-     .text = "wcsph: symmetric keep momentum; fitted are of second order where liquid fills "
+     .standard = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
+     .text = "symmetric keep momentum; fitted are of second order where liquid fills "
              "its room"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
-     .standard = "double", .text = "wcsph: mixed takes floats for what is summed over pairs"},
+     .standard = "double", .feature = SPH2D_FEATURE_PRECISION,
+     .text = "mixed takes floats for what is summed over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
-     .standard = "wendland_c2", .text = "wcsph with symmetric operators, pcisph, constraint: the smoothing kernel"},
+     .standard = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
-     .unit = "", .standard = "linear", .text = "wcsph: p = c0^2 (rho - rho0), or Tait's with power 7"},
+     .unit = "", .standard = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
+     .text = "p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
      .unit = "", .standard = "morris where a block fills a domain without open sides, else monaghan",
-     .text = "wcsph, symmetric operators: morris is exact in shear, monaghan at free surfaces, and keeps angular "
+     .feature = SPH2D_FEATURE_VISCOSITY_FORM,
+     .text = "morris is exact in shear, monaghan at free surfaces, and keeps angular "
              "momentum"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
-     .unit = "", .standard = "0.1", .text = "wcsph: delta; density diffuses with delta c0 H/2"},
+     .unit = "", .standard = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
+     .text = "delta; density diffuses with delta c0 H/2"},
     {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,
-     .unit = "", .standard = "antuono",
-     .text = "wcsph, symmetric operators: antuono is exact for linear density, fourtakas for liquid at rest; fastest "
+     .unit = "", .standard = "antuono", .feature = SPH2D_FEATURE_DIFFUSION_FORM,
+     .text = "antuono is exact for linear density, fourtakas for liquid at rest; fastest "
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .standard = "muller 0.1, else 0",
-     .text =
-         "wcsph, symmetric operators: alpha; adds the viscosity alpha c0 H/16. muller: viscosity is alpha rho c0 H at "
-         "least"},
+     .unit = "", .standard = "muller 0.1, else 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
+     .text = "alpha; wcsph adds the viscosity alpha c0 H/16, that of muller is alpha rho c0 H at least"},
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
      .standard = "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
                  "else smagorinsky",
-     .text = "wcsph, symmetric operators: smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
+     .feature = SPH2D_FEATURE_TURBULENCE,
+     .text = "smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
              "than the kernel, against what is not strained smoothly"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
-     .standard = "1", .text = "wcsph: strength of particle shifting over the standard one"},
+     .standard = "1", .feature = SPH2D_FEATURE_SHIFTING, .text = "strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
-     .unit = "", .standard = "on", .text = "wcsph, symmetric operators: keeps liquid under tension from tearing"},
+     .unit = "", .standard = "on", .feature = SPH2D_FEATURE_TENSILE_CONTROL,
+     .text = "keeps liquid under tension from tearing"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
      .unit = "", .standard = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
@@ -380,15 +386,16 @@ static const sph2d_key method_items[] = {
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .standard = "adaptive", .text = "a fixed step"},
     {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps", .standard = "2",
-     .text = "constraint: how fast a compression fades"},
+     .feature = SPH2D_FEATURE_DAMPING, .text = "how fast a compression fades"},
     {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
-     .standard = "max_compression/100", .text = "constraint: mean compression that a step may leave to correct"},
+     .standard = "max_compression/100", .feature = SPH2D_FEATURE_TOLERANCE,
+     .text = "mean compression that a step may leave to correct"},
     {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
-     .standard = "max", .text = "pcisph: which compression is kept below max_compression"},
+     .standard = "max", .feature = SPH2D_FEATURE_CRITERION, .text = "which compression is kept below max_compression"},
     {"min_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, min_iterations), BETWEEN(1, 100000), .unit = "",
-     .standard = "3", .text = "pcisph: least iterations of a step"},
+     .standard = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "least iterations of a step"},
     {"max_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, max_iterations), BETWEEN(1, 100000), .unit = "",
-     .standard = "1000", .text = "pcisph, constraint: most iterations of a step"},
+     .standard = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "most iterations of a step"},
 };
 KEYS(method, sph2d_method_options, NULL);
 
@@ -407,7 +414,8 @@ static const sph2d_key scene_items[] = {
     {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
      .standard = "muller spring, else generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
-     .standard = "free", .text = "generalised walls: free slides, none sticks, smooth rubs by the law of the wall"},
+     .standard = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
+     .text = "generalised walls: free slides, none sticks, smooth rubs by the law of the wall"},
     {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .standard = "0",
      .text = "smooth walls: how far behind them the velocity comes to theirs"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "methods/common/state_equation.h"
+#include "scene/method_table.h"
 #include "sim/simulation.h"
 
 /** Height of a place against gravity, over the origin [m]. */
@@ -60,7 +61,7 @@ sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, 
             return SPH2D_SCENE;
         f->vx[i] += vx;
         f->vy[i] += vy;
-        if (sim->scene.method.name != SPH2D_METHOD_WCSPH)
+        if (sph2d__method_row_of(&sim->scene.method)->summed_density)
             continue;
         f->density[i] = sph2d__density_of(&sim->system, pressure);
         if (flow->kind == SPH2D_FLOW_STILL || flow->kind == SPH2D_FLOW_STANDING_WAVE)

@@ -41,8 +41,8 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
 /** e: the elastic energy of a kilogram [J/kg]. */
 static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
-    if (s->method.name == SPH2D_METHOD_MULLER) {
-        double x = fmax(density / s->rest_density, 1); /* no tension */
+    if (s->modulus > 0) { /* density is a sum: no tension */
+        double x = fmax(density / s->rest_density, 1);
         return s->modulus * (log(x) + 1 / x - 1);
     }
     double torn = sph2d__density_of(s, -s->tension);

@@ -8,6 +8,7 @@
 #include "kernels/kernel.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
+#include "scene/method_table.h"
 #include "simd/lanes.h"
 
 /** Pairs of a particle in a filled lattice, half as many again for disorder, and walls. */
@@ -173,7 +174,7 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
 double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
 {
     double c2 = s->sound_speed * s->sound_speed, held = s->fluid.density[i] / s->rest_density - 1;
-    double unknown = s->method.name == SPH2D_METHOD_PCISPH ? s->method.max_compression : 0;
+    double unknown = sph2d__method_row_of(&s->method)->free_compression ? s->method.max_compression : 0;
     if (pressed)
         held = fmin(held, s->fluid.pressure[i] / (s->rest_density * c2));
     return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/** @file method.h
+ *  The table of methods: what each is for, its defaults, which keys and walls it has. The resolver of defaults, the
+ *  checker, `sph2d help methods` and the guards read it, so a new method is one new row (and its forces). */
+#ifndef SPH2D_METHOD_H
+#define SPH2D_METHOD_H
+
+#include "sph2d/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What not every method has: name, and the key of a scene that asks for it. */
+#define SPH2D_FEATURE_MAP(X)                                                                                           \
+    X(OPERATORS, "method.operators")                                                                                   \
+    X(PRECISION, "method.precision")                                                                                   \
+    X(KERNEL, "method.kernel")                                                                                         \
+    X(STATE_EQUATION, "method.state_equation")                                                                         \
+    X(VISCOSITY_FORM, "method.viscosity_form")                                                                         \
+    X(TURBULENCE, "method.turbulence")                                                                                 \
+    X(ARTIFICIAL_VISCOSITY, "method.artificial_viscosity")                                                             \
+    X(DENSITY_DIFFUSION, "method.density_diffusion")                                                                   \
+    X(DIFFUSION_FORM, "method.diffusion_form")                                                                         \
+    X(SHIFTING, "method.shifting")                                                                                     \
+    X(TENSILE_CONTROL, "method.tensile_control")                                                                       \
+    X(DAMPING, "method.damping")                                                                                       \
+    X(TOLERANCE, "method.tolerance")                                                                                   \
+    X(CRITERION, "method.criterion")                                                                                   \
+    X(MIN_ITERATIONS, "method.min_iterations")                                                                         \
+    X(MAX_ITERATIONS, "method.max_iterations")                                                                         \
+    X(SURFACE_TENSION, "fluid.surface_tension")                                                                        \
+    X(WALL_SLIP, "wall_slip")                                                                                          \
+    X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
+    X(FREE_SURFACE, "open sides, sources and drains")
+
+typedef enum sph2d_feature {
+    SPH2D_FEATURE_NONE = 0, /**< of a key that all methods have */
+#define SPH2D__FEATURE_ENUM(name, key) SPH2D_FEATURE_##name,
+    SPH2D_FEATURE_MAP(SPH2D__FEATURE_ENUM)
+#undef SPH2D__FEATURE_ENUM
+} sph2d_feature;
+
+/** A method. One with several operators has a row for each of them. */
+typedef struct sph2d_method_info {
+    sph2d_method method;
+    sph2d_operators operators; /**< that the row is for */
+    const char *word;          /**< of scene files: "wcsph" */
+    const char *name;          /**< "wcsph with fitted operators" */
+    const char *use;           /**< when to take it: one sentence */
+    const char *scheme;        /**< how density and pressure come about */
+    const char *source;        /**< papers */
+    double support_ratio;      /**< H/dx by default, of kernel wendland_c2 */
+    double max_compression;    /**< by default */
+    uint32_t features;         /**< bits 1 << sph2d_feature */
+    uint32_t wall_forms;       /**< bits 1 << sph2d_wall_form */
+} sph2d_method_info;
+
+/** Row `index` of the table, those to take first in front; NULL behind the last. Static storage. */
+SPH2D_API const sph2d_method_info *sph2d_method_row(size_t index);
+
+/** The row of a scene's method; the first one for a number that is none. Never NULL. */
+SPH2D_API const sph2d_method_info *sph2d_method_of(const sph2d_method_options *options);
+
+/** Whether it has a feature; all have SPH2D_FEATURE_NONE. */
+SPH2D_API bool sph2d_method_has(const sph2d_method_info *method, sph2d_feature feature);
+
+/** The key that asks for a feature, "method.kernel". Static storage; NULL for none. */
+SPH2D_API const char *sph2d_feature_key(sph2d_feature feature);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/** @file method_table.c
+ *  The table of methods. */
+#include "scene/method_table.h"
+
+#include "kernels/muller.h"
+
+#define HAS(feature) (UINT32_C(1) << SPH2D_FEATURE_##feature)
+#define WALL(form) (UINT32_C(1) << SPH2D_WALL_##form)
+
+/** H/dx of pcisph and constraint. Kernels that fall off faster reach farther, so that all are as wide, by the standard
+ *  deviation (H over it: Dehnen & Aly 2012, table 1), as Wendland's C2 at 2.4: sums of narrower ones tell a lattice
+ *  that is strained to 1:2 to be 7 to 13 % denser than it is, so that liquid swells; these 2 to 3 %. */
+static double projected_support(sph2d_kernel kernel)
+{
+    switch (kernel) {
+    case SPH2D_KERNEL_WENDLAND_C4:
+    case SPH2D_KERNEL_QUINTIC:
+        return 2.75;
+    case SPH2D_KERNEL_WENDLAND_C6:
+        return 3.05;
+    case SPH2D_KERNEL_WENDLAND_C2:
+    case SPH2D_KERNEL_CUBIC:
+        break;
+    }
+    return 2.4;
+}
+
+/* Guards: densities that integrated ones never have in a sound run. Sums over places have no lower bound, and the upper
+ * one is of liquid that collapses into a point. Energy: fifteen times what sound scenes do. */
+#define INTEGRATED_DENSITY .thinnest = 0.2, .densest = 5, .energy_rise = 0.1
+#define SUMMED_DENSITY .summed_density = true, .thinnest = 0, .densest = 20, .energy_rise = 0.1
+
+/* What pcisph and constraint share. */
+#define PROJECTED                                                                                                      \
+    .support_of_kernel = projected_support, .cfl = 0.4, .cfl_by_spacing = true, .side_form = SPH2D_WALL_GENERALISED,   \
+    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .calmed_by = "a smaller method.cfl"
+
+static const sph2d__method_row rows[] = {
+    {.info = {.method = SPH2D_METHOD_WCSPH,
+              .operators = SPH2D_OPERATORS_SYMMETRIC,
+              .word = "wcsph",
+              .name = "wcsph with symmetric operators",
+              .use = "water with a free surface, by default: pressures and waves with an error that is known",
+              .scheme = "density by the continuity equation with diffusion, pressure by an equation of state",
+              .source = "Molteni & Colagrossi 2009; Antuono et al. 2010; Sun et al. 2017, 2019; Adami et al. 2012",
+              .support_ratio = 3,
+              .max_compression = 0.01,
+              .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(KERNEL) | HAS(STATE_EQUATION) | HAS(VISCOSITY_FORM) |
+                          HAS(TURBULENCE) | HAS(ARTIFICIAL_VISCOSITY) | HAS(DENSITY_DIFFUSION) | HAS(DIFFUSION_FORM) |
+                          HAS(SHIFTING) | HAS(TENSILE_CONTROL) | HAS(SURFACE_TENSION) | HAS(WALL_SLIP) |
+                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE),
+              .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
+     .cfl = 0.3,
+     .side_form = SPH2D_WALL_GENERALISED,
+     .obstacle_form = SPH2D_WALL_GENERALISED,
+     .sound = true,
+     .sound_compression = 1,
+     .calmed_by = "method.artificial_viscosity: 0.05",
+     INTEGRATED_DENSITY},
+    {.info = {.method = SPH2D_METHOD_WCSPH,
+              .operators = SPH2D_OPERATORS_FITTED,
+              .word = "wcsph",
+              .name = "wcsph with fitted operators",
+              .use = "liquid that fills a closed or periodic domain: of second order",
+              .scheme = "quadratic least-squares derivatives, Adams and Bashforth's third order in time",
+              .source = "Lancaster & Salkauskas 1981; Lind et al. 2012; Sun et al. 2019",
+              .support_ratio = 2.5,
+              .max_compression = 0.01,
+              .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) |
+                          HAS(SHIFTING) | HAS(WALL_SLIP),
+              .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
+     .cfl = 0.25,
+     .side_form = SPH2D_WALL_GENERALISED,
+     .obstacle_form = SPH2D_WALL_GENERALISED,
+     .sound = true,
+     .sound_compression = 1,
+     .calmed_by = "more fluid.dynamic_viscosity",
+     INTEGRATED_DENSITY},
+    {.info = {.method = SPH2D_METHOD_CONSTRAINT,
+              .word = "constraint",
+              .name = "constraint",
+              .use = "stiff liquid at large steps: pictures in a fraction of the time of wcsph",
+              .scheme = "density kept by constraints, pressure by conjugate gradients",
+              .source = "Bodin, Lacoursiere & Servin 2011",
+              .support_ratio = 2.4,
+              .max_compression = 0.01,
+              .features = HAS(KERNEL) | HAS(DAMPING) | HAS(TOLERANCE) | HAS(MAX_ITERATIONS) | HAS(SURFACE_TENSION) |
+                          HAS(FREE_SURFACE),
+              .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
+     .sound_compression = 1,
+     .ended_by = "method.tolerance",
+     PROJECTED},
+    {.info = {.method = SPH2D_METHOD_PCISPH,
+              .word = "pcisph",
+              .name = "pcisph",
+              .use = "the same by prediction and correction: no matrix, for comparisons with the literature",
+              .scheme = "density kept by pressures that are corrected until it is",
+              .source = "Solenthaler & Pajarola 2009",
+              .support_ratio = 2.4,
+              .max_compression = 0.01,
+              .features = HAS(KERNEL) | HAS(CRITERION) | HAS(MIN_ITERATIONS) | HAS(MAX_ITERATIONS) |
+                          HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+              .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
+     .free_compression = true,
+     .sound_compression = 0.1, /* the loop keeps the whole */
+     .ended_by = "method.max_compression",
+     PROJECTED},
+    {.info = {.method = SPH2D_METHOD_MULLER,
+              .word = "muller",
+              .name = "muller",
+              .use = "soft liquid in real time: splashes that look right, with compressions of per cents",
+              .scheme = "density as a sum, p = c0^2 (rho - rho0), leapfrog",
+              .source = "Mueller, Charypar & Gross 2003, with two-dimensional kernel constants",
+              .support_ratio = 2,
+              .max_compression = 0.1,
+              .features = HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+              .wall_forms = WALL(SPRING) | WALL(HEAVY) | WALL(REFLECT)},
+     .cfl = 0.4,
+     .artificial_viscosity = 0.1,
+     .side_form = SPH2D_WALL_SPRING,
+     .obstacle_form = SPH2D_WALL_HEAVY,
+     .sound = true,
+     .sound_compression = 1,
+     .stiffness_part = sph2d__muller_stiffness,
+     .calmed_by = "more fluid.dynamic_viscosity",
+     SUMMED_DENSITY},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+const sph2d__method_row *sph2d__method_row_of(const sph2d_method_options *options)
+{
+    const sph2d__method_row *found = NULL;
+    for (size_t k = 0; k < ROWS; ++k)
+        if (rows[k].info.method == options->name && (!found || rows[k].info.operators == options->operators))
+            found = &rows[k];
+    return found ? found : &rows[0];
+}
+
+const sph2d_method_info *sph2d_method_row(size_t index)
+{
+    return index < ROWS ? &rows[index].info : NULL;
+}
+
+const sph2d_method_info *sph2d_method_of(const sph2d_method_options *options)
+{
+    return &sph2d__method_row_of(options)->info;
+}
+
+bool sph2d_method_has(const sph2d_method_info *method, sph2d_feature feature)
+{
+    return feature == SPH2D_FEATURE_NONE || (method->features >> feature & 1);
+}
+
+const char *sph2d_feature_key(sph2d_feature feature)
+{
+    switch (feature) {
+    case SPH2D_FEATURE_NONE:
+        break;
+#define KEY(name, key)                                                                                                 \
+    case SPH2D_FEATURE_##name:                                                                                         \
+        return key;
+        SPH2D_FEATURE_MAP(KEY)
+#undef KEY
+    }
+    return NULL;
+}
