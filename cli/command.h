@@ -18,7 +18,7 @@
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
     X(info, INFO, "FILE...", "tell what a snapshot holds")                                                             \
     X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
-    X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene")
+    X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene, materials, methods")
 
 /** A bit for each command, so that an option can name the commands that take it. */
 enum {

@@ -13,20 +13,6 @@
 #include "message.h"
 #include "text.h"
 
-const cli_command commands[CLI_COMMAND_COUNT] = {
-#define COMMAND_ROW(name, NAME, operands, text) {#name, operands, text, CLI_##NAME, command_##name},
-    CLI_COMMAND_MAP(COMMAND_ROW)
-#undef COMMAND_ROW
-};
-
-const cli_command *command_find(const char *name)
-{
-    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
-        if (strcmp(commands[i].name, name) == 0)
-            return &commands[i];
-    return NULL;
-}
-
 /* A standard stream that was closed leaves its number to the first file that is opened, and our messages would go into
  * that. So the number is taken, in a way that every write to it fails and is noticed. */
 static void hold_standard_streams(void)

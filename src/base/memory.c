@@ -7,11 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/team.h"
-
 enum { ALIGNMENT = 64 };
-/** Bytes that are worth a thread. */
-enum { LARGE = 1 << 21 };
 
 /** realloc with alignment: C has aligned_alloc but nothing that resizes. */
 static void *resize_aligned(void *user, void *block, size_t old_size, size_t new_size)
@@ -38,16 +34,12 @@ sph2d__memory sph2d__memory_from(sph2d_allocator allocator)
     return (sph2d__memory){.allocator = allocator};
 }
 
-static void clear_part(void *block, size_t first, size_t last)
+static void clear(const sph2d__memory *memory, char *block, size_t size)
 {
-    memset((char *)block + first, 0, last - first);
-}
-
-/** Zeroes what is new in a block. A page comes to lie near the processor that writes to it first, so threads take about
- *  the shares of a large block that they take of the particles later. */
-static void clear(char *block, size_t size, sph2d__team *team)
-{
-    sph2d__share(team, size, LARGE, clear_part, block);
+    if (memory->clear)
+        memory->clear(memory->helper, block, size);
+    else
+        memset(block, 0, size);
 }
 
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size)
@@ -62,7 +54,7 @@ bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t
     if (!fresh && new_size > 0)
         return false;
     if (new_size > old_size)
-        clear((char *)fresh + old_size, new_size - old_size, memory->team);
+        clear(memory, (char *)fresh + old_size, new_size - old_size);
     *block = fresh;
     memory->bytes += new_size - old_size;
     return true;

@@ -9,12 +9,12 @@
 
 #include "sph2d/sim.h"
 
-typedef struct sph2d__team sph2d__team; /**< team.h */
-
 typedef struct sph2d__memory {
     sph2d_allocator allocator;
-    size_t bytes;      /**< allocated now */
-    sph2d__team *team; /**< that shares the zeroing of large blocks (team.h); NULL: none */
+    size_t bytes; /**< allocated now */
+    /** Zeroes a new part of a block with the help of several threads (team.h); NULL: this one does it alone. */
+    void (*clear)(void *helper, char *block, size_t size);
+    void *helper;
 } sph2d__memory;
 
 /** The C library's allocator where `allocator` is {NULL, NULL}. */

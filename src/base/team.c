@@ -17,6 +17,7 @@
 #include <signal.h>
 #include <stdalign.h>
 #include <stdatomic.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -357,4 +358,23 @@ void sph2d__team_end(sph2d__team *team)
 {
     if (team && team->started > 1)
         team->now = sph2d__pace_note(&team->pace, team->parts, 1e-9 * (double)(now() - team->begun));
+}
+
+/* Bytes that are worth a thread. */
+enum { LARGE = 1 << 21 };
+
+static void clear_part(void *block, size_t first, size_t last)
+{
+    memset((char *)block + first, 0, last - first);
+}
+
+static void clear(void *team, char *block, size_t size)
+{
+    sph2d__share(team, size, LARGE, clear_part, block);
+}
+
+void sph2d__team_clears(sph2d__team *team, sph2d__memory *memory)
+{
+    memory->clear = team ? clear : NULL;
+    memory->helper = team;
 }

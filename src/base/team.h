@@ -15,6 +15,8 @@
 
 #include "base/memory.h"
 
+typedef struct sph2d__team sph2d__team;
+
 /** Particles that make a part of a loop which does little to each: some microseconds of work. Loops over pairs take
  *  slabs (particles/neighbours.h). */
 enum { SPH2D__GRAIN = 2048 };
@@ -28,6 +30,10 @@ sph2d__team *sph2d__team_create(sph2d__memory *memory, int limit);
 /** Ends the helpers and frees the team; NULL is fine. In a process that was forked off, where there are no helpers, it
  *  frees alone. */
 void sph2d__team_destroy(sph2d__team *team, sph2d__memory *memory);
+
+/** Lets a team zero large blocks of memory, so that a page comes to lie near the processor that writes to it first:
+ *  threads take about the shares of a block that they take of the particles later. NULL: nobody helps. */
+void sph2d__team_clears(sph2d__team *team, sph2d__memory *memory);
 
 /** The most threads; 1 for NULL. */
 int sph2d__team_limit(const sph2d__team *team);

@@ -5,16 +5,6 @@
 
 #include "probes/probes.h"
 
-sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim)
-{
-    const sph2d_scene *scene = &sim->scene;
-    return (sph2d_flow_context){.density = scene->fluid.density,
-                                .dynamic_viscosity = scene->fluid.dynamic_viscosity,
-                                .surface_tension = scene->fluid.surface_tension,
-                                .gravity = {scene->gravity.x, scene->gravity.y},
-                                .central_rate = scene->central_force.rate};
-}
-
 static const sph2d_flow *flow_of(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->block_count; ++i)

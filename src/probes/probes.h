@@ -21,4 +21,11 @@ sph2d__probe_kind sph2d__probe_quality;
 double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe);
 double sph2d__gauge_shown(const sph2d_sim *sim, size_t index);
 
+/** The ranges of liquid around a place, which is brought into the period; false where no particle is within reach. */
+bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges);
+
+/** Lets gauges that take time show the pressure at the start, and follow it over a step of length dt (gauge.c). */
+void sph2d__sim_start_gauges(sph2d_sim *sim);
+void sph2d__sim_read_gauges(sph2d_sim *sim, double dt);
+
 #endif

@@ -3,7 +3,6 @@
  *  A probe of how well the particles represent the liquid: how evenly they lie, how constant their density is. */
 #include <math.h>
 
-#include "probes/coverage.h"
 #include "probes/probes.h"
 
 /* Bins of distances from 0 to the support radius. */

@@ -13,7 +13,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
-#include "sim/simulation.h"
+#include "probes/probes.h"
 
 /* Terms of the quadratic, linear and constant polynomial; velocity, pressure and density. */
 enum { QUADRATIC = 6, LINEAR = 3, CONSTANT = 1, TERMS = QUADRATIC, FIELDS = 4 };

@@ -3,12 +3,15 @@
  *  Making a simulation, new or from a state, and freeing it. */
 #include <math.h>
 
+#include "probes/probes.h"
+#include "run/run.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
 #include "sim/stages.h"
 #include "simd/isa.h"
+#include "start/start.h"
 
 sph2d_sim_options sph2d_sim_options_default(void)
 {
@@ -103,7 +106,8 @@ static sph2d_status gather_team(sph2d_sim *sim, int threads)
     int limit = threads > 0 ? threads : sph2d__team_processors();
     if (limit == 1)
         return SPH2D_OK;
-    sim->system.team = sim->memory.team = sph2d__team_create(&sim->memory, limit);
+    sim->system.team = sph2d__team_create(&sim->memory, limit);
+    sph2d__team_clears(sim->system.team, &sim->memory);
     return sim->system.team ? SPH2D_OK : SPH2D_NOMEM;
 }
 

@@ -21,9 +21,8 @@
  *  is below 0 it dissipated. Where pressures gave more than they took it is not booked, and stays in the error. */
 #include <math.h>
 
-#include "base/pi.h"
+#include "run/run.h"
 #include "scene/method_table.h"
-#include "sim/simulation.h"
 
 /** How much denser than the rest the scene's blocks start, where density is a sum; 1 at least. */
 static double start_of(const sph2d_sim *sim)
@@ -41,24 +40,6 @@ sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
     double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
     return (sph2d__bounds){row->thinnest * rest, row->densest * rest * start_of(sim),
                            rise > 0 ? rise : row->energy_rise};
-}
-
-double sph2d__sim_energy_scale(const sph2d_sim *sim)
-{
-    const sph2d__system *s = &sim->system;
-    const sph2d__record *r = &sim->record;
-    uint64_t all = s->fluid.count + r->drained + r->left_left + r->left_right + r->left_bottom + r->left_top;
-    double n = (double)all, area = n * s->spacing * s->spacing;
-    return s->mass * n * s->head / 2 + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
-}
-
-/* A particle's share of the scale has so many parts. */
-static const double PARTS = 4e9;
-
-double sph2d__sim_energy_part(const sph2d_sim *sim)
-{
-    const sph2d__system *s = &sim->system;
-    return s->mass * (s->head > 0 ? s->head : 1) / PARTS;
 }
 
 /* In so many steps liquid expands that starts compressed, by particles that are too near to each other or to walls.

@@ -3,8 +3,8 @@
  *  What a step looks at when it is done: guards, extremes, the length of the next step. */
 #include <math.h>
 
+#include "run/run.h"
 #include "scene/method_table.h"
-#include "sim/simulation.h"
 
 /* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
 static const double STEP_GROWTH = 1.2;

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "run/run.h"
 #include "scene/derive.h"
-#include "sim/simulation.h"
 
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {

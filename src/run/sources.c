@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
+#include "run/run.h"
 #include "scene/derive.h"
 #include "sim/stages.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/simulation.h"
+#include "run/run.h"
 #include "simd/isa.h"
 #include "sph2d/field.h"
 

@@ -2,6 +2,8 @@
 /** @file step.c
  *  One step: sources and drains, the method's scheme, the clock, the guards. */
 #include "probes/coverage.h"
+#include "probes/probes.h"
+#include "run/run.h"
 #include "sim/stages.h"
 
 static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)

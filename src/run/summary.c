@@ -3,38 +3,11 @@
  *  What a run sums up: compression, energy, momentum, counts. */
 #include <math.h>
 
-#include "methods/common/state_equation.h"
-#include "methods/projection/projection.h"
-#include "methods/terms/tension.h"
-#include "scene/method_table.h"
-#include "sim/simulation.h"
+#include "run/run.h"
 
 /* Compression is sampled every so many steps, and not within so many seconds after an impact. */
 enum { SAMPLE_STEPS = 10, BINS = 2048 };
 static const double IMPACT_WINDOW = 0.05;
-
-/** Potential over mass of a spring at `distance`. */
-static double spring_energy(const sph2d__spring_walls *w, double distance)
-{
-    double depth = w->range - distance;
-    return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
-}
-
-/* Gravity along a period has no potential: its work is booked (work.c). */
-double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
-{
-    sph2d_vec2 corner = sim->scene.domain.min;
-    const sph2d__body *body = &sim->system.body;
-    const sph2d__spring_walls *w = &body->springs;
-    const sph2d__period *p = &sim->system.fluid_cells.period;
-    double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
-    double rx = x - body->center_x, ry = y - body->center_y;
-    double potential = -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
-    if (w->stiffness > 0)
-        potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
-                     spring_energy(w, w->top - y);
-    return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
-}
 
 static bool in_impact(const sph2d_sim *sim)
 {
@@ -107,39 +80,6 @@ static double mean_neighbours(const sph2d__system *s)
         }
     }
     return f->count > 0 ? (double)pairs / (double)f->count : 0;
-}
-
-double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)
-{
-    if (sim->method->integrator == SPH2D__PROJECTED)
-        return sph2d__projection_elastic(&sim->system, i, sim->record.steps > 0);
-    return sph2d__elastic_of(&sim->system, sim->system.fluid.density[i]);
-}
-
-bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
-{
-    return sph2d__method_row_of(&sim->system.method)->free_compression;
-}
-
-void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
-    for (size_t i = 0; i < f->count; ++i) {
-        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
-        kinetic += v2 / 2;
-        total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-        squeezed += sph2d__sim_elastic_of(sim, i);
-        px += f->vx[i];
-        py += f->vy[i];
-        speed2 = v2 > speed2 ? v2 : speed2;
-    }
-    out->kinetic = m * kinetic;
-    out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
-    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * squeezed, sim->record.energy_elastic) : m * squeezed;
-    out->momentum[0] = m * px;
-    out->momentum[1] = m * py;
-    out->speed_max = sqrt(speed2);
 }
 
 sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)

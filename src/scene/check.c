@@ -14,31 +14,8 @@
 
 /* Smallest spacing over the largest coordinate: three digits are left for the distance between neighbours. */
 static const double FINENESS = 1e-13;
-/* Corners of a polygon: the search for crossings compares every side with every other. */
-enum { PATH_SIZE = SPH2D__PATH_SIZE, MAX_CORNERS = 10000 };
+enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
-
-sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
-{
-    ++c->errors;
-    return sph2d_report_add(c->report, SPH2D_ERROR, code, path, "%s", message);
-}
-
-const char *sph2d__check_path(char path[PATH_SIZE], const char *list, size_t index, const char *rest)
-{
-    snprintf(path, PATH_SIZE, "%s[%zu]%s", list, index, rest);
-    return path;
-}
-
-bool sph2d__check_box(checker *c, sph2d_box box, const char *path)
-{
-    if (box.min.x < box.max.x && box.min.y < box.max.y)
-        return true;
-    sph2d_diagnostic *d =
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "max must be above min in both directions");
-    sph2d_diagnostic_hint(d, "min is (%g, %g), max is (%g, %g)", box.min.x, box.min.y, box.max.x, box.max.y);
-    return false;
-}
 
 /** Whether numbers are fine enough for the spacing at the domain's coordinates. */
 static bool check_frame(checker *c)
@@ -51,38 +28,6 @@ static bool check_frame(checker *c)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is too small for coordinates so far from 0");
     sph2d_diagnostic_hint(d1, "move the domain: spacing must be at least %g of its largest coordinate", FINENESS);
     return false;
-}
-
-bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p)
-{
-    double slack = 1e-9 * scene->spacing;
-    sph2d_box d = scene->domain;
-    return p.x >= d.min.x - slack && p.x <= d.max.x + slack && p.y >= d.min.y - slack && p.y <= d.max.y + slack;
-}
-
-void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p)
-{
-    sph2d_box b = c->scene->domain;
-    char message[160];
-    snprintf(message, sizeof message, "(%g, %g) lies outside the domain", p.x, p.y);
-    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, path, message);
-    sph2d_diagnostic_hint(d, "the domain reaches from (%g, %g) to (%g, %g)", b.min.x, b.min.y, b.max.x, b.max.y);
-}
-
-bool sph2d__check_polygon(checker *c, sph2d_points corners, const char *path)
-{
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = corners};
-    if (corners.count < 3 || !(sph2d__shape_area(&shape) > 0)) {
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                           "a polygon needs 3 corners or more that are not on one line");
-        return false;
-    }
-    if (corners.count > MAX_CORNERS || sph2d__polygon_crosses_itself(corners)) {
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                           "a polygon must not cross or touch itself, and has 10000 corners at most");
-        return false;
-    }
-    return true;
 }
 
 /** A shape is given, sound, and (if wanted) inside the domain. */

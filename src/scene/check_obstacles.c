@@ -40,15 +40,6 @@ static double domain_diagonal(const sph2d_scene *scene)
     return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
 }
 
-void sph2d__check_way(checker *c, sph2d_path way, const char *path)
-{
-    for (size_t k = 1; k < way.count; ++k)
-        if (!(way.items[k].t > way.items[k - 1].t)) {
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
-            break;
-        }
-}
-
 static void check_obstacle(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];

@@ -6,7 +6,6 @@
 
 #include <math.h>
 
-#include "kernels/muller.h"
 #include "scene/basin.h"
 #include "scene/method_table.h"
 #include "scene/resolve.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file simulation.h
- *  What is inside an sph2d_sim. */
+ *  What is inside an sph2d_sim, and what its methods, its start, its probes and its run share. */
 #ifndef SPH2D_SIM_SIMULATION_H
 #define SPH2D_SIM_SIMULATION_H
 
@@ -53,24 +53,12 @@ sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time);
 /** Tells moving obstacles over which time the next drift goes. */
 void sph2d__sim_window(sph2d_sim *sim, double from, double to);
 
-/** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
- *  compression; from them the length of the next step. False when a guard fires. */
-bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
-/** Fastest block at the start [m/s], without known flows, which start as they would go on. */
-double sph2d__sim_start_speed(const sph2d_sim *sim);
-/** The next step over the one that speed and sound allow: less than 1 for the first step of liquid whose density is
- *  integrated and that starts in motion against a wall or other liquid. */
-double sph2d__sim_step_part(const sph2d_sim *sim);
-
 /** What a known flow needs to know of the scene. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 
 /** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is told [J/m]. */
 double sph2d__sim_energy_scale(const sph2d_sim *sim);
 
-/** Books work and dissipation from time to time, and how far energy rises above an earlier moment (energy.c). Errors:
- *  SPH2D_NOMEM. */
-sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim);
 /** Energy that a particle would have lost on its way, in parts of which whole ones are counted: their sum is the same
  *  for any number of threads [J/m]. */
 double sph2d__sim_energy_part(const sph2d_sim *sim);
@@ -81,16 +69,6 @@ const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 place, char text[S
 
 /** How far an obstacle of the scene has moved, at the end of the last step [m]. */
 sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
-
-/** Densities that liquid may have by the method [kg/m^3], and the part of the scene's energy scale by which energy may
- *  rise. */
-typedef struct sph2d__bounds {
-    double thinnest, densest, rise;
-} sph2d__bounds;
-sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim);
-
-/** False, reported, when energy came from nothing. */
-bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
 
 /** Whether work and dissipation are looked at when so many steps are done. */
 bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps);
@@ -120,61 +98,5 @@ bool sph2d__sim_elastic_falls(const sph2d_sim *sim);
 
 /** Sums energy and momentum over the fluid, and finds the largest speed, into those members of a summary. */
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out);
-
-/** Samples the compression when the step count says so. */
-void sph2d__sim_sample(sph2d_sim *sim);
-
-/** The ranges of liquid around a place, which is brought into the period; false where no particle is within reach. */
-bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges);
-
-/** Lets gauges that take time show the pressure at the start, and follow it over a step of length dt (gauge.c). */
-void sph2d__sim_start_gauges(sph2d_sim *sim);
-void sph2d__sim_read_gauges(sph2d_sim *sim, double dt);
-
-/** Fills the plan from a simulation that is ready to step. */
-void sph2d__sim_make_plan(sph2d_sim *sim);
-
-/** Feeds and drains at the present moment, before a step. Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__sim_feed(sph2d_sim *sim);
-sph2d_status sph2d__sim_drain(sph2d_sim *sim);
-
-/** Whether so many particles are more than this machine's memory holds or a 32-bit index can name; then it is reported
- *  at `path`. */
-bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report);
-
-/** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
-sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
-/** Places the layers of a generalised wall: along an obstacle, whose back goes into its barrier, and around the sides
- *  of the domain that are walls. The same errors. */
-sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
-                                     sph2d_report *report);
-sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
-/** Places the particles of one block, and of all with the single ones. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
-sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report);
-sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
-
-/** What an obstacle does to a place: leaves it free, encloses it, has it within the distance that it keeps free behind
- *  its own layers, or without layers. */
-typedef enum sph2d__taken { SPH2D__FREE, SPH2D__ENCLOSED, SPH2D__BESIDE_LAYERS, SPH2D__BESIDE_LINE } sph2d__taken;
-
-/** What the obstacles do to a place, or to one of its images beyond periodic sides: the last of the above that one of
- *  them does. They keep `part` of their distance free. */
-sph2d__taken sph2d__sim_taken(const sph2d_sim *sim, sph2d_vec2 p, double part);
-
-/** Faults of placed particles. Block `index`, whose particles start at `first`, against those before it; particles in
- *  one place, ids from `first` on being those of single ones; liquid in the layers of an obstacle, both once the cells
- *  are built; that single particle k cannot be where it is. Errors: SPH2D_SCENE. */
-sph2d_status sph2d__sim_check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
-sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report);
-sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report);
-sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report);
-
-/** Gives the particles of a block, from `first` on, the velocity and pressure of the flow that it starts with. Errors:
- *  SPH2D_SCENE. */
-sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
-
-/** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM.
- */
-sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);
 
 #endif

@@ -2,6 +2,7 @@
 /** @file packing.c
  *  Places for as many particles as an area holds. One thread: it is done once, and few places move. */
 #include "start/packing.h"
+#include "start/start.h"
 
 #include <math.h>
 
@@ -35,36 +36,6 @@ static void choose(sph2d__packer *p, size_t i, size_t j, size_t side, long *poin
     *points += sph2d__region_cover(r, cell);
     p->chosen[cell] = (*points + SPH2D__REGION_WHOLE / 2) / SPH2D__REGION_WHOLE > before;
     p->count += p->chosen[cell];
-}
-
-/** Spreads marks over a number of cells around them, along rows or columns. */
-static void dilate(const sph2d__packer *p, unsigned char *marks, size_t reach, bool columns)
-{
-    const sph2d__region *r = p->region;
-    size_t lines = columns ? r->nx : r->ny, length = columns ? r->ny : r->nx, step = columns ? r->nx : 1;
-    for (size_t line = 0; line < lines; ++line) {
-        unsigned char *m = marks + (columns ? line : line * r->nx);
-        size_t left = 0; /* cells to mark still, behind a mark */
-        for (size_t k = 0; k < length; ++k) {
-            left = m[k * step] == 1 ? reach + 1 : left;
-            if (left > 0 && --left < reach && m[k * step] == 0)
-                m[k * step] = 2;
-        }
-        left = 0;
-        for (size_t k = length; k-- > 0;) {
-            left = m[k * step] == 1 ? reach + 1 : left;
-            if (left > 0 && --left < reach && m[k * step] == 0)
-                m[k * step] = 2;
-        }
-        for (size_t k = 0; k < length; ++k)
-            m[k * step] = m[k * step] != 0;
-    }
-}
-
-void sph2d__packer_spread(const sph2d__packer *p, unsigned char *marks, size_t reach)
-{
-    dilate(p, marks, reach, false);
-    dilate(p, marks, reach, true);
 }
 
 /** Sets the first places, and which of them move. */

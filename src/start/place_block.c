@@ -8,6 +8,7 @@
 
 #include "base/pi.h"
 #include "start/packing.h"
+#include "start/start.h"
 
 /* How much of the area may be missing, or too much, where a lattice stays as it is; by how much one may be stretched;
  * and the least area, in particles, that is packed. */

@@ -4,10 +4,30 @@
  *  wall. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
-#include "sim/simulation.h"
+#include "start/start.h"
+
+/* Cells name particles by 32 bits. */
+static const double MOST_PARTICLES = 4e9;
+
+bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report)
+{
+    long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where the system does not tell */
+    double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
+    double each = (double)sph2d__store_bytes(sim->system.fluid.has) + 3 * sizeof(uint32_t); /* store and cells */
+    double bytes = count * each;
+    if (count < MOST_PARTICLES && bytes <= memory)
+        return false;
+    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
+                                           "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
+    if (strcmp(path, "particles") != 0)
+        sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
+    return true;
+}
 
 /* Liquid begins half a spacing in front of a wall, its layers half a spacing behind. Nearer than this many spacings to
  * a boundary particle, liquid is in the wall or starts compressed against it. */

@@ -9,8 +9,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
-#include "scene/resolve.h"
-#include "sim/simulation.h"
+#include "start/start.h"
 
 /* Boundary particles nearer than this many spacings to an earlier one would count twice. */
 static const double CROWDED = 0.6;

@@ -5,7 +5,7 @@
 
 #include "kernels/kernel.h"
 #include "scene/resolve.h"
-#include "sim/simulation.h"
+#include "start/start.h"
 
 /* Distance at which the backstop holds a particle, in spacings: well inside what pressure and springs keep free. */
 static const double CLEARANCE = 0.05;

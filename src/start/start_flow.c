@@ -5,7 +5,7 @@
 
 #include "methods/common/state_equation.h"
 #include "scene/method_table.h"
-#include "sim/simulation.h"
+#include "start/start.h"
 
 /** Height of a place against gravity, over the origin [m]. */
 static double height_of(const sph2d_scene *scene, double x, double y)

@@ -51,6 +51,9 @@ typedef struct sph2d__method {
     /** Force of boundary particle b on particle i of the fluid at (dx, dy) from it, within the support radius, as the
      *  forces of the last evaluation, or projection, have it. NULL: not known. */
     sph2d__wall_force (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
+    /** Elastic energy of particle i [J/kg], once it has a pressure (`stepped`) or before. NULL: by the equation of
+     *  state (state_equation.h). */
+    double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
     /** Largest stable step [s] for a largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;

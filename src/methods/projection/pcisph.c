@@ -93,5 +93,6 @@ const sph2d__method sph2d__pcisph = {
     .evaluate = sph2d__projection_gather,
     .project = project,
     .wall_force = sph2d__projection_wall_force,
+    .elastic = sph2d__projection_elastic,
     .stable_step = sph2d__projection_step,
 };
