@@ -85,9 +85,9 @@ START_TEST(quadratic_fields_are_exact)
             ck_assert_double_eq_tol(f->ax[i], ax, 1e-9);
             ck_assert_double_eq_tol(f->ay[i], ay, 1e-9);
             ck_assert_double_eq_tol(f->density_rate[i], -rho * (ux + vy), 1e-6);
-            ck_assert_double_eq_tol(f->way_ax[i], wx * ux + wy * uy, 1e-9);
-            ck_assert_double_eq_tol(f->way_ay[i], wx * vx + wy * vy, 1e-9);
-            ck_assert_double_eq_tol(f->way_density_rate[i], wx * rx + wy * ry, 1e-6);
+            ck_assert_double_eq_tol(f->shift_ax[i], wx * ux + wy * uy, 1e-9);
+            ck_assert_double_eq_tol(f->shift_ay[i], wx * vx + wy * vy, 1e-9);
+            ck_assert_double_eq_tol(f->shift_density_rate[i], wx * rx + wy * ry, 1e-6);
             ck_assert((hypot(wx, wy) > 0) == (_i == 1));
         }
         finish();
@@ -204,7 +204,7 @@ START_TEST(steps_are_as_long_as_is_stable)
     make(SPH2D_ISA_AUTO);
     sph2d__system *s = &sim->system;
     double h = s->support, acoustic = 0.25 * h / (C0 + 2), viscous = _i ? 0.0075 * h * h / 0.4 : INFINITY;
-    s->densest = RHO0;
+    s->max_density = RHO0;
     sph2d__limit limit;
     ck_assert_double_eq_tol(sph2d__wcsph_fitted.stable_step(s, 2, 0, &limit), fmin(acoustic, viscous), 1e-15);
     double force = 0.25 * sqrt(h / 1e6);

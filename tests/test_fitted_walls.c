@@ -227,9 +227,9 @@ START_TEST(rates_are_those_of_least_squares)
         ck_assert_double_eq_tol(f->ax[i], push * fits[2].b[0] + NU * lap_x / (h * h) + gx, 1e-7);
         ck_assert_double_eq_tol(f->ay[i], push * fits[2].b[1] + NU * lap_y / (h * h) + gy, 1e-7);
         ck_assert_double_eq_tol(f->density_rate[i], rate, 1e-6);
-        ck_assert_double_eq_tol(f->way_ax[i], along[0], 1e-7);
-        ck_assert_double_eq_tol(f->way_ay[i], along[1], 1e-7);
-        ck_assert_double_eq_tol(f->way_density_rate[i], along[2], 1e-6);
+        ck_assert_double_eq_tol(f->shift_ax[i], along[0], 1e-7);
+        ck_assert_double_eq_tol(f->shift_ay[i], along[1], 1e-7);
+        ck_assert_double_eq_tol(f->shift_density_rate[i], along[2], 1e-6);
     }
     ck_assert_uint_lt(capped, f->count);
 }
@@ -256,7 +256,7 @@ START_TEST(steps_are_shorter_where_liquid_sticks_to_walls)
     between_walls(1);
     make(SPH2D_ISA_AUTO);
     sph2d__system *s = &sim->system;
-    s->densest = RHO0;
+    s->max_density = RHO0;
     sph2d__limit limit;
     double step = sph2d__wcsph_fitted.stable_step(s, 0, 0, &limit);
     ck_assert_double_eq_tol(step, 0.005 * s->support * s->support / (20 * NU), 1e-15);

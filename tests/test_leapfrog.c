@@ -167,7 +167,7 @@ START_TEST(liquid_follows_the_staggered_leapfrog)
         ux[id] = f.vx[i] - step / 2 * f.ax[i];
         uy[id] = f.vy[i] - step / 2 * f.ay[i];
     }
-    double apart = 0, hardest = 0;
+    double apart = 0, max_pressure = 0;
     for (int n = 0; n < 300; ++n) {
         f = sph2d_sim_fluid(sim);
         for (size_t i = 0; i < DROP; ++i) {
@@ -175,7 +175,7 @@ START_TEST(liquid_follows_the_staggered_leapfrog)
             double wx = ux[id] + step * f.ax[i], wy = uy[id] + step * f.ay[i];
             apart = fmax(apart, hypot(f.vx[i] - (ux[id] + wx) / 2, f.vy[i] - (uy[id] + wy) / 2));
             apart = fmax(apart, hypot(f.x[i] - x[id], f.y[i] - y[id]));
-            hardest = fmax(hardest, hypot(f.ax[i], f.ay[i]));
+            max_pressure = fmax(max_pressure, hypot(f.ax[i], f.ay[i]));
             x[id] += step * wx;
             y[id] += step * wy;
             ux[id] = wx;
@@ -183,7 +183,7 @@ START_TEST(liquid_follows_the_staggered_leapfrog)
         }
         test_steps(sim, 1);
     }
-    ck_assert_double_gt(hardest, 300); /* they have hit the walls */
+    ck_assert_double_gt(max_pressure, 300); /* they have hit the walls */
     ck_assert_uint_eq(sph2d_sim_summary(sim).backstop_hits, 0);
     ck_assert_double_le(apart, 1e-11);
     sph2d_sim_destroy(sim);

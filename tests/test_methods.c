@@ -52,7 +52,7 @@ START_TEST(a_row_says_what_a_scene_needs)
         ck_assert(row->wall_forms >> all->side_form & 1);
         ck_assert(row->wall_forms >> all->obstacle_form & 1);
         ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1);
-        ck_assert(all->densest > 1 && all->thinnest < 1 && all->energy_rise > 0);
+        ck_assert(all->max_density > 1 && all->min_density < 1 && all->energy_rise > 0);
         ck_assert(*row->use && *row->scheme && *row->source && *all->calmed_by);
         ck_assert_int_eq(all->ended_by != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));
     }

@@ -112,9 +112,10 @@ START_TEST(sums_in_floats_are_those_in_doubles)
     ck_assert_mem_eq(a->id, b->id, a->count * sizeof *a->id);
     ck_assert_double_le(difference(a->ax, b->ax, a->count), 3e-5);
     ck_assert_double_le(difference(a->ay, b->ay, a->count), 3e-5);
-    ck_assert_double_le(difference(a->slope_x, b->slope_x, a->count), 2e-4); /* an inverse of what is summed */
-    ck_assert_double_le(difference(a->crowd_x, b->crowd_x, a->count), 1e-3); /* less what is across a surface */
-    ck_assert_double_le(difference(a->fullness, b->fullness, a->count), 1e-5);
+    ck_assert_double_le(difference(a->density_grad_x, b->density_grad_x, a->count),
+                        2e-4);                                                 /* an inverse of what is summed */
+    ck_assert_double_le(difference(a->grad_c_x, b->grad_c_x, a->count), 1e-3); /* less what is across a surface */
+    ck_assert_double_le(difference(a->min_eigenvalue, b->min_eigenvalue, a->count), 1e-5);
     ck_assert_double_le(difference(a->density_rate, b->density_rate, a->count), 1e-5);
     ck_assert_double_le(difference(v->pressure, w->pressure, v->count), 5e-5);
     ck_assert_double_le(difference(v->wall_rate, w->wall_rate, v->count),

@@ -303,7 +303,7 @@ START_TEST(a_profile_tells_where_time_went)
     test_steps(other, STEPS);
     sph2d_profile p = sph2d_sim_profile(sim), none = sph2d_sim_profile(other);
     for (int k = 0; k < SPH2D_PHASE_COUNT; ++k) {
-        if (k != SPH2D_PHASE_MOVE && k != SPH2D_PHASE_WATCH)
+        if (k != SPH2D_PHASE_MOVE && k != SPH2D_PHASE_BOOKKEEPING)
             ck_assert_msg(p.calls[k] == STEPS * phases[_i].calls[k], "%s began %d times",
                           sph2d_phase_name((sph2d_phase)k), (int)p.calls[k]);
         ck_assert((p.calls[k] > 0) == (p.wall[k] > 0));

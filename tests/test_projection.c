@@ -158,7 +158,7 @@ static void collect(sph2d__system *s, const sph2d__slab *slab, const void *with,
 {
     const double *share = with;
     (void)sum;
-    sph2d__projection_collect(s, slab, *share, slab->rows->residual);
+    sph2d__projection_apply(s, slab, *share, slab->rows->residual);
 }
 
 static void predict_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
@@ -233,21 +233,21 @@ START_TEST(the_transpose_is_one)
     uint64_t random = 3;
     double by_rows = 0, by_columns = 0;
     for (size_t i = 0; i < f->count; ++i) {
-        f->direction[i] = sph2d__twin(test_random(&random, -1, 1));
+        f->direction[i] = sph2d__splat(test_random(&random, -1, 1));
         f->vx[i] = test_random(&random, -1, 1);
         f->vy[i] = test_random(&random, -1, 1);
         push_by_velocity(f, i);
     }
     for (size_t b = 0; b < w->count; ++b) /* a multiplier where there is no row means nothing */
-        w->direction[b] = sph2d__twin(w->filled[b] > 0 ? test_random(&random, -1, 1) : 0);
+        w->direction[b] = sph2d__splat(w->filled[b] > 0 ? test_random(&random, -1, 1) : 0);
     sph2d__over_rows(s, collect, &none);
-    sph2d__projection_spread(s);
+    sph2d__projection_apply_transpose(s);
     for (size_t i = 0; i < f->count; ++i) {
-        by_rows += sph2d__twin_value(f->direction[i]) * f->residual[i];
+        by_rows += sph2d__splat_value(f->direction[i]) * f->residual[i];
         by_columns += f->vx[i] * push_of(f, i).x + f->vy[i] * push_of(f, i).y;
     }
     for (size_t b = 0; b < w->count; ++b)
-        by_rows += sph2d__twin_value(w->direction[b]) * w->residual[b];
+        by_rows += sph2d__splat_value(w->direction[b]) * w->residual[b];
     ck_assert_double_gt(fabs(by_rows), 1);
     ck_assert_double_eq_tol(by_columns / by_rows, 1, 1e-5); /* sums of floats */
 }
@@ -406,10 +406,10 @@ START_TEST(one_soft_row_gives_way_by_force_over_stiffness)
     ck_assert_double_gt(f->pressure[0], 10);
     ck_assert_double_eq_tol((f->density[0] / RHO0 - 1) / (y / (c0 * c0 * dt * dt)), 1, 1e-6);
     ck_assert_double_eq_tol(f->pressure[0] / (sim->system.moment * RHO0 * y / (dt * dt)), 1, 1e-12);
-    f->direction[0] = sph2d__twin(y);
+    f->direction[0] = sph2d__splat(y);
     for (size_t b = 0; b < sim->system.walls.count; ++b)
-        sim->system.walls.direction[b] = sph2d__twin(sim->system.walls.multiplier[b]);
-    sph2d__projection_spread(&sim->system);
+        sim->system.walls.direction[b] = sph2d__splat(sim->system.walls.multiplier[b]);
+    sph2d__projection_apply_transpose(&sim->system);
     ck_assert_double_eq_tol(push_of(f, 0).y / (dt * dt), -9.81, 1e-6);
 }
 END_TEST

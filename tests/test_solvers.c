@@ -236,14 +236,14 @@ START_TEST(corrections_push_like_multipliers)
     for (size_t i = 0; i < f->count; ++i) {
         ck_assert_double_ge(f->multiplier[i], 0);
         ck_assert_double_le(f->pressure[i], 0); /* none is raised above the largest */
-        f->direction[i] = sph2d__twin(f->multiplier[i]);
+        f->direction[i] = sph2d__splat(f->multiplier[i]);
         most = fmax(most, hypot(f->ax[i], f->ay[i]));
         x += f->ax[i];
         y += f->ay[i];
     }
     ck_assert_double_gt(most, 100);
     ck_assert_double_le(hypot(x, y), 1e-12 * most * (double)f->count);
-    sph2d__projection_spread(s);
+    sph2d__projection_apply_transpose(s);
     for (size_t i = 0; i < f->count; ++i) {
         float push[2];
         memcpy(push, &f->push[i], sizeof push);

@@ -48,8 +48,8 @@ static void mirror(sph2d_sim *sim)
         f->x[i] = -f->x[i];
         f->vx[i] = -f->vx[i];
         f->ax[i] = -f->ax[i];
-        f->slope_x[i] = -f->slope_x[i];
-        f->crowd_x[i] = -f->crowd_x[i];
+        f->density_grad_x[i] = -f->density_grad_x[i];
+        f->grad_c_x[i] = -f->grad_c_x[i];
     }
 }
 

@@ -182,9 +182,9 @@ START_TEST(momentum_and_angular_momentum_are_kept)
     blocks[1].spacing = 1.05 * DX;
     scene.block_count = 2;
     sph2d__system *s = make();
-    if (s->fluid.surface) /* a surface that is known in part: strings need both ends near it */
+    if (s->fluid.surface_distance) /* a surface that is known in part: strings need both ends near it */
         for (size_t i = 0; _i >= 3 && i < s->fluid.count; ++i)
-            s->fluid.surface[i] = s->fluid.id[i] % 3 == 0 ? s->support : 0;
+            s->fluid.surface_distance[i] = s->fluid.id[i] % 3 == 0 ? s->support : 0;
     only_tension(s);
     double sum[3] = {0};
     for (size_t i = 0; i < s->fluid.count; ++i) {

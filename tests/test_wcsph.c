@@ -58,15 +58,15 @@ START_TEST(density_is_smoothed_as_antuono_says)
     double h = s->support / 2;
     for (size_t i = 0; i < s->fluid.count; ++i) {
         sph2d_vec2 mine = density_slope(s, i);
-        close_to(s->fluid.slope_x[i], mine.x, 1e6, "slope x", i);
-        close_to(s->fluid.slope_y[i], mine.y, 1e6, "slope y", i);
+        close_to(s->fluid.density_grad_x[i], mine.x, 1e6, "slope x", i);
+        close_to(s->fluid.density_grad_y[i], mine.y, 1e6, "slope y", i);
         double rate = 0, size = 0;
         for (size_t j = 0; j < s->fluid.count; ++j) {
             other o = other_of(s, i, &s->fluid, j);
             if (o.r == 0 || o.slope == 0)
                 continue;
-            double mean_x = (s->fluid.slope_x[i] + s->fluid.slope_x[j]) / 2;
-            double mean_y = (s->fluid.slope_y[i] + s->fluid.slope_y[j]) / 2;
+            double mean_x = (s->fluid.density_grad_x[i] + s->fluid.density_grad_x[j]) / 2;
+            double mean_y = (s->fluid.density_grad_y[i] + s->fluid.density_grad_y[j]) / 2;
             double psi = 2 * (s->fluid.density[i] - o.density - mean_x * o.dx - mean_y * o.dy);
             double term = 0.17 * h * C0 * o.mass / o.density * psi * o.slope; /* r/r^2 . r slope */
             rate += term;
@@ -89,8 +89,8 @@ START_TEST(linear_density_is_not_smoothed)
     sph2d__wcsph.evaluate(s);
     sph2d__wcsph.density_rate(s);
     for (size_t i = 0; i < f->count; ++i) {
-        close_to(f->slope_x[i], 30, 1, "slope x", i);
-        close_to(f->slope_y[i], -50, 1, "slope y", i);
+        close_to(f->density_grad_x[i], 30, 1, "slope x", i);
+        close_to(f->density_grad_y[i], -50, 1, "slope y", i);
         ck_assert_double_eq_tol(f->density_rate[i], 0, 1e-7); /* of some 1e4 without the slopes */
     }
 }
@@ -268,7 +268,7 @@ START_TEST(steps_are_as_long_as_is_stable)
     scene.method.state_equation = _i & 4 ? SPH2D_STATE_TAIT : SPH2D_STATE_LINEAR;
     scene.method.kernel = _i & 16 ? SPH2D_KERNEL_WENDLAND_C6 : SPH2D_KERNEL_WENDLAND_C2;
     sph2d__system *s = make(SPH2D_ISA_AUTO);
-    s->densest = 1.1 * RHO0;
+    s->max_density = 1.1 * RHO0;
     double h = s->support, sound = C0 * (_i & 4 ? pow(1.1, 3) : 1);
     double acoustic = 0.25 * h / (sound + 2), force = 0.25 * sqrt(h / 1e5);
     double pi = acos(-1), peak = _i & 16 ? 78 / (7 * pi) : 7 / pi; /* W(0) H^2 */

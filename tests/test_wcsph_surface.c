@@ -40,13 +40,14 @@ START_TEST(the_surface_is_known)
     for (size_t i = 0; i < f->count; ++i) {
         double depth = depth_of(f, i);
         if (depth > s->support)
-            ck_assert_double_eq_tol(f->fullness[i], 1, 0.02);
+            ck_assert_double_eq_tol(f->min_eigenvalue[i], 1, 0.02);
         if (depth < 0.6 * DX) {
-            ck_assert_double_lt(f->fullness[i], 0.6); /* a corner has a quarter, a side half and its own row's part */
-            ck_assert(f->surface[i] == 0);
+            ck_assert_double_lt(f->min_eigenvalue[i],
+                                0.6); /* a corner has a quarter, a side half and its own row's part */
+            ck_assert(f->surface_distance[i] == 0);
         } else {
             double rows = fmin(depth - DX / 2, s->support);
-            ck_assert_double_eq_tol(f->surface[i], rows, 1e-12);
+            ck_assert_double_eq_tol(f->surface_distance[i], rows, 1e-12);
         }
     }
 }
@@ -66,7 +67,7 @@ START_TEST(fullness_is_the_smaller_eigenvalue)
             yy -= v * o.dy * o.dy;
         }
         /* (M - l)(x) = 0 for some x: the determinant vanishes, and the trace says which root it is */
-        double l = f->fullness[i];
+        double l = f->min_eigenvalue[i];
         ck_assert_double_eq_tol((xx - l) * (yy - l) - xy * xy, 0, 1e-10);
         ck_assert_double_le(l, (xx + yy) / 2 + 1e-10);
     }
@@ -86,7 +87,7 @@ START_TEST(a_row_of_particles_has_no_slope)
         s->fluid.y[i] = 0.3;
     sph2d__wcsph.evaluate(s);
     for (size_t i = 0; i < s->fluid.count; ++i)
-        ck_assert(s->fluid.slope_x[i] == 0 && s->fluid.slope_y[i] == 0);
+        ck_assert(s->fluid.density_grad_x[i] == 0 && s->fluid.density_grad_y[i] == 0);
 }
 END_TEST
 
@@ -125,12 +126,12 @@ START_TEST(shifts_lead_away_from_the_crowd)
         add_crowd(s, i, f, &g, &n, &packing);
         add_crowd(s, i, &s->walls, &g, &n, &of_walls);
         double gx = g.x, gy = g.y;
-        if (f->fullness[i] < 0.75 || f->surface[i] < s->support) { /* along the surface alone */
+        if (f->min_eigenvalue[i] < 0.75 || f->surface_distance[i] < s->support) { /* along the surface alone */
             double across = (gx * n.x + gy * n.y) / (n.x * n.x + n.y * n.y);
             gx -= across * n.x;
             gy -= across * n.y;
         }
-        if (f->surface[i] < s->support) {
+        if (f->surface_distance[i] < s->support) {
             double calm = 0.1 * C0 / s->support, rate = sph2d__strain_rate(f, i);
             double edge = 1 - fmin(of_walls / s->lattice_values / 0.3, 1) * calm * calm / (calm * calm + rate * rate);
             gx *= edge;
@@ -140,7 +141,7 @@ START_TEST(shifts_lead_away_from_the_crowd)
         double strain = 2 * fabs(f->stretch[i]), sieved = 2.5 * strain * strain / (strain + 0.001 * C0 / s->support);
         double d = fmin(sieved * s->support * s->support, 0.1 * s->support * s->support / s->step);
         double wx = -d * gx, wy = -d * gy, crowd = s->support * hypot(gx, gy);
-        double less = f->fullness[i] < 0.4 ? 0 : crowd > 0.25 ? 0.25 / crowd : 1; /* none in spray */
+        double less = f->min_eigenvalue[i] < 0.4 ? 0 : crowd > 0.25 ? 0.25 / crowd : 1; /* none in spray */
         sph2d_vec2 shift = sph2d__shift_velocity(s, i, (sph2d_vec2){0, 0});
         close_to(shift.x, less * wx, 100, "shift x", i);
         close_to(shift.y, less * wy, 100, "shift y", i);
@@ -154,12 +155,12 @@ static sph2d_vec2 crowd_around(const sph2d__system *s, size_t i)
 {
     const sph2d__store *f = &s->fluid;
     double x = 0, y = 0, all = 0;
-    if (!(f->fullness[i] > 0.75) || f->surface[i] < s->support)
+    if (!(f->min_eigenvalue[i] > 0.75) || f->surface_distance[i] < s->support)
         return (sph2d_vec2){0, 0};
     for (size_t j = 0; j < f->count; ++j) {
         double slope = other_of(s, i, f, j).slope;
-        x += slope * f->crowd_x[j];
-        y += slope * f->crowd_y[j];
+        x += slope * f->grad_c_x[j];
+        y += slope * f->grad_c_y[j];
         all += slope;
     }
     return (sph2d_vec2){x / all, y / all};
@@ -198,7 +199,7 @@ START_TEST(a_shift_meets_the_density_on_its_way)
         inside += hypot(mean.x, mean.y) > 1e-3;
         close_to(f->shift_x[i], w.x, 1, "shift x", i);
         close_to(f->shift_y[i], w.y, 1, "shift y", i);
-        if (f->fullness[i] < 0.75) { /* the slope is not known there */
+        if (f->min_eigenvalue[i] < 0.75) { /* the slope is not known there */
             w = (sph2d_vec2){0, 0};
             ++kept;
         }
@@ -227,7 +228,7 @@ START_TEST(density_follows_the_packing_inside)
         for (size_t j = 0; j < f->count; ++j)
             sum += other_of(s, i, f, j).weight;
         close_to(f->packing[i], RHO0 * sum / own, RHO0, "packing", i);
-        bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support;
+        bool deep = f->min_eigenvalue[i] > 0.75 && f->surface_distance[i] >= s->support;
         inside += deep;
         double rate = deep ? (RHO0 * sum / own - 1.001 * RHO0) * C0 / (100 * s->support) : 0;
         close_to(f->density_rate[i], rate, RHO0, "rate", i);
@@ -284,7 +285,7 @@ START_TEST(tension_pushes_apart_inside_and_pulls_at_the_surface)
             size += o.mass * fabs(p / (rho * rho) * o.slope) * o.r;
         }
         work = plain[0] * among.x + plain[1] * among.y; /* of a push away from the neighbours */
-        bool deep = f->fullness[i] > 0.75 && f->surface[i] >= s->support, calm = i % 3 == 0 || _i == 0;
+        bool deep = f->min_eigenvalue[i] > 0.75 && f->surface_distance[i] >= s->support, calm = i % 3 == 0 || _i == 0;
         bool held = deep && (calm || work <= 0);
         double push = -s->mass * ((held ? -p : p) + p) / (rho * rho);
         pushed += held;

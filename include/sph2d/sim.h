@@ -215,7 +215,7 @@ typedef enum sph2d_phase {
     SPH2D_PHASE_DENSITY, /**< sums over neighbours for density or its rate */
     SPH2D_PHASE_FORCES,  /**< sums over neighbours for accelerations */
     SPH2D_PHASE_SOLVE,   /**< a pressure solver */
-    SPH2D_PHASE_WATCH,   /**< sources and drains, guards, the next step's length, samples */
+    SPH2D_PHASE_BOOKKEEPING,   /**< sources and drains, guards, the next step's length, samples */
     SPH2D_PHASE_COUNT
 } sph2d_phase;
 

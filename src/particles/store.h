@@ -14,70 +14,70 @@
 enum { SPH2D__PADDING = 16 };
 
 /** The arrays of doubles. */
-#define SPH2D__STORE_REALS(X)                                                                                          \
-    X(x) /* position [m] */                                                                                            \
-    X(y)                                                                                                               \
-    X(vx) /* velocity [m/s] */                                                                                         \
-    X(vy)                                                                                                              \
-    X(ax) /* acceleration [m/s^2] */                                                                                   \
-    X(ay)                                                                                                              \
-    X(old_ax) /* acceleration one step before, while a step needs both */                                              \
-    X(old_ay)                                                                                                          \
-    X(density)      /* [kg/m^3] */                                                                                     \
-    X(pressure)     /* [Pa] */                                                                                         \
-    X(volume)       /* mass over density [m^2] */                                                                      \
-    X(mass)         /* of a boundary particle [kg/m]; 0 for those that only reflect. All liquid has one mass */        \
-    X(bounce)       /* restitution of a boundary particle that reflects; negative: it acts by pressure */              \
-    X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                      \
-    X(shift_x)      /* shift velocity [m/s] */                                                                         \
-    X(shift_y)                                                                                                         \
-    X(way_ax) /* rates of velocity and density by the shift along their slopes */                                      \
-    X(way_ay)                                                                                                          \
-    X(way_density_rate)                                                                                                \
-    X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */         \
-    X(image_vy)                                                                                                        \
-    X(normal_x) /* from a boundary particle straight to the wall's surface */                                          \
-    X(normal_y)                                                                                                        \
-    X(depth)   /* the distance to the surface [m] */                                                                   \
-    X(crowd_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                          \
-    X(crowd_y)                                                                                                         \
-    X(fullness) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
-    X(filling)  /* by other liquid, of the room that walls leave: 1 inside, half at a flat surface, 0 by itself */     \
-    X(packing)  /* density that the places of the particles around say [kg/m^3] */                                     \
-    X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                        \
-    X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                        \
-    X(front)   /* 1 where no other wall is in front of a boundary particle's, 0 where one takes much of it: wcsph.h */ \
-    X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */     \
-    X(along_y)                                                                                                         \
-    X(slide)     /* what liquid in front pushes along it: wcsph.h */                                                   \
-    X(skin)      /* length of the surface that a boundary particle next to it stands for, else 0 [m] */                \
-    X(drag)      /* friction of a smooth wall, over the kernel's weights: friction.h */                                \
-    X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                     \
-    X(surface) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
-    X(slope_x) /* gradient of density [kg/m^4] */                                                                      \
-    X(slope_y)                                                                                                         \
-    X(excess)        /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */         \
-    X(push)          /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */          \
-    X(pair_pressure) /* that pairs of particles carry [Pa] */                                                          \
-    X(next_x)        /* position that comes next, while a pressure solver predicts it */                               \
-    X(next_y)                                                                                                          \
-    X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */  \
-    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \
-    X(multiplier)   /* dt^2 p/rho0 while it is solved for [m^2] */                                                     \
-    X(residual)     /* compression that is left to correct */                                                          \
-    X(direction)    /* of the search, or what it tries: a float twice, lanes.h */                                      \
-    X(product)      /* the matrix times the direction */                                                               \
-    X(packed_place) /* two arrays of floats each, one behind the other: packed.h */                                    \
-    X(packed_velocity)                                                                                                 \
-    X(packed_state)                                                                                                    \
-    X(packed_slope)                                                                                                    \
-    X(packed_density)                                                                                                  \
-    X(packed_strain)                                                                                                   \
-    X(start_x) /* position of a boundary particle at time 0 */                                                         \
-    X(start_y)                                                                                                         \
-    X(old_density_rate) /* one step before */                                                                          \
-    X(older_ax)         /* two steps before */                                                                         \
-    X(older_ay)                                                                                                        \
+#define SPH2D__STORE_REALS(X)                                                                                                   \
+    X(x) /* position [m] */                                                                                                     \
+    X(y)                                                                                                                        \
+    X(vx) /* velocity [m/s] */                                                                                                  \
+    X(vy)                                                                                                                       \
+    X(ax) /* acceleration [m/s^2] */                                                                                            \
+    X(ay)                                                                                                                       \
+    X(old_ax) /* acceleration one step before, while a step needs both */                                                       \
+    X(old_ay)                                                                                                                   \
+    X(density)      /* [kg/m^3] */                                                                                              \
+    X(pressure)     /* [Pa] */                                                                                                  \
+    X(volume)       /* mass over density [m^2] */                                                                               \
+    X(mass)         /* of a boundary particle [kg/m]; 0 for those that only reflect. All liquid has one mass */                 \
+    X(bounce)       /* restitution of a boundary particle that reflects; negative: it acts by pressure */                       \
+    X(density_rate) /* change of density of a particle on its way [kg/(m^3 s)] */                                               \
+    X(shift_x)      /* shift velocity [m/s] */                                                                                  \
+    X(shift_y)                                                                                                                  \
+    X(shift_ax) /* rates of velocity and density by the shift along their slopes */                                             \
+    X(shift_ay)                                                                                                                 \
+    X(shift_density_rate)                                                                                                       \
+    X(image_vx) /* velocity that liquid sees in a boundary particle, so that it sticks to the surface [m/s] */                  \
+    X(image_vy)                                                                                                                 \
+    X(normal_x) /* from a boundary particle straight to the wall's surface */                                                   \
+    X(normal_y)                                                                                                                 \
+    X(depth)    /* the distance to the surface [m] */                                                                           \
+    X(grad_c_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                                  \
+    X(grad_c_y)                                                                                                                 \
+    X(min_eigenvalue) /* how far the neighbourhood is filled: 1 in the bulk, near 0.5 at a flat surface, less in spray */       \
+    X(filling) /* by other liquid, of the room that walls leave: 1 inside, half at a flat surface, 0 by itself */               \
+    X(packing) /* density that the places of the particles around say [kg/m^3] */                                               \
+    X(stretch) /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                                  \
+    X(shear)   /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                                  \
+    X(front)   /* 1 where no other wall is in front of a boundary particle's, 0 where one takes much of it: wcsph.h */          \
+    X(along_x) /* the direction along a smooth wall where liquid slides, shorter where less of it does: wcsph.h */              \
+    X(along_y)                                                                                                                  \
+    X(slide)     /* what liquid in front pushes along it: wcsph.h */                                                            \
+    X(skin)      /* length of the surface that a boundary particle next to it stands for, else 0 [m] */                         \
+    X(drag)      /* friction of a smooth wall, over the kernel's weights: friction.h */                                         \
+    X(wall_rate) /* the rate at which liquid fills what a boundary particle stands for: wcsph.h */                              \
+    X(surface_distance) /* distance to the nearest particle of the free surface, the support radius where none is nearer [m] */ \
+    X(density_grad_x) /* gradient of density [kg/m^4] */                                                                        \
+    X(density_grad_y)                                                                                                           \
+    X(excess)        /* density over that of a liquid at rest at the same place, and some constant [kg/m^3] */                  \
+    X(push)          /* what pressures, or the direction of a search, push a particle: two floats, lanes.h */                   \
+    X(pair_pressure) /* that pairs of particles carry [Pa] */                                                                   \
+    X(next_x)        /* position that comes next, while a pressure solver predicts it */                                        \
+    X(next_y)                                                                                                                   \
+    X(filled) /* density over rest density that liquid adds at a boundary particle when it fills the room in front */           \
+    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                                  \
+    X(multiplier)   /* dt^2 p/rho0 while it is solved for [m^2] */                                                              \
+    X(residual)     /* compression that is left to correct */                                                                   \
+    X(direction)    /* of the search, or what it tries: a float twice, lanes.h */                                               \
+    X(product)      /* the matrix times the direction */                                                                        \
+    X(packed_place) /* two arrays of floats each, one behind the other: packed.h */                                             \
+    X(packed_velocity)                                                                                                          \
+    X(packed_state)                                                                                                             \
+    X(packed_gradient)                                                                                                          \
+    X(packed_density)                                                                                                           \
+    X(packed_strain)                                                                                                            \
+    X(start_x) /* position of a boundary particle at time 0 */                                                                  \
+    X(start_y)                                                                                                                  \
+    X(old_density_rate) /* one step before */                                                                                   \
+    X(older_ax)         /* two steps before */                                                                                  \
+    X(older_ay)                                                                                                                 \
     X(older_density_rate)
 
 /** The index of each array. */

@@ -49,10 +49,10 @@ static const double WIDE = 2.8;
  *  and read walls one by one. */
 static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
 {
-    const sph2d__set more = SPH2D__BIT(packed_slope) | SPH2D__BIT(packed_strain), sloped = SPH2D__PACKED | more;
+    const sph2d__set more = SPH2D__BIT(packed_gradient) | SPH2D__BIT(packed_strain), sloped = SPH2D__PACKED | more;
     if (fitted)
         return SPH2D__PACKED & ~SPH2D__BIT(packed_state);
-    return unused & SPH2D__BIT(slope_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : sloped;
+    return unused & SPH2D__BIT(density_grad_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : sloped;
 }
 
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
@@ -71,7 +71,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->mass = d.mass;
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
-    s->densest = s->rest_density;
+    s->max_density = s->rest_density;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
     bool held = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
@@ -88,7 +88,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : rubbing);
     s->walls.carried = walls;
     s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
-    s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_slope) : 0);
+    s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_gradient) : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool search = sim->method->integrator == SPH2D__PROJECTED && s->reach < WIDE * s->spacing;
@@ -143,7 +143,7 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     if (status != SPH2D_OK)
         return status;
     sim->method->prepare(&sim->system);
-    status = sph2d__sim_aim(sim, 0);
+    status = sph2d__sim_update_forcing(sim, 0);
     if (status != SPH2D_OK)
         return status;
     if (sim->system.fluid.filling)
@@ -176,8 +176,8 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
     sph2d_status status = sph2d__sim_load(sim, state, report);
     if (status != SPH2D_OK)
         return status;
-    status = sph2d__sim_aim(sim, sim->record.time);
-    if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(slope_x)))
+    status = sph2d__sim_update_forcing(sim, sim->record.time);
+    if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
         renew_slopes(sim);
     return status;
 }
@@ -264,8 +264,8 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__cells_free(&s->wall_cells, memory);
     sph2d__neighbours_free(&s->neighbours, memory);
     sph2d__neighbours_free(&s->wall_neighbours, memory);
-    void *blocks[2] = {sim->doomed, sim->state_arrays};
-    sph2d__release(memory, &blocks[0], sim->doomed_capacity, 1);
+    void *blocks[2] = {sim->to_remove, sim->state_arrays};
+    sph2d__release(memory, &blocks[0], sim->to_remove_capacity, 1);
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
     sph2d__barrier_free(&sim->barrier, memory);
     for (size_t k = 0; k < sim->moving_count; ++k)

@@ -38,7 +38,7 @@ sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
 {
     const sph2d__method_row *row = sph2d__method_row_of(&sim->scene.method);
     double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
-    return (sph2d__bounds){row->thinnest * rest, row->densest * rest * start_of(sim),
+    return (sph2d__bounds){row->min_density * rest, row->max_density * rest * start_of(sim),
                            rise > 0 ? rise : row->energy_rise};
 }
 

@@ -81,8 +81,8 @@ static extremes find_extremes(const sph2d_sim *sim)
     sph2d__bounds bounds = sph2d__sim_bounds(sim);
     search s = {sim,
                 walled_box(&sim->scene),
-                bounds.thinnest,
-                bounds.densest,
+                bounds.min_density,
+                bounds.max_density,
                 {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
     sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
     return s.found;
@@ -143,7 +143,7 @@ static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
                          "the pressure solver was not done in %d steps in a row: it left a compression of %.3g, %.3g "
                          "is wanted (step %llu, "
                          "time %g s)",
-                         UNCONVERGED_STEPS, s->left, s->wanted, (unsigned long long)r->steps, r->time);
+                         UNCONVERGED_STEPS, s->residual, s->wanted_residual, (unsigned long long)r->steps, r->time);
     sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s", sph2d__method_row_of(&sim->scene.method)->ended_by);
     return false;
 }
@@ -235,8 +235,8 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
     if (compression > sim->record.compression_max)
         sim->record.compression_max = compression;
     sim->record.speed = sqrt(e.speed2);
-    sim->system.densest = fmax(e.density, sim->system.rest_density);
-    sim->system.hardest = fmax(e.pressure, sim->system.rest_density * sim->system.head);
+    sim->system.max_density = fmax(e.density, sim->system.rest_density);
+    sim->system.max_pressure = fmax(e.pressure, sim->system.rest_density * sim->system.head);
     choose_step(sim, &e);
     return guard_solver(sim, report) && guard_step(sim, &e, report);
 }

@@ -21,7 +21,7 @@ sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim);
 /** Densities that liquid may have by the method [kg/m^3], and the part of the scene's energy scale by which energy may
  *  rise. */
 typedef struct sph2d__bounds {
-    double thinnest, densest, rise;
+    double min_density, max_density, rise;
 } sph2d__bounds;
 sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim);
 
@@ -35,7 +35,7 @@ void sph2d__sim_sample(sph2d_sim *sim);
 void sph2d__sim_make_plan(sph2d_sim *sim);
 
 /** Feeds and drains at the present moment, before a step. Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__sim_feed(sph2d_sim *sim);
+sph2d_status sph2d__sim_emit(sph2d_sim *sim);
 sph2d_status sph2d__sim_drain(sph2d_sim *sim);
 
 /** Copies a state into a simulation whose walls are placed and whose fluid is empty. Errors: SPH2D_FORMAT, SPH2D_NOMEM.

@@ -170,7 +170,7 @@ static void skip_rows(sph2d_sim *sim, size_t index, const nozzle *n)
     }
 }
 
-sph2d_status sph2d__sim_feed(sph2d_sim *sim)
+sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 {
     size_t sorted = sim->system.fluid.count;
     for (size_t i = 0; i < sim->scene.source_count; ++i) {
@@ -246,13 +246,13 @@ static bool in_drain(const sph2d_sim *sim, double x, double y)
 static bool reserve_flags(sph2d_sim *sim)
 {
     size_t capacity = sim->system.fluid.capacity;
-    if (sim->doomed_capacity >= capacity)
+    if (sim->to_remove_capacity >= capacity)
         return true;
-    void *block = sim->doomed;
-    if (!sph2d__resize(&sim->memory, &block, sim->doomed_capacity, capacity, 1))
+    void *block = sim->to_remove;
+    if (!sph2d__resize(&sim->memory, &block, sim->to_remove_capacity, capacity, 1))
         return false;
-    sim->doomed = block;
-    sim->doomed_capacity = capacity;
+    sim->to_remove = block;
+    sim->to_remove_capacity = capacity;
     return true;
 }
 
@@ -285,8 +285,8 @@ static void flag_lost(void *with, size_t first, size_t last)
     const sph2d__store *f = &sim->system.fluid;
     size_t lost = 0;
     for (size_t i = first; i < last; ++i) {
-        sim->doomed[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
-        lost += sim->doomed[i];
+        sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
+        lost += sim->to_remove[i];
     }
     atomic_fetch_add(&c->count, lost);
 }
@@ -307,12 +307,12 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
     bool surface = sim->system.surface_tension > 0;
     sph2d_box box = NOWHERE;
     for (size_t i = 0; i < f->count; ++i)
-        if (sim->doomed[i]) {
+        if (sim->to_remove[i]) {
             count_lost(sim, i);
             widen(sim, i, &box);
         }
     double before = surface ? sph2d__tension_energy_within(&sim->system, box) : 0;
-    sph2d__store_remove(f, sim->doomed);
+    sph2d__store_remove(f, sim->to_remove);
     sph2d_status status = surface ? renew_cells(sim) : SPH2D_OK;
     if (surface && status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;

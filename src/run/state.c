@@ -53,11 +53,11 @@ static size_t list_past(const sph2d__store *f, sph2d_array out[PAST_ARRAYS])
         signed char unit[3];
         const double *data[2];
     } known[PAST_ARRAYS] = {
-        {SPH2D__BIT(surface),
+        {SPH2D__BIT(surface_distance),
          "SurfaceDistances",
          "distance to the free surface within the last step, up to H",
          {1, 0, 0},
-         {f->surface, NULL}},
+         {f->surface_distance, NULL}},
         {SPH2D__BIT(filling),
          "Fillings",
          "by other liquid, of the room that walls leave, within the last step: 1 inside, 0 by itself",
@@ -292,7 +292,7 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     copy_values(&l, time, &sim->record.time, 0);
     if (!l.ok)
         return SPH2D_FORMAT;
-    if (sph2d__sim_aim(sim, sim->record.time) != SPH2D_OK)
+    if (sph2d__sim_update_forcing(sim, sim->record.time) != SPH2D_OK)
         return SPH2D_NOMEM;
     if (!walls_match(&l, sim))
         return SPH2D_FORMAT;

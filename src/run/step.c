@@ -53,7 +53,7 @@ static sph2d_status move(sph2d_sim *sim, double dt)
 /** Sources feed, drains and open sides take. */
 static sph2d_status come_and_go(sph2d_sim *sim)
 {
-    sph2d_status status = sph2d__sim_feed(sim);
+    sph2d_status status = sph2d__sim_emit(sim);
     return status == SPH2D_OK ? sph2d__sim_drain(sim) : status;
 }
 
@@ -66,7 +66,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     }
     sph2d__profile *profile = &sim->system.profile;
     sph2d__team_begin(sim->system.team);
-    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
+    sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     sph2d_status status = come_and_go(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
@@ -75,7 +75,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     sim->system.speed = sim->record.speed;
     sph2d__profile_enter(profile, SPH2D_PHASE_MOVE);
     status = move(sim, dt);
-    sph2d__profile_enter(profile, SPH2D_PHASE_WATCH);
+    sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     if (status == SPH2D_GUARD)
         sph2d__sim_measure(sim, report); /* names the particle */
     if (status != SPH2D_OK)

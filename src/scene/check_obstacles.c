@@ -128,7 +128,7 @@ typedef struct blow {
     double speed, time;
 } blow;
 
-/** The hardest blow of a motion: where straight lines of its path meet, and where a swing starts in motion. */
+/** The max_pressure blow of a motion: where straight lines of its path meet, and where a swing starts in motion. */
 static blow hardest_blow(const sph2d_motion *m)
 {
     double omega = 2 * SPH2D__PI * m->frequency * cos(m->phase);

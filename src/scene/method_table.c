@@ -28,8 +28,8 @@ static double projected_support(sph2d_kernel kernel)
 
 /* Guards: densities that integrated ones never have in a sound run. Sums over places have no lower bound, and the upper
  * one is of liquid that collapses into a point. Energy: fifteen times what sound scenes do. */
-#define INTEGRATED_DENSITY .thinnest = 0.2, .densest = 5, .energy_rise = 0.1
-#define SUMMED_DENSITY .summed_density = true, .thinnest = 0, .densest = 20, .energy_rise = 0.1
+#define INTEGRATED_DENSITY .min_density = 0.2, .max_density = 5, .energy_rise = 0.1
+#define SUMMED_DENSITY .summed_density = true, .min_density = 0, .max_density = 20, .energy_rise = 0.1
 
 /* What pcisph and constraint share. */
 #define PROJECTED                                                                                                      \

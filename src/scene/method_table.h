@@ -22,10 +22,11 @@ typedef struct sph2d__method_row {
     double sound_compression; /**< of max_compression, what the speed of sound is derived from */
     double (*stiffness_part)(double support, double spacing); /**< c0^2 over method.stiffness; NULL: 1 */
 
-    double thinnest, densest; /**< densities that no sound run has, over the rest density: a guard stops others */
-    double energy_rise;       /**< run.max_energy_rise by default */
-    const char *calmed_by;    /**< what takes energy out of the liquid, in hints */
-    const char *ended_by;     /**< a key that helps the pressure solver to an end, in hints; NULL without one */
+    double min_density,
+        max_density;       /**< densities that no sound run has, over the rest density: a guard stops others */
+    double energy_rise;    /**< run.max_energy_rise by default */
+    const char *calmed_by; /**< what takes energy out of the liquid, in hints */
+    const char *ended_by;  /**< a key that helps the pressure solver to an end, in hints; NULL without one */
 } sph2d__method_row;
 
 /** The row of a scene's method; the first one for a number that is none, which the checker refuses. */

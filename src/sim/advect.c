@@ -81,7 +81,7 @@ static int64_t parts_between(const sph2d_sim *sim, end more, end less)
 }
 
 /** Moves one particle, which a wall or a side might stop. */
-static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
+static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
 {
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
@@ -126,74 +126,74 @@ static void carry_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2
     f->vy[i] = v->y;
 }
 
-/** Whether no particle of a flock can meet a wall or a side on its way, and all is finite: the usual case, and the only
+/** Whether no particle of a batch can meet a wall or a side on its way, and all is finite: the usual case, and the only
  *  cheap one. */
-static bool goes_free(const sph2d_sim *sim, const sph2d__flock *flock)
+static bool goes_free(const sph2d_sim *sim, const sph2d__batch *batch)
 {
     if (sim->system.walls_reflect || sim->moving_count > 0)
         return false;
-    const double *x = sim->system.fluid.x + flock->first, *y = sim->system.fluid.y + flock->first;
+    const double *x = sim->system.fluid.x + batch->first, *y = sim->system.fluid.y + batch->first;
     sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
     double way = 0, sum = 0;
-    for (size_t k = 0; k < flock->count; ++k) {
-        double to_x = x[k] + flock->dx[k], to_y = y[k] + flock->dy[k], far = fabs(flock->dx[k]) + fabs(flock->dy[k]);
+    for (size_t k = 0; k < batch->count; ++k) {
+        double to_x = x[k] + batch->dx[k], to_y = y[k] + batch->dy[k], far = fabs(batch->dx[k]) + fabs(batch->dy[k]);
         low.x = to_x < low.x ? to_x : low.x;
         low.y = to_y < low.y ? to_y : low.y;
         high.x = to_x > high.x ? to_x : high.x;
         high.y = to_y > high.y ? to_y : high.y;
         way = far > way ? far : way;
-        sum += to_x + to_y + (flock->vx[k] + flock->vy[k]);
+        sum += to_x + to_y + (batch->vx[k] + batch->vy[k]);
     }
     const sph2d__period *period = &sim->system.fluid_cells.period;
     return isfinite(sum) && sph2d__period_holds(period, low.x, low.y) && sph2d__period_holds(period, high.x, high.y) &&
            sph2d__barrier_far_from(&sim->barrier, low, high, way);
 }
 
-/** Moves a flock that goes free. */
-static void carry_free(sph2d__store *f, const sph2d__flock *flock)
+/** Moves a batch that goes free. */
+static void advect_free(sph2d__store *f, const sph2d__batch *batch)
 {
-    double *restrict x = f->x + flock->first, *restrict y = f->y + flock->first;
-    for (size_t k = 0; k < flock->count; ++k) {
-        x[k] += flock->dx[k];
-        y[k] += flock->dy[k];
+    double *restrict x = f->x + batch->first, *restrict y = f->y + batch->first;
+    for (size_t k = 0; k < batch->count; ++k) {
+        x[k] += batch->dx[k];
+        y[k] += batch->dy[k];
     }
-    memcpy(f->vx + flock->first, flock->vx, flock->count * sizeof(double));
-    memcpy(f->vy + flock->first, flock->vy, flock->count * sizeof(double));
+    memcpy(f->vx + batch->first, batch->vx, batch->count * sizeof(double));
+    memcpy(f->vy + batch->first, batch->vy, batch->count * sizeof(double));
 }
 
-static void carry_flock(sph2d_sim *sim, const sph2d__flock *flock, events *met)
+static void advect_batch(sph2d_sim *sim, const sph2d__batch *batch, events *met)
 {
-    if (goes_free(sim, flock)) {
-        carry_free(&sim->system.fluid, flock);
+    if (goes_free(sim, batch)) {
+        advect_free(&sim->system.fluid, batch);
         return;
     }
-    for (size_t k = 0; k < flock->count; ++k) {
-        sph2d_vec2 v = {flock->vx[k], flock->vy[k]};
-        carry_one(sim, flock->first + k, flock->dx[k], flock->dy[k], &v, met);
+    for (size_t k = 0; k < batch->count; ++k) {
+        sph2d_vec2 v = {batch->vx[k], batch->vy[k]};
+        advect_one(sim, batch->first + k, batch->dx[k], batch->dy[k], &v, met);
     }
 }
 
-/** Carrying all flocks. */
-typedef struct journey {
+/** Carrying all batches. */
+typedef struct advection {
     sph2d_sim *sim;
     double dt;
-    sph2d__flock_work *set, *after;
+    sph2d__batch_work *set, *after;
     events met;
-} journey;
+} advection;
 
-static void carry_flocks(void *with, size_t first, size_t last)
+static void advect_batches(void *with, size_t first, size_t last)
 {
-    journey *j = with;
+    advection *j = with;
     const size_t count = j->sim->system.fluid.count;
     events met = {0};
     for (size_t n = first; n < last; ++n) {
-        sph2d__flock flock;
-        flock.first = n * SPH2D__FLOCK;
-        flock.count = count - flock.first < SPH2D__FLOCK ? count - flock.first : SPH2D__FLOCK;
-        j->set(j->sim, j->dt, &flock);
-        carry_flock(j->sim, &flock, &met);
+        sph2d__batch batch;
+        batch.first = n * SPH2D__BATCH;
+        batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
+        j->set(j->sim, j->dt, &batch);
+        advect_batch(j->sim, &batch, &met);
         if (j->after)
-            j->after(j->sim, j->dt, &flock);
+            j->after(j->sim, j->dt, &batch);
     }
     sph2d__team_lock(j->sim->system.team);
     j->met.hits += met.hits;
@@ -205,13 +205,13 @@ static void carry_flocks(void *with, size_t first, size_t last)
 }
 
 /* Flocks that are worth a thread. */
-enum { FLOCKS = SPH2D__GRAIN / 4 / SPH2D__FLOCK };
+enum { BATCHES = SPH2D__GRAIN / 4 / SPH2D__BATCH };
 
-sph2d_status sph2d__carry(sph2d_sim *sim, double dt, sph2d__flock_work *set, sph2d__flock_work *after)
+sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
-    journey j = {sim, dt, set, after, {0}};
-    const size_t flocks = (sim->system.fluid.count + SPH2D__FLOCK - 1) / SPH2D__FLOCK;
-    sph2d__share(sim->system.team, flocks, FLOCKS, carry_flocks, &j);
+    advection j = {sim, dt, set, after, {0}};
+    const size_t batches = (sim->system.fluid.count + SPH2D__BATCH - 1) / SPH2D__BATCH;
+    sph2d__share(sim->system.team, batches, BATCHES, advect_batches, &j);
     sim->record.backstop_hits += j.met.hits;
     sim->record.reflections += j.met.reflections;
     sim->record.energy_stopped += (double)j.met.stopped * sph2d__sim_energy_part(sim);
@@ -234,7 +234,7 @@ void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt)
     s->shift_gain = fmin(s->method.shifting * gain, most);
 }
 
-void sph2d__predict(sph2d_sim *sim, double dt, sph2d__flock *w)
+void sph2d__predict(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t i = w->first; i < w->first + w->count; ++i) {

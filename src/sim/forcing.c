@@ -52,7 +52,7 @@ static void follow(const sph2d_motion *motion, double time, sph2d_vec2 *at, sph2
     at->y += place.y;
 }
 
-void sph2d__sim_window(sph2d_sim *sim, double from, double to)
+void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to)
 {
     for (size_t k = 0; k < sim->moving_count; ++k) {
         sph2d__moving *m = &sim->moving[k];
@@ -96,7 +96,7 @@ static void move_bodies(sph2d_sim *sim, double time)
     }
 }
 
-sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time)
+sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
 {
     const sph2d__record *r = &sim->record;
     sph2d__body *body = &sim->system.body;

@@ -35,8 +35,8 @@ struct sph2d_sim {
     uint64_t *output_counts;    /**< outputs taken: snapshots, frames, then each probe */
     double *gauges;             /**< of each probe: the pressure on its face, and what it shows [Pa] */
     bool gauges_lag;            /**< whether one of them takes time */
-    unsigned char *doomed;      /**< flags of particles to remove */
-    size_t doomed_capacity;
+    unsigned char *to_remove;   /**< flags of particles to remove */
+    size_t to_remove_capacity;
 
     double weights[3]; /**< of the rates in the step that is being made: adams_bashforth.c */
     double split;      /**< theta of the step that is being made: projected.c */
@@ -49,9 +49,9 @@ struct sph2d_sim {
 
 /** Puts the interactions and the pointer that act at `time` where the method looks for them, and moves obstacles to
  *  where they are then. Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__sim_aim(sph2d_sim *sim, double time);
+sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time);
 /** Tells moving obstacles over which time the next drift goes. */
-void sph2d__sim_window(sph2d_sim *sim, double from, double to);
+void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
 
 /** What a known flow needs to know of the scene. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);

@@ -260,7 +260,7 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
         return;
     double all = power_of_rates(s, f->density_rate, dt);
     swap(&f->density_rate, &f->old_ax);
-    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_WATCH);
+    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
     bool on = s->profile.on;
     s->profile.on = false;
     s->method.density_diffusion = 0;

@@ -24,7 +24,7 @@ typedef double sph2d__real;
 #include <immintrin.h>
 #define SPH2D__LANES 8
 typedef double sph2d__lanes __attribute__((vector_size(64)));
-typedef float sph2d__pairs __attribute__((vector_size(64)));
+typedef float sph2d__float2 __attribute__((vector_size(64)));
 
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 {
@@ -52,17 +52,17 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const ui
 {
     return (sph2d__lanes)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i_u *)index), from, 8);
 }
-SPH2D__INLINE sph2d__pairs sph2d__pairs_of(sph2d__lanes x, sph2d__lanes y)
+SPH2D__INLINE sph2d__float2 sph2d__float2_of(sph2d__lanes x, sph2d__lanes y)
 {
     const __m512i order = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
     __m512 low = _mm512_castps256_ps512(_mm512_cvtpd_ps((__m512d)x));
-    return (sph2d__pairs)_mm512_permutex2var_ps(low, order, _mm512_castps256_ps512(_mm512_cvtpd_ps((__m512d)y)));
+    return (sph2d__float2)_mm512_permutex2var_ps(low, order, _mm512_castps256_ps512(_mm512_cvtpd_ps((__m512d)y)));
 }
-SPH2D__INLINE sph2d__lanes sph2d__pairs_x(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_x(sph2d__float2 p)
 {
     return (sph2d__lanes)_mm512_cvtps_pd((__m256)_mm512_cvtepi64_epi32((__m512i)p));
 }
-SPH2D__INLINE sph2d__lanes sph2d__pairs_y(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
 {
     return (sph2d__lanes)_mm512_cvtps_pd((__m256)_mm512_cvtepi64_epi32(_mm512_srli_epi64((__m512i)p, 32)));
 }
@@ -80,7 +80,7 @@ SPH2D__INLINE void sph2d__lanes_pack(double *to, sph2d__lanes a, unsigned which)
 #include <immintrin.h>
 #define SPH2D__LANES 4
 typedef double sph2d__lanes __attribute__((vector_size(32)));
-typedef float sph2d__pairs __attribute__((vector_size(32)));
+typedef float sph2d__float2 __attribute__((vector_size(32)));
 
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 {
@@ -103,17 +103,17 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_
 {
     return (sph2d__lanes){from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 }
-SPH2D__INLINE sph2d__pairs sph2d__pairs_of(sph2d__lanes x, sph2d__lanes y)
+SPH2D__INLINE sph2d__float2 sph2d__float2_of(sph2d__lanes x, sph2d__lanes y)
 {
     __m128 fx = _mm256_cvtpd_ps((__m256d)x), fy = _mm256_cvtpd_ps((__m256d)y);
-    return (sph2d__pairs)_mm256_set_m128(_mm_unpackhi_ps(fx, fy), _mm_unpacklo_ps(fx, fy));
+    return (sph2d__float2)_mm256_set_m128(_mm_unpackhi_ps(fx, fy), _mm_unpacklo_ps(fx, fy));
 }
-SPH2D__INLINE sph2d__lanes sph2d__pairs_x(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_x(sph2d__float2 p)
 {
     __m128 low = _mm256_castps256_ps128((__m256)p), high = _mm256_extractf128_ps((__m256)p, 1);
     return (sph2d__lanes)_mm256_cvtps_pd(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)));
 }
-SPH2D__INLINE sph2d__lanes sph2d__pairs_y(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
 {
     __m128 low = _mm256_castps256_ps128((__m256)p), high = _mm256_extractf128_ps((__m256)p, 1);
     return (sph2d__lanes)_mm256_cvtps_pd(_mm_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
@@ -122,7 +122,7 @@ SPH2D__INLINE sph2d__lanes sph2d__pairs_y(sph2d__pairs p)
 #else
 #define SPH2D__LANES 2
 typedef double sph2d__lanes __attribute__((vector_size(16)));
-typedef float sph2d__pairs __attribute__((vector_size(16)));
+typedef float sph2d__float2 __attribute__((vector_size(16)));
 
 /** Square root of each lane. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
@@ -150,16 +150,16 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_
     return (sph2d__lanes){from[index[0]], from[index[1]]};
 }
 /** Floats of the lanes of two vectors, side by side. */
-SPH2D__INLINE sph2d__pairs sph2d__pairs_of(sph2d__lanes x, sph2d__lanes y)
+SPH2D__INLINE sph2d__float2 sph2d__float2_of(sph2d__lanes x, sph2d__lanes y)
 {
-    return (sph2d__pairs){(float)x[0], (float)y[0], (float)x[1], (float)y[1]};
+    return (sph2d__float2){(float)x[0], (float)y[0], (float)x[1], (float)y[1]};
 }
 /** The first of each pair, and the second. */
-SPH2D__INLINE sph2d__lanes sph2d__pairs_x(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_x(sph2d__float2 p)
 {
     return (sph2d__lanes){p[0], p[2]};
 }
-SPH2D__INLINE sph2d__lanes sph2d__pairs_y(sph2d__pairs p)
+SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
 {
     return (sph2d__lanes){p[1], p[3]};
 }
@@ -176,30 +176,30 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const ui
 #endif
 
 /** Two floats in the place of each double that is kept: one gather fetches both. */
-SPH2D__INLINE sph2d__pairs sph2d__pairs_load(const double *from)
+SPH2D__INLINE sph2d__float2 sph2d__float2_load(const double *from)
 {
-    sph2d__pairs p;
+    sph2d__float2 p;
     memcpy(&p, from, sizeof p);
     return p;
 }
-SPH2D__INLINE void sph2d__pairs_store(double *to, sph2d__pairs p)
+SPH2D__INLINE void sph2d__float2_store(double *to, sph2d__float2 p)
 {
     memcpy(to, &p, sizeof p);
 }
-SPH2D__INLINE sph2d__pairs sph2d__pairs_gather(const double *from, const uint32_t *index)
+SPH2D__INLINE sph2d__float2 sph2d__float2_gather(const double *from, const uint32_t *index)
 {
-    return (sph2d__pairs)sph2d__lanes_gather_late(from, index);
+    return (sph2d__float2)sph2d__lanes_gather_late(from, index);
 }
 
 /** A pair of the same float twice, in the place of a double, and its value. */
-static inline double sph2d__twin(double a)
+static inline double sph2d__splat(double a)
 {
     const float both[2] = {(float)a, (float)a};
     double kept;
     memcpy(&kept, both, sizeof kept);
     return kept;
 }
-static inline double sph2d__twin_value(double kept)
+static inline double sph2d__splat_value(double kept)
 {
     float a;
     memcpy(&a, &kept, sizeof a);

@@ -158,10 +158,10 @@ enum { SPH2D__SIFTED = 256 };
 /** Hands out the candidates of a group that are near the box around it, which must have been laid: 71 of 100
  *  at 4 lanes, 77 at 8. Where vectors are of 16 bytes it hands out all, as sifting takes as long as it saves. */
 typedef struct sph2d__sieve {
-    sph2d__real reach2;  /**< more than the squared support radius, by more than rounding */
-    int range;           /**< where to go on, in this range */
-    size_t next, count;  /**< with this particle; candidates found */
-    double way_x, way_y; /**< the way that belongs to them [m] */
+    sph2d__real reach2;        /**< more than the squared support radius, by more than rounding */
+    int range;                 /**< where to go on, in this range */
+    size_t next, count;        /**< with this particle; candidates found */
+    double offset_x, offset_y; /**< the way that belongs to them [m] */
 #ifdef __AVX__
     uint32_t index[SPH2D__SIFTED + SPH2D__PADDING]; /**< blocks are written whole */
 #else
@@ -185,9 +185,9 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
     int r = sieve->range;
     if (r >= ranges->count)
         return false;
-    const double way_x = ranges->x[r], way_y = ranges->y[r];
-    const sph2d__real low_x = (sph2d__real)(g->low_x + way_x), high_x = (sph2d__real)(g->high_x + way_x);
-    const sph2d__real low_y = (sph2d__real)(g->low_y + way_y), high_y = (sph2d__real)(g->high_y + way_y);
+    const double offset_x = ranges->x[r], offset_y = ranges->y[r];
+    const sph2d__real low_x = (sph2d__real)(g->low_x + offset_x), high_x = (sph2d__real)(g->high_x + offset_x);
+    const sph2d__real low_y = (sph2d__real)(g->low_y + offset_y), high_y = (sph2d__real)(g->high_y + offset_y);
     const sph2d__lanes zero = {0};
     size_t j = sieve->next, count = 0;
     do {
@@ -207,12 +207,12 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
             break;
         if (++r < ranges->count)
             j = ranges->begin[r];
-    } while (r < ranges->count && ranges->x[r] == way_x && ranges->y[r] == way_y && count < SPH2D__SIFTED);
+    } while (r < ranges->count && ranges->x[r] == offset_x && ranges->y[r] == offset_y && count < SPH2D__SIFTED);
     sieve->range = r;
     sieve->next = j;
     sieve->count = count;
-    sieve->way_x = way_x;
-    sieve->way_y = way_y;
+    sieve->offset_x = offset_x;
+    sieve->offset_y = offset_y;
     return true;
 }
 
@@ -231,8 +231,8 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
         return false;
     sieve->first = ranges->begin[r];
     sieve->count = ranges->end[r] - ranges->begin[r];
-    sieve->way_x = ranges->x[r];
-    sieve->way_y = ranges->y[r];
+    sieve->offset_x = ranges->x[r];
+    sieve->offset_y = ranges->y[r];
     sieve->range = r + 1;
     return true;
 }

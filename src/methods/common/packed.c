@@ -35,9 +35,9 @@ static void pack_common(sph2d__system *s, size_t first, size_t last)
     pack(sph2d__floats(f, f->packed_velocity, 0), f->vx, 0, first, last);
     pack(sph2d__floats(f, f->packed_velocity, 1), f->vy, 0, first, last);
     pack(sph2d__floats(f, f->packed_density, 0), f->density, s->rest_density, first, last);
-    pack(sph2d__floats(f, f->packed_density, 1), f->fullness, 0, first, last);
-    pack(sph2d__floats(f, f->packed_slope, 0), f->slope_x, 0, first, last);
-    pack(sph2d__floats(f, f->packed_slope, 1), f->slope_y, 0, first, last);
+    pack(sph2d__floats(f, f->packed_density, 1), f->min_eigenvalue, 0, first, last);
+    pack(sph2d__floats(f, f->packed_gradient, 0), f->density_grad_x, 0, first, last);
+    pack(sph2d__floats(f, f->packed_gradient, 1), f->density_grad_y, 0, first, last);
 }
 
 static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
@@ -52,8 +52,8 @@ static void pack_some_fluid_rates(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     pack_common(s, first, last);
-    pack(sph2d__floats(f, f->packed_strain, 0), f->crowd_x, 0, first, last);
-    pack(sph2d__floats(f, f->packed_strain, 1), f->crowd_y, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 0), f->grad_c_x, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 1), f->grad_c_y, 0, first, last);
 }
 
 static void pack_some_wall_rates(sph2d__system *s, size_t first, size_t last)
@@ -73,8 +73,8 @@ static void pack_some_walls(sph2d__system *s, size_t first, size_t last)
     pack(sph2d__packed_volume(w), w->volume, 0, first, last);
     pack(sph2d__packed_pressure(w), w->pressure, 0, first, last);
     pack(sph2d__floats(w, w->packed_density, 0), w->slide, 0, first, last);
-    pack(sph2d__floats(w, w->packed_slope, 0), w->along_x, 0, first, last);
-    pack(sph2d__floats(w, w->packed_slope, 1), w->along_y, 0, first, last);
+    pack(sph2d__floats(w, w->packed_gradient, 0), w->along_x, 0, first, last);
+    pack(sph2d__floats(w, w->packed_gradient, 1), w->along_y, 0, first, last);
 }
 
 void sph2d__pack_fluid(sph2d__system *s)

@@ -13,13 +13,13 @@
 
 /* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
  * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
- * reads them, or the slide of walls, beside the fullness of liquid or the mass of walls; slopes, or the direction along
+ * reads them, or the slide of walls, beside the min_eigenvalue of liquid or the mass of walls; slopes, or the direction along
  * walls; rates of strain or, for the rate of density, H grad C (shift.h). */
 
 /** Arrays of one value a particle. Density is that over `from`. */
 typedef struct sph2d__packed {
-    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *slope_x, *slope_y, *fullness, *excess,
-        *stretch, *shear, *crowd_x, *crowd_y, *wall_rate, *slide, *along_x, *along_y;
+    const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *density_grad_x, *density_grad_y,
+        *min_eigenvalue, *excess, *stretch, *shear, *grad_c_x, *grad_c_y, *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -59,15 +59,15 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .density = sph2d__floats(t, t->packed_density, 0),
                            .stretch = sph2d__floats(t, t->packed_strain, 0),
                            .shear = sph2d__floats(t, t->packed_strain, 1),
-                           .crowd_x = sph2d__floats(t, t->packed_strain, 0),
-                           .crowd_y = sph2d__floats(t, t->packed_strain, 1),
+                           .grad_c_x = sph2d__floats(t, t->packed_strain, 0),
+                           .grad_c_y = sph2d__floats(t, t->packed_strain, 1),
                            .slide = sph2d__floats(t, t->packed_density, 0),
-                           .along_x = sph2d__floats(t, t->packed_slope, 0),
-                           .along_y = sph2d__floats(t, t->packed_slope, 1),
-                           .fullness = sph2d__floats(t, t->packed_density, 1),
+                           .along_x = sph2d__floats(t, t->packed_gradient, 0),
+                           .along_y = sph2d__floats(t, t->packed_gradient, 1),
+                           .min_eigenvalue = sph2d__floats(t, t->packed_density, 1),
                            .mass = sph2d__floats(t, t->packed_density, 1),
-                           .slope_x = sph2d__floats(t, t->packed_slope, 0),
-                           .slope_y = sph2d__floats(t, t->packed_slope, 1),
+                           .density_grad_x = sph2d__floats(t, t->packed_gradient, 0),
+                           .density_grad_y = sph2d__floats(t, t->packed_gradient, 1),
                            .from = s->rest_density};
 }
 #else
@@ -82,14 +82,14 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->pressure,
                            t->volume,
                            t->mass,
-                           t->slope_x,
-                           t->slope_y,
-                           t->fullness,
+                           t->density_grad_x,
+                           t->density_grad_y,
+                           t->min_eigenvalue,
                            t->excess,
                            t->stretch,
                            t->shear,
-                           t->crowd_x,
-                           t->crowd_y,
+                           t->grad_c_x,
+                           t->grad_c_y,
                            t->wall_rate,
                            t->slide,
                            t->along_x,

@@ -8,7 +8,7 @@
 const char *sph2d_phase_name(sph2d_phase phase)
 {
     static const char *const names[SPH2D_PHASE_COUNT] = {"move",    "sort",   "walls", "search",
-                                                         "density", "forces", "solve", "watch"};
+                                                         "density", "forces", "solve", "bookkeeping"};
     return (unsigned)phase < SPH2D_PHASE_COUNT ? names[phase] : "unknown";
 }
 

@@ -48,17 +48,17 @@ typedef struct sph2d__system {
     double slip_length; /**< of smooth walls [m] */
     sph2d__body body;
 
-    double step;    /**< length of the step that is being taken [s] */
-    double speed;   /**< largest speed of a particle when the step began [m/s] */
-    double hardest; /**< largest pressure then, that of the scene's head at least [Pa] */
+    double step;         /**< length of the step that is being taken [s] */
+    double speed;        /**< largest speed of a particle when the step began [m/s] */
+    double max_pressure; /**< largest pressure then, that of the scene's head at least [Pa] */
     double head;    /**< g h + U^2/2 + pull of the scene as it starts, or what its sound speed is meant for [m^2/s^2] */
     double tension; /**< wcsph: by how much pressure may be negative; infinite without tensile control [Pa] */
-    double densest; /**< largest density of a particle then, the rest density at least [kg/m^3] */
+    double max_density; /**< largest density of a particle then, the rest density at least [kg/m^3] */
 
-    uint64_t iterations; /**< of the pressure solver in the step that was taken */
-    bool unconverged;    /**< it was not done then */
-    double left;         /**< compression that it left */
-    double wanted;       /**< and what it should have left at most */
+    uint64_t iterations;    /**< of the pressure solver in the step that was taken */
+    bool unconverged;       /**< it was not done then */
+    double residual;        /**< compression that it left */
+    double wanted_residual; /**< and what it should have left at most */
 
     sph2d__profile profile;
     sph2d__memory *memory;

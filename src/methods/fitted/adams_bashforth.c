@@ -55,8 +55,8 @@ static void age_rates(sph2d__store *f)
     }
 }
 
-/** Ways, velocities and densities of a flock. */
-static void go(sph2d_sim *sim, double dt, sph2d__flock *w)
+/** Ways, velocities and densities of a batch. */
+static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     const double now = dt * sim->weights[0], old = dt * sim->weights[1], older = dt * sim->weights[2];
@@ -65,10 +65,10 @@ static void go(sph2d_sim *sim, double dt, sph2d__flock *w)
         double gain_y = now * f->ay[i] + old * f->old_ay[i] + older * f->older_ay[i];
         w->dx[k] = dt * (f->vx[i] + gain_x / 2 + f->shift_x[i]);
         w->dy[k] = dt * (f->vy[i] + gain_y / 2 + f->shift_y[i]);
-        w->vx[k] = f->vx[i] + gain_x + dt * f->way_ax[i];
-        w->vy[k] = f->vy[i] + gain_y + dt * f->way_ay[i];
+        w->vx[k] = f->vx[i] + gain_x + dt * f->shift_ax[i];
+        w->vy[k] = f->vy[i] + gain_y + dt * f->shift_ay[i];
         f->density[i] += now * f->density_rate[i] + old * f->old_density_rate[i] + older * f->older_density_rate[i] +
-                         dt * f->way_density_rate[i];
+                         dt * f->shift_density_rate[i];
     }
 }
 
@@ -99,15 +99,15 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     if (!(r->mean_density > 0))
         r->mean_density = mean_density(&s->fluid);
     age_rates(&s->fluid);
-    sph2d_status status = sph2d__sim_aim(sim, r->time);
+    sph2d_status status = sph2d__sim_update_forcing(sim, r->time);
     if (status != SPH2D_OK)
         return status;
     if (!sph2d__sim_book_fitted(sim, dt))
         return SPH2D_NOMEM;
     weigh(sim->weights, dt, r->last_step, r->older_step);
     r->older_step = r->last_step;
-    sph2d__sim_window(sim, r->time, r->time + dt);
-    status = sph2d__carry(sim, dt, go, NULL);
+    sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
+    status = sph2d__advect(sim, dt, go, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

@@ -61,7 +61,7 @@ static bool evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double sound = sqrt(sph2d__sound_speed2_at(s, s->densest)), nu = s->viscosity / s->rest_density;
+    double sound = sqrt(sph2d__sound_speed2_at(s, s->max_density)), nu = s->viscosity / s->rest_density;
     double viscous = s->walls_press ? VISCOUS_AT_WALLS : VISCOUS;
     double step = sph2d__shortest_step(s, sound, speed, acceleration, nu, viscous, FORCE, limit);
     double diffusive = DIFFUSIVE * s->support / (s->method.density_diffusion * s->sound_speed);
@@ -77,7 +77,8 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 #define OLDER_RATES (SPH2D__BIT(older_ax) | SPH2D__BIT(older_ay) | SPH2D__BIT(older_density_rate))
 /* What a shift does. */
 #define SHIFT                                                                                                          \
-    (SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(way_ax) | SPH2D__BIT(way_ay) | SPH2D__BIT(way_density_rate))
+    (SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(shift_ax) | SPH2D__BIT(shift_ay) |                         \
+     SPH2D__BIT(shift_density_rate))
 
 const sph2d__method sph2d__wcsph_fitted = {
     .name = "wcsph, fitted",

@@ -321,9 +321,9 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
         f->density_rate[i] = rate[lane];
         f->shift_x[i] = wx[lane];
         f->shift_y[i] = wy[lane];
-        f->way_ax[i] = way[0][lane];
-        f->way_ay[i] = way[1][lane];
-        f->way_density_rate[i] = way[2][lane];
+        f->shift_ax[i] = way[0][lane];
+        f->shift_ay[i] = way[1][lane];
+        f->shift_density_rate[i] = way[2][lane];
     }
 }
 

@@ -12,7 +12,7 @@
  *  u(0) - dt/2 a(0). */
 #include "sim/stages.h"
 
-static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
@@ -25,14 +25,14 @@ static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
 
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
 {
-    sph2d__sim_window(sim, sim->record.time, sim->record.time + dt);
-    sph2d_status status = sph2d__carry(sim, dt, kick, sph2d__predict);
+    sph2d__sim_set_drift_interval(sim, sim->record.time, sim->record.time + dt);
+    sph2d_status status = sph2d__advect(sim, dt, kick, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
     sph2d__keep_accelerations(&sim->system.fluid);
-    status = sph2d__sim_aim(sim, sim->record.time + dt);
+    status = sph2d__sim_update_forcing(sim, sim->record.time + dt);
     if (status != SPH2D_OK)
         return status;
     if (!sim->method->evaluate(&sim->system))

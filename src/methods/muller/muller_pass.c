@@ -140,8 +140,8 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, ranges, s->support);
     while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {
-        me.x = sph2d__group_lanes(fluid->x + g->first, sieve.way_x);
-        me.y = sph2d__group_lanes(fluid->y + g->first, sieve.way_y);
+        me.x = sph2d__group_lanes(fluid->x + g->first, sieve.offset_x);
+        me.y = sph2d__group_lanes(fluid->y + g->first, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j)
             if (from == &s->walls)
                 add_wall_force(&sums, s->support, &me, from, j);

@@ -40,7 +40,7 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     const spook *k = with;
     sph2d__store *t = slab->rows;
     (void)sum;
-    sph2d__projection_collect(s, slab, k->dt * (1 - k->gamma), t->residual);
+    sph2d__projection_apply(s, slab, k->dt * (1 - k->gamma), t->residual);
     for (size_t i = slab->first; i < slab->last; ++i) {
         double weight = slab->walls ? t->mass[i] / s->mass : 1, g = weight * (t->density[i] / s->rest_density - 1);
         t->residual[i] += 4 * k->gamma * g - k->soft * t->multiplier[i];
@@ -53,7 +53,7 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
 static void load(sph2d__system *s, const spook *k)
 {
     sph2d__projection_begin(s, 1);
-    sph2d__projection_lead(s, k->dt * (1 - k->gamma), k->dt * k->dt);
+    sph2d__projection_remaining_motion(s, k->dt * (1 - k->gamma), k->dt * k->dt);
     sph2d__over_rows(s, load_slab, k);
 }
 
@@ -73,7 +73,7 @@ static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
 static void apply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const spook *k = with;
-    sph2d__projection_collect(s, slab, 0, slab->rows->product);
+    sph2d__projection_apply(s, slab, 0, slab->rows->product);
     sph2d__constraint_passes_find(s->isa)->apply(slab, k->soft, sum);
 }
 
@@ -92,7 +92,7 @@ static void clamp_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
 /** product = (D D' + S) direction, and what apply sums up. */
 static sph2d__slab_sum apply(sph2d__system *s, const spook *k)
 {
-    sph2d__projection_spread(s);
+    sph2d__projection_apply_transpose(s);
     return sph2d__over_rows(s, apply_slab, k);
 }
 
@@ -142,8 +142,8 @@ static double solve(sph2d__system *s, const spook *k)
         now = sph2d__over_rows(s, begin_slab, NULL);
     }
     s->iterations = steps;
-    s->left = now.second / fmax(1, (double)s->fluid.count);
-    s->wanted = s->method.tolerance;
+    s->residual = now.second / fmax(1, (double)s->fluid.count);
+    s->wanted_residual = s->method.tolerance;
     s->unconverged = !(now.second <= wanted);
     return now.most;
 }

@@ -71,7 +71,7 @@ static void apply(const sph2d__slab *slab, double soft, sph2d__slab_sum *sum)
     const sph2d__lanes none = {0};
     strands curve = {0}, across = {0}, length = {0};
     FOR_ROWS (slab, i, part) {
-        sph2d__lanes way = sph2d__pairs_x(sph2d__pairs_load(t->direction + i));
+        sph2d__lanes way = sph2d__float2_x(sph2d__float2_load(t->direction + i));
         sph2d__lanes product = sph2d__lanes_load(t->product + i) + soft * way;
         sph2d__lanes inverse = sph2d__lanes_max(sph2d__lanes_load(t->diagonal + i), none);
         sph2d__lanes_store(t->product + i, product);
@@ -94,7 +94,7 @@ static void begin(const sph2d__slab *slab, sph2d__slab_sum *sum)
         sph2d__lanes pushes = sph2d__lanes_max(sph2d__lanes_load(t->multiplier + i), r);
         sph2d__lanes active = sph2d__lanes_where(pushes, none, inverse), way = r * active;
         sph2d__lanes_store(t->diagonal + i, active + active - inverse);
-        sph2d__pairs_store(t->direction + i, sph2d__pairs_of(way, way));
+        sph2d__float2_store(t->direction + i, sph2d__float2_of(way, way));
         add_left(&over, part, r, active);
     }
     put_left(&over, sum);
@@ -107,12 +107,12 @@ static void advance(const sph2d__slab *slab, double length, double keep, sph2d__
     left over = {0};
     FOR_ROWS (slab, i, part) {
         sph2d__lanes inverse = sph2d__lanes_load(t->diagonal + i);
-        sph2d__lanes way = sph2d__pairs_x(sph2d__pairs_load(t->direction + i));
+        sph2d__lanes way = sph2d__float2_x(sph2d__float2_load(t->direction + i));
         sph2d__lanes r = sph2d__lanes_load(t->residual + i) - length * sph2d__lanes_load(t->product + i);
         sph2d__lanes next = sph2d__lanes_where(inverse, none, inverse * r + keep * way);
         sph2d__lanes_store(t->multiplier + i, sph2d__lanes_load(t->multiplier + i) + length * way);
         sph2d__lanes_store(t->residual + i, r);
-        sph2d__pairs_store(t->direction + i, sph2d__pairs_of(next, next));
+        sph2d__float2_store(t->direction + i, sph2d__float2_of(next, next));
         add_left(&over, part, r, inverse);
     }
     put_left(&over, sum);
@@ -125,10 +125,10 @@ static void clamp(const sph2d__slab *slab, sph2d__slab_sum *sum)
     strands cut = {0};
     FOR_ROWS (slab, i, part) {
         sph2d__lanes y = sph2d__lanes_load(t->multiplier + i), below = sph2d__lanes_max(-y, none);
-        sph2d__pairs kept = sph2d__pairs_of(below, below);
-        sph2d__lanes pull = sph2d__pairs_x(kept); /* so that the way ends at 0 */
+        sph2d__float2 kept = sph2d__float2_of(below, below);
+        sph2d__lanes pull = sph2d__float2_x(kept); /* so that the way ends at 0 */
         sph2d__lanes diagonal = size_of(sph2d__lanes_load(t->diagonal + i));
-        sph2d__pairs_store(t->direction + i, kept);
+        sph2d__float2_store(t->direction + i, kept);
         sph2d__lanes_store(t->multiplier + i, sph2d__lanes_max(y, none) - pull);
         cut.at[part] += sph2d__lanes_where(pull, none, pull / diagonal);
     }

@@ -21,11 +21,11 @@ static const double UNKNOWN = 1e9;
 /** What does not change from particle to particle. */
 typedef struct correction {
     double limit, share;
-    double scale;    /**< makes a density over rest density of masses times f(q) */
-    double own;      /**< mass times f(0) */
-    double pressure; /**< of a multiplier */
-    double hardest;  /**< largest pressure without corrections */
-    double hurry;    /**< acceleration for a way */
+    double scale;        /**< makes a density over rest density of masses times f(q) */
+    double own;          /**< mass times f(0) */
+    double pressure;     /**< of a multiplier */
+    double max_pressure; /**< largest pressure without corrections */
+    double per_step2;    /**< acceleration for a way */
 } correction;
 
 /** The pairs of a row: those with the fluid from `first` to `fluid`, those with boundary particles from there on. */
@@ -71,8 +71,8 @@ static void move(sph2d__system *s, const correction *c, size_t i, double x, doub
     sph2d__store *f = &s->fluid;
     f->next_x[i] += x;
     f->next_y[i] += y;
-    f->ax[i] += c->hurry * x;
-    f->ay[i] += c->hurry * y;
+    f->ax[i] += c->per_step2 * x;
+    f->ay[i] += c->per_step2 * y;
     f->residual[i] = UNKNOWN;
 }
 
@@ -92,7 +92,7 @@ static void push(sph2d__system *s, const correction *c, const row *r, size_t i, 
     }
     move(s, c, i, x, y);
     f->multiplier[i] += more;
-    f->pressure[i] = fmin(f->pressure[i] + c->pressure * more, fmax(f->pressure[i], c->hardest));
+    f->pressure[i] = fmin(f->pressure[i] + c->pressure * more, fmax(f->pressure[i], c->max_pressure));
 }
 
 /** Looks at the particles that want it. True when none was corrected. */
@@ -145,8 +145,8 @@ void sph2d__stragglers_correct(sph2d__system *s, double limit, double share)
                     .scale = s->calibration * sph2d__kernel_constant(s->method.kernel) / (h2 * s->rest_density),
                     .own = s->mass * sph2d__kernel_value_at(s->method.kernel, 0),
                     .pressure = s->moment * s->rest_density / (s->step * s->step),
-                    .hurry = 1 / (s->step * s->step)};
-    c.hardest = sph2d__over_fluid(s, step_slab, NULL).most;
+                    .per_step2 = 1 / (s->step * s->step)};
+    c.max_pressure = sph2d__over_fluid(s, step_slab, NULL).most;
     s->fluid.next_x[s->fluid.count] = s->fluid.next_y[s->fluid.count] = 1e30;
     double found = INFINITY;
     for (int turn = 0; turn < TURNS && found > FEW * (double)s->fluid.count; ++turn) {

@@ -41,13 +41,13 @@ static void correct_slab(sph2d__system *s, const sph2d__slab *slab, const void *
     double total = 0, most = 0;
     sph2d__projection_predict(s, slab);
     for (size_t i = slab->first; i < slab->last; ++i) {
-        double ahead = sph2d__twin_value(rows->direction[i]), r = rows->residual[i] - c->soft * ahead;
+        double ahead = sph2d__splat_value(rows->direction[i]), r = rows->residual[i] - c->soft * ahead;
         double left = r > 0 ? r : ahead > 0 ? -r : 0, y = ahead + c->factor * r;
         y = y > 0 ? y : 0;
         double way = y - rows->multiplier[i];
         ahead = y + c->ahead * way;
         rows->multiplier[i] = y;
-        rows->direction[i] = sph2d__twin(ahead > 0 ? ahead : 0);
+        rows->direction[i] = sph2d__splat(ahead > 0 ? ahead : 0);
         total += left;
         sum->second += r * way;
         most = left > most ? left : most;
@@ -64,15 +64,16 @@ static void project(sph2d__system *s)
     correction c = {RELAXATION / (2 * sph2d__pcisph_prototype(s)), 0, 1 / (sound * sound)};
     uint64_t n = 0;
     sph2d__projection_begin(s, WARMTH);
-    s->wanted = s->method.max_compression;
+    s->wanted_residual = s->method.max_compression;
     s->unconverged = true;
     while (n < s->method.max_iterations && (s->unconverged || n < s->method.min_iterations)) {
         double next = (1 + sqrt(1 + 4 * t * t)) / 2;
         c.ahead = (t - 1) / next;
-        sph2d__projection_move(s);
+        sph2d__projection_next_positions(s);
         sph2d__slab_sum left = sph2d__over_rows(s, correct_slab, &c);
-        s->left = s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
-        s->unconverged = !(s->left <= s->wanted);
+        s->residual =
+            s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
+        s->unconverged = !(s->residual <= s->wanted_residual);
         bool grows = left.first > GROWTH * least;
         c.factor *= grows ? 0.5 : 1;
         t = grows || left.second < 0 ? 1 : next;

@@ -46,7 +46,7 @@
 #include "methods/common/slabs.h"
 #include "sim/stages.h"
 
-static void drift(sph2d_sim *sim, double dt, sph2d__flock *w)
+static void drift(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
@@ -58,7 +58,7 @@ static void drift(sph2d_sim *sim, double dt, sph2d__flock *w)
 }
 
 /** Kick and drift; the acceleration is that without pressure again, which old_ax and old_ay are. */
-static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
@@ -124,18 +124,18 @@ static void split(sph2d_sim *sim, double dt)
 }
 
 /** Half a drift, and all that depends on places alone at its end. */
-static sph2d_status go(sph2d_sim *sim, double dt, sph2d__flock_work *set, double to)
+static sph2d_status go(sph2d_sim *sim, double dt, sph2d__batch_work *set, double to)
 {
-    sph2d_status status = sph2d__carry(sim, dt, set, NULL);
+    sph2d_status status = sph2d__advect(sim, dt, set, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
-    return status == SPH2D_OK ? sph2d__sim_aim(sim, to) : status;
+    return status == SPH2D_OK ? sph2d__sim_update_forcing(sim, to) : status;
 }
 
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
 {
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
-    sph2d__sim_window(sim, start, middle);
+    sph2d__sim_set_drift_interval(sim, start, middle);
     sph2d_status status = go(sim, dt, drift, middle);
     if (status != SPH2D_OK)
         return status;
@@ -149,6 +149,6 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;
     sim->record.unconverged_row = sim->system.unconverged ? sim->record.unconverged_row + 1 : 0;
-    sph2d__sim_window(sim, middle, end);
+    sph2d__sim_set_drift_interval(sim, middle, end);
     return go(sim, dt, kick, end);
 }

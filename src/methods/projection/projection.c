@@ -63,14 +63,14 @@ static void spread_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 {
     (void)with;
     (void)sum;
-    sph2d__projection_passes_find(s->isa)->spread(s, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->apply_transpose(s, slab->first, slab->last);
 }
 
 static void lead_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const shares *w = with;
     (void)sum;
-    sph2d__projection_passes_find(s->isa)->lead(s, w->keep, w->fall, slab->first, slab->last);
+    sph2d__projection_passes_find(s->isa)->remaining_motion(s, w->keep, w->fall, slab->first, slab->last);
 }
 
 static void move_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
@@ -95,25 +95,25 @@ static void push_nothing(sph2d__store *f)
         f->push[f->count] = 0;
 }
 
-void sph2d__projection_spread(sph2d__system *s)
+void sph2d__projection_apply_transpose(sph2d__system *s)
 {
     sph2d__over_fluid(s, spread_slab, NULL);
     push_nothing(&s->fluid);
 }
 
-void sph2d__projection_lead(sph2d__system *s, double keep, double fall)
+void sph2d__projection_remaining_motion(sph2d__system *s, double keep, double fall)
 {
     sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
     push_nothing(&s->fluid);
 }
 
-void sph2d__projection_collect(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
+void sph2d__projection_apply(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
 {
     const sph2d__projection_passes *pass = sph2d__projection_passes_find(s->isa);
-    (slab->walls ? pass->collect_walls : pass->collect_fluid)(s, share, out, slab->first, slab->last);
+    (slab->walls ? pass->apply_walls : pass->apply_fluid)(s, share, out, slab->first, slab->last);
 }
 
-void sph2d__projection_move(sph2d__system *s)
+void sph2d__projection_next_positions(sph2d__system *s)
 {
     sph2d__over_fluid(s, move_slab, NULL);
     put_far(&s->fluid, s->fluid.next_x, s->fluid.next_y);
@@ -134,7 +134,7 @@ static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     sph2d__store *t = slab->rows;
     (void)sum;
     for (size_t i = slab->first; i < slab->last; ++i)
-        t->direction[i] = sph2d__twin(t->multiplier[i] = t->pressure[i] > 0 ? factor * t->pressure[i] : 0);
+        t->direction[i] = sph2d__splat(t->multiplier[i] = t->pressure[i] > 0 ? factor * t->pressure[i] : 0);
 }
 
 void sph2d__projection_begin(sph2d__system *s, double part)
@@ -185,7 +185,7 @@ static const double FORCE = 0.18;
 
 double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double push = sqrt(s->hardest / s->rest_density);
+    double push = sqrt(s->max_pressure / s->rest_density);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, s->viscosity / s->rest_density,
                                 sph2d__viscous_limit(s->method.kernel), FORCE, limit);
 }

@@ -37,16 +37,16 @@
 bool sph2d__projection_gather(sph2d__system *system);
 
 /** push = D' direction. Directions are a float twice, pushes two floats (lanes.h): as good as the gradients. */
-void sph2d__projection_spread(sph2d__system *system);
+void sph2d__projection_apply_transpose(sph2d__system *system);
 
 /** push = keep v + fall a - D' direction: what multipliers leave of a motion. */
-void sph2d__projection_lead(sph2d__system *system, double keep, double fall);
+void sph2d__projection_remaining_motion(sph2d__system *system, double keep, double fall);
 
 /** out = D push for the rows of a slab, where boundary particles move with `share` of their velocities. */
-void sph2d__projection_collect(sph2d__system *system, const sph2d__slab *slab, double share, double *out);
+void sph2d__projection_apply(sph2d__system *system, const sph2d__slab *slab, double share, double *out);
 
 /** next = x + dt v + dt^2 a - D' direction: where particles will be. */
-void sph2d__projection_move(sph2d__system *system);
+void sph2d__projection_next_positions(sph2d__system *system);
 
 /** residual = rho+/rho0 - 1, and g_b, for the rows of a slab, with the fluid at `next`, boundary particles moved on by
  *  their velocities over the step, and the neighbours as they are. */
@@ -110,12 +110,12 @@ typedef struct sph2d__projection_gather_pass {
 /** The other pair loops, for particles `first`, which begins a slab, to `last` - 1. Prediction is compiled once for
  *  each kernel, too. */
 typedef struct sph2d__projection_passes {
-    void (*spread)(sph2d__system *system, size_t first, size_t last);
-    void (*lead)(sph2d__system *system, double keep, double fall, size_t first, size_t last);
+    void (*apply_transpose)(sph2d__system *system, size_t first, size_t last);
+    void (*remaining_motion)(sph2d__system *system, double keep, double fall, size_t first, size_t last);
     void (*move)(sph2d__system *system, size_t first, size_t last);
     void (*press)(sph2d__system *system, double share, size_t first, size_t last);
-    void (*collect_fluid)(sph2d__system *system, double share, double *out, size_t first, size_t last);
-    void (*collect_walls)(sph2d__system *system, double share, double *out, size_t first, size_t last);
+    void (*apply_fluid)(sph2d__system *system, double share, double *out, size_t first, size_t last);
+    void (*apply_walls)(sph2d__system *system, double share, double *out, size_t first, size_t last);
     void (*predict_fluid[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
     void (*predict_walls[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
 } sph2d__projection_passes;

@@ -132,7 +132,7 @@ SPH2D__INLINE void sum_slots(sph2d__neighbours *n, size_t at, uint32_t slots, co
             sum.drag_x += g * (sum.vx - sph2d__lanes_gather(from->vx, index));
             sum.drag_y += g * (sum.vy - sph2d__lanes_gather(from->vy, index));
         }
-        sph2d__pairs_store(n->gradient + at, sph2d__pairs_of(gx, gy));
+        sph2d__float2_store(n->gradient + at, sph2d__float2_of(gx, gy));
     }
     *to = sum;
 }

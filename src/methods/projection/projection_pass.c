@@ -24,36 +24,36 @@ SPH2D__INLINE ends ends_of(const sph2d__neighbours *n, size_t first)
 /* ---- spreading --------------------------------------------------------------------------------------------------- */
 
 /** D' over the pairs from `first` to `end`, in floats as good as the gradients; `y` is of the other particles. */
-SPH2D__INLINE sph2d__pairs spread_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__pairs own,
-                                       const double *y, sph2d__pairs sum)
+SPH2D__INLINE sph2d__float2 transpose_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__float2 own,
+                                           const double *y, sph2d__float2 sum)
 {
     for (size_t k = first; k < end; k += SPH2D__LANES)
-        sum += (own + sph2d__pairs_gather(y, n->index + k)) * sph2d__pairs_load(n->gradient + k);
+        sum += (own + sph2d__float2_gather(y, n->index + k)) * sph2d__float2_load(n->gradient + k);
     return sum;
 }
 
-SPH2D__INLINE sph2d__pairs spread_slice(const sph2d__system *s, size_t i)
+SPH2D__INLINE sph2d__float2 transpose_slice(const sph2d__system *s, size_t i)
 {
     const double *y = s->fluid.direction;
     ends at = ends_of(&s->neighbours, i);
-    sph2d__pairs own = sph2d__pairs_load(y + i);
-    sph2d__pairs sum = spread_over(&s->neighbours, at.begin, at.fluid, own, y, (sph2d__pairs){0});
-    return spread_over(&s->neighbours, at.fluid, at.walls, own, s->walls.direction, sum);
+    sph2d__float2 own = sph2d__float2_load(y + i);
+    sph2d__float2 sum = transpose_over(&s->neighbours, at.begin, at.fluid, own, y, (sph2d__float2){0});
+    return transpose_over(&s->neighbours, at.fluid, at.walls, own, s->walls.direction, sum);
 }
 
-static void spread(sph2d__system *s, size_t first, size_t last)
+static void apply_transpose(sph2d__system *s, size_t first, size_t last)
 {
     FOR_SLICES (first, last, i)
-        sph2d__pairs_store(s->fluid.push + i, spread_slice(s, i));
+        sph2d__float2_store(s->fluid.push + i, transpose_slice(s, i));
 }
 
-static void lead(sph2d__system *s, double keep, double fall, size_t first, size_t last)
+static void remaining_motion(sph2d__system *s, double keep, double fall, size_t first, size_t last)
 {
     const sph2d__store *f = &s->fluid;
     FOR_SLICES (first, last, i) {
         sph2d__lanes x = keep * sph2d__lanes_load(f->vx + i) + fall * sph2d__lanes_load(f->ax + i);
         sph2d__lanes up = keep * sph2d__lanes_load(f->vy + i) + fall * sph2d__lanes_load(f->ay + i);
-        sph2d__pairs_store(f->push + i, sph2d__pairs_of(x, up) - spread_slice(s, i));
+        sph2d__float2_store(f->push + i, sph2d__float2_of(x, up) - transpose_slice(s, i));
     }
 }
 
@@ -62,11 +62,11 @@ static void move(sph2d__system *s, size_t first, size_t last)
     const sph2d__store *f = &s->fluid;
     double dt = s->step;
     FOR_SLICES (first, last, i) {
-        sph2d__pairs push = spread_slice(s, i);
+        sph2d__float2 push = transpose_slice(s, i);
         sph2d__lanes x = sph2d__lanes_load(f->vx + i) + dt * sph2d__lanes_load(f->ax + i);
         sph2d__lanes up = sph2d__lanes_load(f->vy + i) + dt * sph2d__lanes_load(f->ay + i);
-        sph2d__lanes_store(f->next_x + i, sph2d__lanes_load(f->x + i) + (dt * x - sph2d__pairs_x(push)));
-        sph2d__lanes_store(f->next_y + i, sph2d__lanes_load(f->y + i) + (dt * up - sph2d__pairs_y(push)));
+        sph2d__lanes_store(f->next_x + i, sph2d__lanes_load(f->x + i) + (dt * x - sph2d__float2_x(push)));
+        sph2d__lanes_store(f->next_y + i, sph2d__lanes_load(f->y + i) + (dt * up - sph2d__float2_y(push)));
     }
 }
 
@@ -82,9 +82,9 @@ static void press(sph2d__system *s, double share, size_t first, size_t last)
         sph2d__lanes own = sph2d__lanes_load(f->multiplier + i), px = {0}, py = {0};
         for (size_t k = at.begin; k < at.walls; k += SPH2D__LANES) {
             sph2d__lanes both = own + sph2d__lanes_gather_late(k < at.fluid ? f->multiplier : walls, n->index + k);
-            sph2d__pairs g = sph2d__pairs_load(n->gradient + k);
-            px += both * sph2d__pairs_x(g);
-            py += both * sph2d__pairs_y(g);
+            sph2d__float2 g = sph2d__float2_load(n->gradient + k);
+            px += both * sph2d__float2_x(g);
+            py += both * sph2d__float2_y(g);
         }
         sph2d__lanes_store(f->ax + i, sph2d__lanes_load(f->ax + i) - share * px);
         sph2d__lanes_store(f->ay + i, sph2d__lanes_load(f->ay + i) - share * py);
@@ -94,42 +94,42 @@ static void press(sph2d__system *s, double share, size_t first, size_t last)
 /* ---- collecting -------------------------------------------------------------------------------------------------- */
 
 /** D over the pairs with fluid particles from `first` to `end`, of particles that move by u. */
-SPH2D__INLINE sph2d__pairs collect_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__pairs u,
-                                        const double *push)
+SPH2D__INLINE sph2d__float2 apply_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__float2 u,
+                                       const double *push)
 {
-    sph2d__pairs sum = {0};
+    sph2d__float2 sum = {0};
     for (size_t k = first; k < end; k += SPH2D__LANES)
-        sum += (u - sph2d__pairs_gather(push, n->index + k)) * sph2d__pairs_load(n->gradient + k);
+        sum += (u - sph2d__float2_gather(push, n->index + k)) * sph2d__float2_load(n->gradient + k);
     return sum;
 }
 
-static void collect_fluid(sph2d__system *s, double share, double *out, size_t first, size_t last)
+static void apply_fluid(sph2d__system *s, double share, double *out, size_t first, size_t last)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     FOR_SLICES (first, last, i) {
         ends at = ends_of(n, i);
-        sph2d__pairs u = sph2d__pairs_load(f->push + i), sum = collect_over(n, at.begin, at.fluid, u, f->push);
+        sph2d__float2 u = sph2d__float2_load(f->push + i), sum = apply_over(n, at.begin, at.fluid, u, f->push);
         for (size_t k = at.fluid; k < at.walls; k += SPH2D__LANES) {
-            sph2d__pairs wall = {0};
+            sph2d__float2 wall = {0};
             if (share != 0)
-                wall = sph2d__pairs_of(share * sph2d__lanes_gather(w->vx, n->index + k),
-                                       share * sph2d__lanes_gather(w->vy, n->index + k));
-            sum += (u - wall) * sph2d__pairs_load(n->gradient + k);
+                wall = sph2d__float2_of(share * sph2d__lanes_gather(w->vx, n->index + k),
+                                        share * sph2d__lanes_gather(w->vy, n->index + k));
+            sum += (u - wall) * sph2d__float2_load(n->gradient + k);
         }
-        sph2d__lanes_store(out + i, sph2d__pairs_x(sum) + sph2d__pairs_y(sum));
+        sph2d__lanes_store(out + i, sph2d__float2_x(sum) + sph2d__float2_y(sum));
     }
 }
 
-static void collect_walls(sph2d__system *s, double share, double *out, size_t first, size_t last)
+static void apply_walls(sph2d__system *s, double share, double *out, size_t first, size_t last)
 {
     const sph2d__neighbours *n = &s->wall_neighbours;
     const sph2d__store *w = &s->walls;
     FOR_SLICES (first, last, b) {
         ends at = ends_of(n, b);
-        sph2d__pairs u = sph2d__pairs_of(share * sph2d__lanes_load(w->vx + b), share * sph2d__lanes_load(w->vy + b));
-        sph2d__pairs sum = collect_over(n, at.begin, at.fluid, u, s->fluid.push);
-        sph2d__lanes_store(out + b, sph2d__pairs_x(sum) + sph2d__pairs_y(sum));
+        sph2d__float2 u = sph2d__float2_of(share * sph2d__lanes_load(w->vx + b), share * sph2d__lanes_load(w->vy + b));
+        sph2d__float2 sum = apply_over(n, at.begin, at.fluid, u, s->fluid.push);
+        sph2d__lanes_store(out + b, sph2d__float2_x(sum) + sph2d__float2_y(sum));
     }
 }
 
@@ -223,11 +223,11 @@ SPH2D_KERNEL_MAP(FOR_KERNEL)
 #define FLUID_ENTRY(name, word) [SPH2D_KERNEL_##name] = fluid_##word,
 #define WALLS_ENTRY(name, word) [SPH2D_KERNEL_##name] = walls_##word,
 const sph2d__projection_passes SPH2D__OF_ISA(sph2d__projection_passes) = {
-    .spread = spread,
-    .lead = lead,
+    .apply_transpose = apply_transpose,
+    .remaining_motion = remaining_motion,
     .move = move,
     .press = press,
-    .collect_fluid = collect_fluid,
-    .collect_walls = collect_walls,
+    .apply_fluid = apply_fluid,
+    .apply_walls = apply_walls,
     .predict_fluid = {SPH2D_KERNEL_MAP(FLUID_ENTRY)},
     .predict_walls = {SPH2D_KERNEL_MAP(WALLS_ENTRY)}};

@@ -44,7 +44,7 @@ static inline double sph2d__strain_rate(const sph2d__store *f, size_t i)
 /** The shift velocity of fluid particle i in the system's step, with `mean` H m_i [m/s]. */
 static inline sph2d_vec2 sph2d__shift_velocity(const sph2d__system *s, size_t i, sph2d_vec2 mean)
 {
-    double cx = s->fluid.crowd_x[i] - mean.x, cy = s->fluid.crowd_y[i] - mean.y, crowd = sqrt(cx * cx + cy * cy);
+    double cx = s->fluid.grad_c_x[i] - mean.x, cy = s->fluid.grad_c_y[i] - mean.y, crowd = sqrt(cx * cx + cy * cy);
     double most = SPH2D__SHIFT_LIMIT * s->support / s->step;
     double strain = sph2d__strain_rate(&s->fluid, i), noise = SPH2D__SHIFT_NOISE * s->sound_speed / s->support;
     double gain = s->method.shifting * SPH2D__SHIFT_GAIN;

@@ -37,7 +37,7 @@ typedef struct border {
 /** Whether a particle of the fluid can have a surface. */
 static bool can_have_surface(const sph2d__system *s, size_t i)
 {
-    return !s->fluid.surface || s->fluid.surface[i] < s->support;
+    return !s->fluid.surface_distance || s->fluid.surface_distance[i] < s->support;
 }
 
 /** Adds one, those that are near before the others; there is room. */

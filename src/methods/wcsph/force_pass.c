@@ -14,8 +14,8 @@ typedef struct force_sums {
     sph2d__lanes press_x, press_y; /* along the line between two: pressure, and viscosity of Monaghan's form */
     sph2d__lanes morris_x, morris_y;
     sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
-    sph2d__lanes xx, xy, yy, slope_x, slope_y;
-    sph2d__lanes crowd_x, crowd_y;
+    sph2d__lanes xx, xy, yy, density_grad_x, density_grad_y;
+    sph2d__lanes grad_c_x, grad_c_y;
     sph2d__lanes leave_x, leave_y; /* V_j g v_ij: against the velocity among its neighbours */
     sph2d__lanes packing;          /* W/W(dx) */
 } force_sums;
@@ -23,7 +23,7 @@ typedef struct force_sums {
 /** The terms of a scene, constants in each copy of the loops. */
 typedef struct terms {
     sph2d_kernel kernel;
-    sph2d__layout layout;
+    sph2d__detail detail;
     bool morris, monaghan; /**< either form of viscosity acts */
     bool eddies;           /**< Smagorinsky's does; never without `monaghan` */
 } terms;
@@ -53,17 +53,17 @@ typedef struct receiver {
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g, `ratio` their mass over that of the liquid's
  *  particles. */
-SPH2D__INLINE void add_layout(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg,
-                              sph2d__real ratio)
+SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg,
+                                     sph2d__real ratio)
 {
-    if (with.layout >= SPH2D__LAYOUT_FULL) {
+    if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
         sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
         sums->packing += near * ratio;
-        if (with.layout >= SPH2D__LAYOUT_CROWDED) {
+        if (with.detail >= SPH2D__DETAIL_SHIFT) {
             near *= near;
             sph2d__lanes crowd = vg * (1 + (sph2d__real)0.2 * near * near);
-            sums->crowd_x += crowd * p->dx;
-            sums->crowd_y += crowd * p->dy;
+            sums->grad_c_x += crowd * p->dx;
+            sums->grad_c_y += crowd * p->dy;
         }
     }
     sums->xx += vg * p->dx * p->dx;
@@ -78,7 +78,7 @@ SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, c
                              sph2d__real theirs, sph2d__lanes damped)
 {
     sph2d__lanes stress = sph2d__lanes_all(theirs);
-    if (with.layout >= SPH2D__LAYOUT_FULL) {
+    if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
         sph2d__lanes plain = p->g * ratio;
         sums->plain_x += plain * p->dx;
         sums->plain_y += plain * p->dy;
@@ -125,15 +125,15 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, co
     add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damped);
     if (with.morris)
         add_morris(sums, p->g * volume, dvx, dvy);
-    if (with.layout >= SPH2D__LAYOUT_SLOPED) {
+    if (with.detail >= SPH2D__DETAIL_GRADIENT) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
-        add_layout(sums, with, n, p, vg, 1);
-        if (with.layout >= SPH2D__LAYOUT_FULL) {
+        add_neighbourhood(sums, with, n, p, vg, 1);
+        if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
             sums->leave_x += vg * dvx;
             sums->leave_y += vg * dvy;
         }
-        sums->slope_x += vg * p->dx * drho;
-        sums->slope_y += vg * p->dy * drho;
+        sums->density_grad_x += vg * p->dx * drho;
+        sums->density_grad_y += vg * p->dy * drho;
     }
 }
 
@@ -152,22 +152,22 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     sums->press_y += along * along_y;
     if (with.morris)
         add_morris(sums, p->g * (volume * sticky), dvx, dvy);
-    if (with.layout >= SPH2D__LAYOUT_FULL)
-        add_layout(sums, with, n, p, p->g * volume, ratio);
+    if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
+        add_neighbourhood(sums, with, n, p, p->g * volume, ratio);
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
  *  both lack the same constant. None where the neighbours are on one line. */
-SPH2D__INLINE void finish_slope(sph2d__store *f, size_t i, const force_sums *sums, int l)
+SPH2D__INLINE void finish_density_gradient(sph2d__store *f, size_t i, const force_sums *sums, int l)
 {
     double xx = -(double)sums->xx[l], xy = -(double)sums->xy[l], yy = -(double)sums->yy[l];
-    double bx = (double)sums->slope_x[l], by = (double)sums->slope_y[l];
-    corrected(xx, xy, yy, bx, by, &f->slope_x[i], &f->slope_y[i]);
+    double bx = (double)sums->density_grad_x[l], by = (double)sums->density_grad_y[l];
+    corrected(xx, xy, yy, bx, by, &f->density_grad_x[i], &f->density_grad_y[i]);
 }
 
 /** How far the neighbourhood is filled: the smaller eigenvalue of M, 1 in the bulk, near 0.5 at a flat surface, less in
  *  spray (Marrone et al. 2010, eq. 8; there of the inverse). */
-SPH2D__INLINE double fullness_of(const force_sums *sums, int l, double scale)
+SPH2D__INLINE double min_eigenvalue_of(const force_sums *sums, int l, double scale)
 {
     double xx = -scale * (double)sums->xx[l], xy = -scale * (double)sums->xy[l];
     double yy = -scale * (double)sums->yy[l];
@@ -188,22 +188,22 @@ static const double SPRAY = 0.4, BULK = 0.75;
  *  walls are near, too: in the thin edge of liquid on a slope there is room uphill alone, and liquid that was shifted
  *  there ran down again, with 0.2 to 0.5 sqrt(gH) for ever on walls 160 degrees apart. Where it is strained fast, it is
  *  shifted all the same. */
-SPH2D__INLINE void finish_crowd(sph2d__system *s, size_t i, const force_sums *sums, int l, double fullness,
-                                double scale, double by_walls)
+SPH2D__INLINE void finish_concentration(sph2d__system *s, size_t i, const force_sums *sums, int l,
+                                        double min_eigenvalue, double scale, double by_walls)
 {
     sph2d__store *f = &s->fluid;
     double ratio = sph2d__strain_rate(f, i) * s->support / (CALM * s->sound_speed);
-    double edge = f->surface[i] < s->support ? fmin(by_walls / EDGE, 1) / (1 + ratio * ratio) : 0;
-    double unit = fullness < SPRAY ? 0 : (1 - edge) * s->support * scale;
-    double cx = unit * (double)sums->crowd_x[l], cy = unit * (double)sums->crowd_y[l];
-    if (fullness < BULK || f->surface[i] < s->support) {
+    double edge = f->surface_distance[i] < s->support ? fmin(by_walls / EDGE, 1) / (1 + ratio * ratio) : 0;
+    double unit = min_eigenvalue < SPRAY ? 0 : (1 - edge) * s->support * scale;
+    double cx = unit * (double)sums->grad_c_x[l], cy = unit * (double)sums->grad_c_y[l];
+    if (min_eigenvalue < BULK || f->surface_distance[i] < s->support) {
         double nx = (double)sums->plain_x[l], ny = (double)sums->plain_y[l], n2 = nx * nx + ny * ny;
         double across = n2 > 0 ? (cx * nx + cy * ny) / n2 : 0;
         cx -= across * nx;
         cy -= across * ny;
     }
-    f->crowd_x[i] = cx;
-    f->crowd_y[i] = cy;
+    f->grad_c_x[i] = cx;
+    f->grad_c_y[i] = cy;
 }
 
 /** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle where it is not in them. */
@@ -212,7 +212,7 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
 {
     double scale = slope_scale(s), press = -scale / s->mass;
     double x = sums->press_x[l], y = sums->press_y[l];
-    if (with.layout >= SPH2D__LAYOUT_FULL) {
+    if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
         x += own * (double)sums->plain_x[l];
         y += own * (double)sums->plain_y[l];
     }
@@ -248,7 +248,7 @@ static const double ROUGH = 0.01;
 SPH2D__INLINE bool is_pushed(const sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
                              terms with)
 {
-    bool calm = with.layout >= SPH2D__LAYOUT_CROWDED && /* the strain is known */
+    bool calm = with.detail >= SPH2D__DETAIL_SHIFT && /* the strain is known */
                 sph2d__strain_rate(&s->fluid, i) * s->support < ROUGH * s->sound_speed;
     double work =
         (double)liquid->leave_x[l] * (double)sums->plain_x[l] + (double)liquid->leave_y[l] * (double)sums->plain_y[l];
@@ -262,18 +262,19 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
     sph2d__store *f = &s->fluid;
     const double volume = s->mass / f->density[i];
     double own = f->pressure[i] * volume * volume, ax = 0, ay = 0;
-    if (with.layout >= SPH2D__LAYOUT_SLOPED)
-        finish_slope(f, i, liquid, l);
-    if (with.layout >= SPH2D__LAYOUT_FULL) {
-        double scale = slope_scale(s), fullness = fullness_of(sums, l, scale);
-        bool inside = fullness > BULK && f->surface[i] >= s->support;
-        f->fullness[i] = fullness;
+    if (with.detail >= SPH2D__DETAIL_GRADIENT)
+        finish_density_gradient(f, i, liquid, l);
+    if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
+        double scale = slope_scale(s), min_eigenvalue = min_eigenvalue_of(sums, l, scale);
+        bool inside = min_eigenvalue > BULK && f->surface_distance[i] >= s->support;
+        f->min_eigenvalue[i] = min_eigenvalue;
         double packing = sums->packing[l];
         f->packing[i] = s->rest_density / s->lattice_values * packing;
         if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside && is_pushed(s, i, sums, liquid, l, with))
             own = -own;
-        if (with.layout >= SPH2D__LAYOUT_CROWDED)
-            finish_crowd(s, i, sums, l, fullness, scale, (packing - (double)liquid->packing[l]) / s->lattice_values);
+        if (with.detail >= SPH2D__DETAIL_SHIFT)
+            finish_concentration(s, i, sums, l, min_eigenvalue, scale,
+                                 (packing - (double)liquid->packing[l]) / s->lattice_values);
     }
     add_sums(s, sums, l, with, n, own, f->density[i], &ax, &ay);
     sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
@@ -295,7 +296,7 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);
     while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
-        place at = place_of(&s->fluid, g, sieve.way_x, sieve.way_y);
+        place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(with.kernel, n->inverse_support, &at, walls, j);
             add_wall(sums, with, n, me, &p, walls, j);
@@ -316,7 +317,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
                        .vy = sph2d__lanes_load(liquid.vy + g.first),
                        .own = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
                        .damping = -8 * (sph2d__real)n.monaghan * volume};
-        if (with.layout >= SPH2D__LAYOUT_SLOPED)
+        if (with.detail >= SPH2D__DETAIL_GRADIENT)
             me.density = sph2d__lanes_load(liquid.density + g.first);
         if (with.eddies) {
             me.stretch = sph2d__lanes_load(liquid.stretch + g.first);
@@ -330,7 +331,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         sph2d__group_box(f, &g);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
-            place at = place_of(f, &g, sieve.way_x, sieve.way_y);
+            place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(with.kernel, n.inverse_support, &at, &liquid, j);
                 add_liquid(&sums, with, &n, &me, &p, &liquid, j);
@@ -351,7 +352,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
 static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 {
     const numbers n = numbers_of(s);
-    terms with = {.kernel = kernel, .layout = sph2d__wcsph_layout(&s->method), .eddies = n.eddies > 0};
+    terms with = {.kernel = kernel, .detail = sph2d__wcsph_detail(&s->method), .eddies = n.eddies > 0};
 #ifndef SPH2D__BARE
     with.morris = n.morris > 0;
 #endif
@@ -359,14 +360,14 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
     return with;
 }
 
-/* The copies of the loops for the usual kernel: layout, Morris' viscosity, Monaghan's, eddies. */
-#define OF_LAYOUT(X, layout) X(layout, 0, 0, 0) X(layout, 0, 1, 0) X(layout, 1, 0, 0) X(layout, 1, 1, 0)
-#define WITH_EDDIES(X) X(CROWDED, 0, 1, 1) X(CROWDED, 1, 1, 1)
+/* The copies of the loops for the usual kernel: detail, Morris' viscosity, Monaghan's, eddies. */
+#define OF_LAYOUT(X, detail) X(detail, 0, 0, 0) X(detail, 0, 1, 0) X(detail, 1, 0, 0) X(detail, 1, 1, 0)
+#define WITH_EDDIES(X) X(SHIFT, 0, 1, 1) X(SHIFT, 1, 1, 1)
 #define FOR_COPIES(X)                                                                                                  \
-    OF_LAYOUT(X, BARE)                                                                                                 \
-    OF_LAYOUT(X, SLOPED)                                                                                               \
-    OF_LAYOUT(X, FULL)                                                                                                 \
-    OF_LAYOUT(X, CROWDED)                                                                                              \
+    OF_LAYOUT(X, NONE)                                                                                                 \
+    OF_LAYOUT(X, GRADIENT)                                                                                             \
+    OF_LAYOUT(X, EIGENVALUE)                                                                                           \
+    OF_LAYOUT(X, SHIFT)                                                                                                \
     WITH_EDDIES(X)
 
 /* The kernel that nearly all scenes have. */
@@ -377,8 +378,8 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
 {
     const terms with = terms_of(s, USUAL);
 #define TRY(of, form1, form2, rough)                                                                                   \
-    if (with.layout == SPH2D__LAYOUT_##of && with.morris == form1 && with.monaghan == form2 && with.eddies == rough)   \
-        force_with(s, first, last, (terms){USUAL, SPH2D__LAYOUT_##of, form1, form2, rough}, walls_of);
+    if (with.detail == SPH2D__DETAIL_##of && with.morris == form1 && with.monaghan == form2 && with.eddies == rough)   \
+        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, rough}, walls_of);
     FOR_COPIES(TRY)
 #undef TRY
 }

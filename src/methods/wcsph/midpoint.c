@@ -16,7 +16,7 @@
 #include "sim/stages.h"
 
 /** The first kick, then half the drift. */
-static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
+static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
@@ -29,7 +29,7 @@ static void kick(sph2d_sim *sim, double dt, sph2d__flock *w)
 
 /** Moves density by its rate, then the other half of the drift, and the shift. A particle by itself is not compressed,
  *  nor does it remember that it was. */
-static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
+static void compress(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
     const bool shifted = sim->system.method.shifting > 0;
@@ -46,24 +46,24 @@ static void compress(sph2d_sim *sim, double dt, sph2d__flock *w)
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
 {
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
-    sph2d__sim_window(sim, start, middle);
-    sph2d_status status = sph2d__carry(sim, dt, kick, NULL);
+    sph2d__sim_set_drift_interval(sim, start, middle);
+    sph2d_status status = sph2d__advect(sim, dt, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK && sim->moving_count > 0)
-        status = sph2d__sim_aim(sim, middle);
+        status = sph2d__sim_update_forcing(sim, middle);
     if (status != SPH2D_OK)
         return status;
     sim->method->density_rate(&sim->system);
     sph2d__sim_book_diffusion(sim, dt);
-    sph2d__sim_window(sim, middle, end);
-    status = sph2d__carry(sim, dt, compress, sph2d__predict);
+    sph2d__sim_set_drift_interval(sim, middle, end);
+    status = sph2d__advect(sim, dt, compress, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
     sph2d__keep_accelerations(&sim->system.fluid);
-    status = sph2d__sim_aim(sim, end);
+    status = sph2d__sim_update_forcing(sim, end);
     if (status != SPH2D_OK)
         return status;
     if (!sim->method->evaluate(&sim->system))

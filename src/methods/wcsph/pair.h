@@ -18,9 +18,10 @@ typedef struct place {
     sph2d__lanes x, y;
 } place;
 
-SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, double way_x, double way_y)
+SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, double offset_x, double offset_y)
 {
-    return (place){sph2d__group_lanes(store->x + g->first, way_x), sph2d__group_lanes(store->y + g->first, way_y)};
+    return (place){sph2d__group_lanes(store->x + g->first, offset_x),
+                   sph2d__group_lanes(store->y + g->first, offset_y)};
 }
 
 SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const place *at,
@@ -44,16 +45,16 @@ static inline double slope_scale(const sph2d__system *s)
 
 /* det M / (tr M)^2 is 0.25 in the bulk, about as much at a flat surface, and 0 where all neighbours are on one line, as
  * in a film on a wall; below this the inverse would magnify noise. */
-static const double SOUND = 0.1;
+static const double MIN_CONDITION = 0.1;
 
 /** Inverts M and gives a gradient from its sums, both without the same constant; zero where neighbours are on a line.
  */
 SPH2D__INLINE void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
 {
     double det = xx * yy - xy * xy;
-    bool sound = det > SOUND * (xx + yy) * (xx + yy);
-    *gx = sound ? (yy * bx - xy * by) / det : 0;
-    *gy = sound ? (xx * by - xy * bx) / det : 0;
+    bool invertible = det > MIN_CONDITION * (xx + yy) * (xx + yy);
+    *gx = invertible ? (yy * bx - xy * by) / det : 0;
+    *gy = invertible ? (xx * by - xy * bx) / det : 0;
 }
 
 #endif

@@ -23,24 +23,24 @@ static const double ROOM = 0.1;
 
 /** What diffuses. */
 typedef enum diffusion {
-    NOTHING,
-    FIT,   /**< density less what its slopes explain */
-    EXCESS /**< density less that of a liquid at rest */
+    NO_DIFFUSION,
+    ANTUONO,  /**< density less what its slopes explain */
+    FOURTAKAS /**< density less that of a liquid at rest */
 } diffusion;
 
 /** The particles of a group that meet a candidate. `density` is the one that diffuses. */
 typedef struct receiver {
-    sph2d__lanes vx, vy, density, slope_x, slope_y;
+    sph2d__lanes vx, vy, density, density_grad_x, density_grad_y;
 } receiver;
 
 /** What is summed for the rate of density, and for the rate of strain. */
 typedef struct rate_sums {
-    sph2d__lanes flux;             /* of mass, with what diffuses */
-    sph2d__lanes filling;          /* g */
-    sph2d__lanes xx, xy, yy;       /* M without its constant */
-    sph2d__lanes ux, uy, vx, vy;   /* velocity differences times grad W */
-    sph2d__lanes crowd_x, crowd_y; /* g H grad C */
-    sph2d__lanes nearest2;         /* squared distance to the surface */
+    sph2d__lanes flux;               /* of mass, with what diffuses */
+    sph2d__lanes filling;            /* g */
+    sph2d__lanes xx, xy, yy;         /* M without its constant */
+    sph2d__lanes ux, uy, vx, vy;     /* velocity differences times grad W */
+    sph2d__lanes grad_c_x, grad_c_y; /* g H grad C */
+    sph2d__lanes nearest2;           /* squared distance to the surface */
 } rate_sums;
 
 /** v_ij . r_ij. */
@@ -53,10 +53,11 @@ SPH2D__INLINE sph2d__lanes approach_of(const pair *p, const receiver *me, const 
 SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, const pair *p, const receiver *me,
                                         const sph2d__packed *f, size_t j)
 {
-    if (form == EXCESS)
+    if (form == FOURTAKAS)
         return (me->density - f->excess[j]) * (strength * f->volume[j]);
     const sph2d__real half = 0.5;
-    sph2d__lanes linear = (me->slope_x + f->slope_x[j]) * p->dx + (me->slope_y + f->slope_y[j]) * p->dy;
+    sph2d__lanes linear =
+        (me->density_grad_x + f->density_grad_x[j]) * p->dx + (me->density_grad_y + f->density_grad_y[j]) * p->dy;
     return (me->density - f->density[j] - half * linear) * (strength * f->volume[j]);
 }
 
@@ -73,21 +74,21 @@ SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const receiver *me
     sums->uy += gy * dvx;
     sums->vx += gx * dvy;
     sums->vy += gy * dvy;
-    sums->crowd_x += p->g * f->crowd_x[j];
-    sums->crowd_y += p->g * f->crowd_y[j];
+    sums->grad_c_x += p->g * f->grad_c_x[j];
+    sums->grad_c_y += p->g * f->grad_c_y[j];
 }
 
 /** Looks whether a candidate is the nearest of the free surface. */
 SPH2D__INLINE void look_for_surface(rate_sums *sums, const pair *p, const sph2d__packed *f, size_t j)
 {
-    if (f->fullness[j] < SURFACE)
+    if (f->min_eigenvalue[j] < SURFACE)
         sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -p->r2);
 }
 
 /** Whether a particle is farther than H from the surface. */
 SPH2D__INLINE bool is_inside(const sph2d__system *s, size_t i)
 {
-    return s->fluid.fullness[i] > BULK && s->fluid.surface[i] >= s->support;
+    return s->fluid.min_eigenvalue[i] > BULK && s->fluid.surface_distance[i] >= s->support;
 }
 
 /** The shift. Density changes along it as the density around says (Sun et al. 2019), if that is known. The velocity
@@ -97,13 +98,13 @@ SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i, const rate_sums *sum
     sph2d__store *f = &s->fluid;
     sph2d_vec2 mean = {0, 0};
     if (is_inside(s, i))
-        mean = (sph2d_vec2){(double)sums->crowd_x[l] / (double)sums->filling[l],
-                            (double)sums->crowd_y[l] / (double)sums->filling[l]};
+        mean = (sph2d_vec2){(double)sums->grad_c_x[l] / (double)sums->filling[l],
+                            (double)sums->grad_c_y[l] / (double)sums->filling[l]};
     sph2d_vec2 w = sph2d__shift_velocity(s, i, mean);
     f->shift_x[i] = w.x;
     f->shift_y[i] = w.y;
-    if (f->fullness[i] >= BULK)
-        f->density_rate[i] += w.x * f->slope_x[i] + w.y * f->slope_y[i];
+    if (f->min_eigenvalue[i] >= BULK)
+        f->density_rate[i] += w.x * f->density_grad_x[i] + w.y * f->density_grad_y[i];
 }
 
 /** |S| of which a step stands the viscosity (2 C H)^2 |S|, a third of what it stands in Morris' form; shifts grow with
@@ -155,7 +156,7 @@ SPH2D__INLINE void finish_surface(sph2d__system *s, size_t i, const rate_sums *s
     sph2d__store *f = &s->fluid;
     bool far = sums->nearest2[l] >= (sph2d__real)(s->support * s->support);
     double surface = far ? s->support : sqrt(sums->nearest2[l]);
-    f->surface[i] = f->fullness[i] < SURFACE ? 0 : surface;
+    f->surface_distance[i] = f->min_eigenvalue[i] < SURFACE ? 0 : surface;
 }
 
 SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
@@ -169,7 +170,7 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);
     while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
-        place at = place_of(&s->fluid, g, sieve.way_x, sieve.way_y);
+        place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
             sums.flux += approach_of(&p, me, walls, j) * p.g * walls->mass[j];
@@ -184,12 +185,12 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
 SPH2D__INLINE receiver receiver_of(const sph2d__packed *f, size_t first, diffusion form)
 {
     receiver me = {.vx = sph2d__lanes_load(f->vx + first), .vy = sph2d__lanes_load(f->vy + first)};
-    if (form == EXCESS)
+    if (form == FOURTAKAS)
         me.density = sph2d__lanes_load(f->excess + first);
-    if (form == FIT) {
+    if (form == ANTUONO) {
         me.density = sph2d__lanes_load(f->density + first);
-        me.slope_x = sph2d__lanes_load(f->slope_x + first);
-        me.slope_y = sph2d__lanes_load(f->slope_y + first);
+        me.density_grad_x = sph2d__lanes_load(f->density_grad_x + first);
+        me.density_grad_y = sph2d__lanes_load(f->density_grad_y + first);
     }
     return me;
 }
@@ -203,7 +204,7 @@ SPH2D__INLINE double total_rate(const sph2d__system *s, size_t i, const wall_sum
 }
 
 SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, diffusion form,
-                                     sph2d__layout layout)
+                                     sph2d__detail detail)
 {
     sph2d__store *f = &s->fluid;
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
@@ -219,17 +220,17 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
         sph2d__group_box(f, &g);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
-            place at = place_of(f, &g, sieve.way_x, sieve.way_y);
+            place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
                 sph2d__lanes approach = approach_of(&p, &me, &liquid, j);
-                if (form != NOTHING)
+                if (form != NO_DIFFUSION)
                     approach += diffusion_of(form, strength, &p, &me, &liquid, j);
                 sums.flux += p.g * approach;
                 sums.filling += p.g;
-                if (layout >= SPH2D__LAYOUT_CROWDED)
+                if (detail >= SPH2D__DETAIL_SHIFT)
                     add_strain(&sums, &p, &me, &liquid, j);
-                if (layout >= SPH2D__LAYOUT_FULL)
+                if (detail >= SPH2D__DETAIL_EIGENVALUE)
                     look_for_surface(&sums, &p, &liquid, j);
             }
         }
@@ -239,11 +240,11 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
             const size_t i = g.first + (size_t)l;
             f->density_rate[i] = total_rate(s, i, &beside, &done, l);
             finish_filling(s, i, &beside, &done, l);
-            if (layout >= SPH2D__LAYOUT_FULL) {
+            if (detail >= SPH2D__DETAIL_EIGENVALUE) {
                 finish_surface(s, i, &done, l);
                 finish_packing(s, i);
             }
-            if (layout >= SPH2D__LAYOUT_CROWDED) {
+            if (detail >= SPH2D__DETAIL_SHIFT) {
                 finish_strain(s, i, &done, l);
                 finish_shift(s, i, &done, l);
             }
@@ -256,17 +257,17 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
 /** The copy of the loops that has the scene's terms and no others. */
 SPH2D__INLINE void rate_by_terms(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
-    sph2d__layout layout = sph2d__wcsph_layout(&s->method);
-    if (layout == SPH2D__LAYOUT_CROWDED)
-        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_CROWDED);
-    else if (layout == SPH2D__LAYOUT_FULL)
-        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_FULL);
+    sph2d__detail detail = sph2d__wcsph_detail(&s->method);
+    if (detail == SPH2D__DETAIL_SHIFT)
+        density_rate_with(s, first, last, kernel, ANTUONO, SPH2D__DETAIL_SHIFT);
+    else if (detail == SPH2D__DETAIL_EIGENVALUE)
+        density_rate_with(s, first, last, kernel, ANTUONO, SPH2D__DETAIL_EIGENVALUE);
     else if (!(s->method.density_diffusion > 0))
-        density_rate_with(s, first, last, kernel, NOTHING, SPH2D__LAYOUT_BARE);
+        density_rate_with(s, first, last, kernel, NO_DIFFUSION, SPH2D__DETAIL_NONE);
     else if (s->method.diffusion_form == SPH2D_DIFFUSION_FOURTAKAS)
-        density_rate_with(s, first, last, kernel, EXCESS, SPH2D__LAYOUT_BARE);
+        density_rate_with(s, first, last, kernel, FOURTAKAS, SPH2D__DETAIL_NONE);
     else
-        density_rate_with(s, first, last, kernel, FIT, SPH2D__LAYOUT_BARE);
+        density_rate_with(s, first, last, kernel, ANTUONO, SPH2D__DETAIL_NONE);
 }
 
 #define FOR_KERNEL(name, word)                                                                                         \

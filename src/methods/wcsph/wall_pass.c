@@ -143,7 +143,7 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
         sph2d__group_near(&by, &g, &ranges);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
-            place at = place_of(&s->walls, &g, sieve.way_x, sieve.way_y);
+            place at = place_of(&s->walls, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &f, j);
                 add_candidate(&sums, s, &f, j, kernel, what, &p, &me);

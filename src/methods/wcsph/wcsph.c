@@ -187,8 +187,8 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double g = sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
                sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
     double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
-    bool held = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->fullness[i] > BULK &&
-                f->surface[i] >= s->support;
+    bool held = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->min_eigenvalue[i] > BULK &&
+                f->surface_distance[i] >= s->support;
     double own = held ? -f->pressure[i] : f->pressure[i];
     double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
     double push = -g * press, slides = push * (dx * w->along_x[b] + dy * w->along_y[b]);
@@ -208,7 +208,7 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double sound = sqrt(sph2d__sound_speed2_at(s, s->densest));
+    double sound = sqrt(sph2d__sound_speed2_at(s, s->max_density));
     double viscous = sph2d__viscous_limit(s->method.kernel);
     return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), viscous, FORCE, limit);
 }
@@ -218,14 +218,14 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 
 static sph2d__set unused(const sph2d_method_options *m)
 {
-    sph2d__layout layout = sph2d__wcsph_layout(m);
-    sph2d__set slopes = SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y), excess = SPH2D__BIT(excess);
-    sph2d__set full = SPH2D__BIT(fullness) | SPH2D__BIT(surface) | SPH2D__BIT(packing);
+    sph2d__detail detail = sph2d__wcsph_detail(m);
+    sph2d__set slopes = SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y), excess = SPH2D__BIT(excess);
+    sph2d__set full = SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing);
     sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
-    sph2d__set crowd = SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | shifts | STRAINS;
+    sph2d__set crowd = SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | shifts | STRAINS;
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
-    return (layout < SPH2D__LAYOUT_SLOPED ? slopes : 0) | (layout < SPH2D__LAYOUT_FULL ? full : 0) |
-           (layout < SPH2D__LAYOUT_CROWDED ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
+    return (detail < SPH2D__DETAIL_GRADIENT ? slopes : 0) | (detail < SPH2D__DETAIL_EIGENVALUE ? full : 0) |
+           (detail < SPH2D__DETAIL_SHIFT ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
            (floats ? SPH2D__BIT(volume) : 0);
 }
 
@@ -234,13 +234,13 @@ const sph2d__method sph2d__wcsph = {
     .integrator = SPH2D__MIDPOINT,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
-             SPH2D__BIT(slope_x) | SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) |
-             SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(fullness) | SPH2D__BIT(surface) |
+             SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) |
+             SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) |
              SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
     .unused = unused,
-    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(slope_x) |
-               SPH2D__BIT(slope_y) | SPH2D__BIT(crowd_x) | SPH2D__BIT(crowd_y) | SPH2D__BIT(fullness) |
-               SPH2D__BIT(surface) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(density_grad_x) |
+               SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | SPH2D__BIT(min_eigenvalue) |
+               SPH2D__BIT(surface_distance) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy) |

@@ -101,12 +101,12 @@
 extern const sph2d__method sph2d__wcsph;
 
 /** How much is learnt of a particle's neighbourhood; each includes the one before. */
-typedef enum sph2d__layout {
-    SPH2D__LAYOUT_BARE,   /**< nothing */
-    SPH2D__LAYOUT_SLOPED, /**< the slope of density, for its diffusion */
-    SPH2D__LAYOUT_FULL,   /**< how far it is filled, for tensile control */
-    SPH2D__LAYOUT_CROWDED /**< where it is crowded and how it is strained, for shifting and eddies */
-} sph2d__layout;
+typedef enum sph2d__detail {
+    SPH2D__DETAIL_NONE,       /**< nothing */
+    SPH2D__DETAIL_GRADIENT,   /**< the slope of density, for its diffusion */
+    SPH2D__DETAIL_EIGENVALUE, /**< how far it is filled, for tensile control */
+    SPH2D__DETAIL_SHIFT       /**< where it is crowded and how it is strained, for shifting and eddies */
+} sph2d__detail;
 
 /** C of Smagorinsky's model, with the whole width 2 H of the kernel for its filter. */
 #define SPH2D__SMAGORINSKY 0.15
@@ -123,17 +123,17 @@ static inline bool sph2d__has_eddies(const sph2d_method_options *m)
 }
 
 /** What the options of a scene ask for. */
-static inline sph2d__layout sph2d__wcsph_layout(const sph2d_method_options *m)
+static inline sph2d__detail sph2d__wcsph_detail(const sph2d_method_options *m)
 {
 #ifdef SPH2D__BARE /* a build without the others, to count what they cost a scene that does not name them */
-    return SPH2D__LAYOUT_BARE;
+    return SPH2D__DETAIL_NONE;
 #endif
     if (m->shifting > 0 || sph2d__has_eddies(m))
-        return SPH2D__LAYOUT_CROWDED;
+        return SPH2D__DETAIL_SHIFT;
     if (m->tensile_control == SPH2D_SWITCH_ON)
-        return SPH2D__LAYOUT_FULL;
+        return SPH2D__DETAIL_EIGENVALUE;
     bool sloped = m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_ANTUONO;
-    return sloped ? SPH2D__LAYOUT_SLOPED : SPH2D__LAYOUT_BARE;
+    return sloped ? SPH2D__DETAIL_GRADIENT : SPH2D__DETAIL_NONE;
 }
 
 /** Whether a particle is in liquid, c: from 0 to 1, smooth, by its filling. A pair of particles has 0.07 to 0.2, a row
@@ -162,7 +162,7 @@ SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall_rate, _mixed)
 /** Pressure, density and volume of the boundary particles, and the image velocity where they are rough. */
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, )
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, _mixed)
-/** Acceleration of the fluid, slope of density, fullness, packing and crowding, from densities, pressures and
+/** Acceleration of the fluid, slope of density, min_eigenvalue, packing and crowding, from densities, pressures and
  *  volumes. */
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, )
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, _mixed)
