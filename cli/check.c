@@ -29,7 +29,7 @@ typedef struct checked {
     sph2d_report report;
 } checked;
 
-static int told(checked *c, sph2d_status status)
+static int report_status(checked *c, sph2d_status status)
 {
     message_report(status, &c->report, c->file);
     return exit_of_status(status);
@@ -51,7 +51,7 @@ static int measure(checked *c)
         c->step_seconds = (clock_wall() - begun) / (double)c->steps_measured;
         c->step_cpu = (clock_cpu() - cpu) / (double)c->steps_measured;
     }
-    return told(c, status);
+    return report_status(c, status);
 }
 
 /* Below so many particles a step's time says nothing of what more of them will take. */
@@ -80,7 +80,7 @@ static int draw_preview(checked *c)
     painter_destroy(painter);
     if (status == SPH2D_OK)
         message_note("the first frame is in '%s'", c->options->preview);
-    return told(c, status);
+    return report_status(c, status);
 }
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
@@ -127,7 +127,7 @@ static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
     char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], cpu[TEXT_SIZE], in_use[TEXT_SIZE];
-    text_row("scene", "%s: no faults", c->scene->name);
+    text_row("scene", "%s: no errors", c->scene->name);
     print_terms(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
     if (plan->area_asked > 0)
@@ -188,26 +188,26 @@ static void print_object(const checked *c)
 
 /* ---- the command ------------------------------------------------------------------------------------------------- */
 
-/* Each step finds the warnings of the one before again, so they are told once, by the last. */
+/* Each step finds the warnings of the one before again, so they are printed once, by the last. */
 static int prepare(checked *c)
 {
     const cli_options *options = c->options;
     sph2d_status status =
         sph2d_scene_file_read(options->operands[0], options->overrides, options->override_count, &c->file, &c->report);
     if (status != SPH2D_OK)
-        return told(c, status);
+        return report_status(c, status);
     sph2d_report_clear(&c->report);
     c->scene = sph2d_scene_file_scene(c->file);
     cli_look look = look_of_scene(c->scene);
     sph2d_status look_status = look_check(&look, &c->report);
     status = sph2d_scene_plan(c->scene, &c->plan, &c->report);
     if (status != SPH2D_OK || look_status != SPH2D_OK)
-        return told(c, status != SPH2D_OK ? status : look_status);
+        return report_status(c, status != SPH2D_OK ? status : look_status);
     sph2d_report_clear(&c->report);
     sph2d_sim_options sim_options = sph2d_sim_options_default();
     sim_options.threads = c->threads.count;
     sim_options.isa = options->isa;
-    return told(c, sph2d_sim_create(c->scene, &sim_options, &c->sim, &c->report));
+    return report_status(c, sph2d_sim_create(c->scene, &sim_options, &c->sim, &c->report));
 }
 
 int command_check(const cli_options *options)

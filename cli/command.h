@@ -14,9 +14,9 @@
     X(run, RUN, "SCENE -o DIR", "simulate a scene; write snapshots, probes and frames")                                \
     X(resume, RESUME, "DIR", "go on with a run from its newest complete snapshot")                                     \
     X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \
-    X(check, CHECK, "SCENE", "tell every fault of a scene, then what running it will take")                            \
+    X(check, CHECK, "SCENE", "report all errors of a scene, then estimate the run")                                    \
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
-    X(info, INFO, "FILE...", "tell what a snapshot holds")                                                             \
+    X(info, INFO, "FILE...", "print what a snapshot holds")                                                            \
     X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
     X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene, materials, methods")
 

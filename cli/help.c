@@ -44,7 +44,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d render out/snapshot_*.h5 -o pictures\n"
         "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
     [CLI__CHECK] =
-        "Tells every fault at once, with its line. When there is none: particles, derived numbers and what sets\n"
+        "Reports all errors at once, each with its line. When there is none: particles, derived numbers and what sets\n"
         "them, steps, memory, disk and time.\n"
         "\n"
         "  sph2d check scene.yaml --preview first.png\n",
@@ -58,14 +58,13 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d study study.yaml\n"
         "  sph2d study study.yaml -o out --all --jobs 2\n"
         "  sph2d study scene.yaml -o out --target 1%\n",
-    [CLI__INFO] = "Tells each field with type, shape, unit and range, and the state of the run.\n"
+    [CLI__INFO] = "Prints each field with type, shape, unit and range, and the state of the run.\n"
                   "\n"
                   "  sph2d info out/snapshot_000042.h5\n",
-    [CLI__INIT] =
-        "Writes NAME/scene.yaml, or NAME itself when it ends in .yaml. Every key stands in it with its meaning,\n"
-        "unit, range and default.\n"
-        "\n"
-        "  sph2d init basin --template stir\n",
+    [CLI__INIT] = "Writes NAME/scene.yaml, or NAME itself when it ends in .yaml. It holds every key with its meaning,\n"
+                  "unit, range and default.\n"
+                  "\n"
+                  "  sph2d init basin --template stir\n",
     [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file);\n"
                   "materials (liquids by name); methods (what each is for, its defaults and keys).\n",
 };
@@ -76,7 +75,7 @@ void help_print(void)
     printf("usage: sph2d COMMAND ...\n\n");
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
         printf("  %-8s %-20s %s\n", commands[i].name, commands[i].operands, commands[i].text);
-    printf("\n'sph2d COMMAND --help' tells the options of a command, 'sph2d --version' what this build has.\n");
+    printf("\n'sph2d COMMAND --help' prints the options of a command, 'sph2d --version' what this build has.\n");
 }
 
 void help_print_command(const cli_command *about)

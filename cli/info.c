@@ -165,7 +165,7 @@ int command_info(const cli_options *options)
         sph2d_snapshot *snapshot = NULL;
         sph2d_status status = sph2d_snapshot_read(path, &snapshot, &report);
         message_report(status, &report, NULL);
-        /* The others are told of all the same; the first fault is the exit code. */
+        /* The others are reported all the same; the first fault is the exit code. */
         if (code == CLI_EXIT_SUCCESS)
             code = exit_of_status(status);
         if (status != SPH2D_OK)

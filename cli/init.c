@@ -120,7 +120,7 @@ static void write_one(const writer *w, const sph2d_key *key, const char *path, b
         fputc('\n', w->out);
     write_comment(w, indent, key);
     if (key->kind == SPH2D_KEY_LIST) {
-        write_key(w, p, given, key->name, given ? "" : "[] # 'sph2d help scene' tells what goes into one");
+        write_key(w, p, given, key->name, given ? "" : "[] # see 'sph2d help scene'");
         write_items(w, key, path, indent + 2);
     } else if (key->kind == SPH2D_KEY_GROUP) {
         write_key(w, p, given, key->name, "");

@@ -26,7 +26,7 @@ void message_note(const char *format, ...) MESSAGE_FORMAT(1, 2);
 void message_detail(const char *format, ...) MESSAGE_FORMAT(1, 2);
 
 /** Every diagnostic of a report; with `file` not NULL those about a key path get their place in it. When a call failed
- *  (`status` not SPH2D_OK) without any error in its report, the status itself is told. */
+ *  (`status` not SPH2D_OK) without any error in its report, the status itself is reported. */
 void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene_file *file);
 
 /** Shows `text` on the terminal's last line, to be replaced by the next; NULL takes it away. Messages go above it. */

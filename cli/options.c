@@ -62,7 +62,7 @@ static const option_row rows[] = {
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK | CLI_STUDY, "instruction set: auto, baseline, avx2 or avx512"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
-    {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "tell where the time of the steps went"},
+    {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "print where the time of the steps went"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, in processes of their own; default 1"},
     {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "run rows of less than 10 s so often; the least time counts"},
     {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "the error that the cheapest row is named for: 1%, 0.01"},
@@ -372,7 +372,7 @@ static void explain_fault(const char *name, unsigned command, int result, const 
         unknown_option(name, command, is_long(given) ? given : letter);
 }
 
-/* --json changes how faults of the options themselves are told, so it must be known before. */
+/* --json changes how faults of the options themselves are reported, so it must be known before. */
 static void look_ahead(cli_options *options, int argc, char **argv)
 {
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; ++i) {

@@ -22,7 +22,7 @@ enum { BAR_WIDTH = 24, LINE_SIZE = 240 };
 cli_progress progress_begin(const cli_options *options, double from, double to)
 {
     cli_progress p = {.form = PROGRESS_OFF, .from = from, .to = to, .begun = clock_wall()};
-    p.told = p.begun;
+    p.printed = p.begun;
     if (options->progress == PROGRESS_NEVER || (options->quiet && options->progress == PROGRESS_AUTO))
         return p;
     /* JSON Lines have no place for a line that is drawn over and over. */
@@ -63,11 +63,11 @@ void progress_update(cli_progress *p, double now, const char *format, ...)
     double whole = p->to - p->from;
     double done = whole > 0 ? fmin(fmax((now - p->from) / whole, 0), 1) : 1;
     double tenth = floor(done * 10);
-    double silent = clock - p->told;
-    if (p->form == PROGRESS_BAR ? silent < bar_interval : tenth <= p->told_tenth && silent < line_interval)
+    double silent = clock - p->printed;
+    if (p->form == PROGRESS_BAR ? silent < bar_interval : tenth <= p->printed_tenth && silent < line_interval)
         return;
-    p->told = clock;
-    p->told_tenth = tenth;
+    p->printed = clock;
+    p->printed_tenth = tenth;
     char detail[LINE_SIZE / 2];
     va_list values;
     va_start(values, format);

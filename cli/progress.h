@@ -10,10 +10,10 @@
 
 typedef struct cli_progress {
     enum { PROGRESS_OFF, PROGRESS_LINES, PROGRESS_BAR } form;
-    double from, to;   /**< where the job starts and ends, in whatever it counts */
-    double begun;      /**< [s] on the wall clock */
-    double told;       /**< [s] when it was last told */
-    double told_tenth; /**< and what tenth of the job it was */
+    double from, to;      /**< where the job starts and ends, in whatever it counts */
+    double begun;         /**< [s] on the wall clock */
+    double printed;       /**< [s] when it was last printed */
+    double printed_tenth; /**< and what tenth of the job it was */
 } cli_progress;
 
 /** Starts; `from` to `to` is what this session has to do. */

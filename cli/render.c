@@ -60,7 +60,7 @@ typedef struct sequence {
     size_t next, drawn; /* the snapshot to read next; frames that are done */
     painter_times spent;
     double time;   /* of the snapshot before [s] */
-    bool disorder; /* it was told that times go back */
+    bool disorder; /* it was reported that times go back */
     int code;      /* of the first failure, after which no more is read */
 } sequence;
 

@@ -49,7 +49,7 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
     return numbers;
 }
 
-/* Reads one snapshot; one that cannot be used is told as a warning, since an older one may do. */
+/* Reads one snapshot; one that cannot be used is reported as a warning, since an older one may do. */
 static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
 {
     sph2d_snapshot *snapshot = NULL;
@@ -114,7 +114,7 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot)
     sph2d_state state = sph2d_snapshot_state(snapshot);
     sph2d_sim_options options = session_sim_options(s);
     sph2d_status status = sph2d_sim_restore(sph2d_scene_file_scene(s->file), &options, &state, &s->sim, &s->report);
-    return session_told(s, status);
+    return session_report(s, status);
 }
 
 /* There may be nothing left to do; then nothing in the folder changes. */
@@ -163,7 +163,7 @@ int command_resume(const cli_options *options)
     if (code == CLI_EXIT_SUCCESS) {
         sph2d_status status =
             sph2d_snapshot_scene(snapshot, options->overrides, options->override_count, &session.file, &session.report);
-        code = session_told_scene(&session, status);
+        code = session_report_scene(&session, status);
     }
     if (code == CLI_EXIT_SUCCESS)
         code = restore(&session, snapshot);

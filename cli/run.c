@@ -25,7 +25,7 @@ static int prepare(cli_session *s, const char *scene)
     const cli_options *options = s->options;
     sph2d_status status =
         sph2d_scene_file_read(scene, options->overrides, options->override_count, &s->file, &s->report);
-    int code = session_told_scene(s, status);
+    int code = session_report_scene(s, status);
     if (code == CLI_EXIT_SUCCESS)
         code = folder_refuse(options->output, options->force);
     if (code != CLI_EXIT_SUCCESS)
@@ -34,7 +34,7 @@ static int prepare(cli_session *s, const char *scene)
     cli_look look = look_of_scene(sph2d_scene_file_scene(s->file));
     sph2d_status look_status = look_check(&look, &s->report);
     status = sph2d_sim_create(sph2d_scene_file_scene(s->file), &sim_options, &s->sim, &s->report);
-    code = session_told(s, status != SPH2D_OK ? status : look_status);
+    code = session_report(s, status != SPH2D_OK ? status : look_status);
     if (code == CLI_EXIT_SUCCESS)
         code = session_make_painter(s);
     return code;

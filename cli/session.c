@@ -28,14 +28,14 @@ sph2d_sim_options session_sim_options(const cli_session *s)
     return sim;
 }
 
-int session_told_scene(cli_session *s, sph2d_status status)
+int session_report_scene(cli_session *s, sph2d_status status)
 {
     if (status == SPH2D_OK)
         sph2d_report_clear(&s->report);
-    return session_told(s, status);
+    return session_report(s, status);
 }
 
-int session_told(cli_session *s, sph2d_status status)
+int session_report(cli_session *s, sph2d_status status)
 {
     message_report(status, &s->report, s->file);
     return exit_of_status(status);
@@ -51,7 +51,7 @@ int session_make_painter(cli_session *s)
     char description[200];
     if (status == SPH2D_OK)
         message_detail("drawing with %s", painter_describe(s->painter, description, sizeof description));
-    int code = session_told(s, status);
+    int code = session_report(s, status);
     if (status == SPH2D_RENDER)
         message_note("the scene asks for frames; --no-frames simulates without them");
     return code;
@@ -109,23 +109,23 @@ int session_run(cli_session *s, saved_in saved)
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     cli_outputs outputs;
     sph2d_status status = outputs_open(&outputs, &s->folder, s->sim, s->file, s->painter, saved, &s->report);
-    int code = session_told(s, status);
+    int code = session_report(s, status);
     if (status == SPH2D_OK) {
         tell_start(s);
         cli_progress progress = progress_begin(s->options, sph2d_sim_time(s->sim), scene->run.until);
         double deadline = s->options->max_wall > 0 ? s->begun + s->options->max_wall : 0;
         loop_result result = loop_run(s->sim, &outputs, &progress, deadline, &s->report);
-        session_told(s, result.status);
+        session_report(s, result.status);
         if (result.end == LOOP_SIGNAL || result.end == LOOP_MAX_WALL)
             message_note("stopped by %s at t = %g s; 'sph2d resume %s' goes on", end_name(&result),
                          sph2d_sim_time(s->sim), s->folder.path);
         if (result.end == LOOP_GUARD)
-            message_note("the moment is in '%s/guard.h5'", s->folder.path);
+            message_note("state saved to '%s/guard.h5'", s->folder.path);
         summary_print(s->sim, &result, end_name(&result), &s->threads, s->options);
         code = end_code(&result);
     }
     sph2d_status closed = outputs_close(&outputs, &s->report);
-    int close_code = session_told(s, closed);
+    int close_code = session_report(s, closed);
     return code == CLI_EXIT_SUCCESS ? close_code : code;
 }
 

@@ -28,10 +28,10 @@ sph2d_sim_options session_sim_options(const cli_session *s);
 
 /** After a scene was read: tells what was wrong with it and returns the exit code for `status`. When nothing was,
  *  warnings wait: making the simulation finds them again. */
-int session_told_scene(cli_session *s, sph2d_status status);
+int session_report_scene(cli_session *s, sph2d_status status);
 
 /** Tells what the report says and returns the exit code for `status`. */
-int session_told(cli_session *s, sph2d_status status);
+int session_report(cli_session *s, sph2d_status status);
 
 /** Makes the painter if the scene asks for frames and --no-frames is not given. Needs the simulation. Returns an exit
  *  code. */

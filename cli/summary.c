@@ -48,9 +48,9 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
 static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const sph2d_summary *s)
 {
     sph2d_densities inside = sph2d_sim_densities(sim);
-    if (isfinite(inside.told))
-        text_row("density inside", "told %.5g, counted %.5g of rest density; apart by %.3g %% at most", inside.told,
-                 inside.counted, 100 * fmax(s->density_apart, fabs(inside.told - inside.counted)));
+    if (isfinite(inside.reported))
+        text_row("density inside", "reported %.5g, counted %.5g of rest density; largest difference %.3g %%",
+                 inside.reported, inside.counted, 100 * fmax(s->density_apart, fabs(inside.reported - inside.counted)));
     double change = summary_energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
@@ -175,9 +175,9 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_number(line, "compression_p99", s->compression_p99);
     json_number(line, "compression_mean", s->compression_mean);
     json_number(line, "compression_max", s->compression_max);
-    json_number(line, "density_told", inside.told);
+    json_number(line, "density_reported", inside.reported);
     json_number(line, "density_counted", inside.counted);
-    json_number(line, "density_apart", fmax(s->density_apart, fabs(inside.told - inside.counted)));
+    json_number(line, "density_apart", fmax(s->density_apart, fabs(inside.reported - inside.counted)));
     json_number(line, "energy_change", summary_energy_change(s));
     json_number(line, "energy_start", s->energy_start);
     json_number(line, "energy_kinetic", s->kinetic);

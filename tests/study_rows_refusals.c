@@ -59,7 +59,7 @@ static const struct fault {
     {SCENE "repeat: \"2\"\n", SPH2D_CODE_WRONG_TYPE, "repeat", 2, 9, "expected a whole number", ""},
     /* finest */
     {SERIES "    finest: false\n", SPH2D_CODE_CONFLICT, "measures[0].finest", 6, 13, "true or is left out", ""},
-    {SERIES "    finest: maybe\n", SPH2D_CODE_WRONG_TYPE, "measures[0].finest", 6, 13, "'maybe' is none",
+    {SERIES "    finest: maybe\n", SPH2D_CODE_WRONG_TYPE, "measures[0].finest", 6, 13, "unknown value 'maybe'",
      "false, true"},
     {SERIES "    finest: true\n    expect: 1\n", SPH2D_CODE_CONFLICT, "measures[0].expect", 7, 5,
      "'expect' excludes 'finest' on line 6", "one of expect, reference, finest"},

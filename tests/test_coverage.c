@@ -135,7 +135,7 @@ START_TEST(density_is_counted)
     sort_particles(sim);
     sph2d_densities inside = sph2d_sim_densities(sim);
     ck_assert_double_eq_tol(inside.counted, factors[_i], 0.002);
-    ck_assert_double_eq_tol(inside.told, 1, 1e-12);
+    ck_assert_double_eq_tol(inside.reported, 1, 1e-12);
     remove_all(sim);
     add_lattice(sim, (sph2d_box){{0, 0}, {0.6, 0.05}}, 0, 1); /* nothing is inside */
     sort_particles(sim);

@@ -135,11 +135,11 @@ START_TEST(what_a_kind_needs_is_asked_for)
     k.flow.length = 1e-320; /* U/L overflows */
     refused(&k, 0, SPH2D_CODE_OUT_OF_RANGE, "time");
     k.flow.kind = SPH2D_FLOW_NONE;
-    refused(&k, 0, SPH2D_CODE_GENERAL, "none");
+    refused(&k, 0, SPH2D_CODE_GENERAL, "unknown flow");
     k.flow.kind = (sph2d_flow_kind)11;
-    refused(&k, 0, SPH2D_CODE_GENERAL, "none");
+    refused(&k, 0, SPH2D_CODE_GENERAL, "unknown flow");
     k.flow.kind = (sph2d_flow_kind)-1;
-    refused(&k, 0, SPH2D_CODE_GENERAL, "none");
+    refused(&k, 0, SPH2D_CODE_GENERAL, "unknown flow");
 }
 END_TEST
 

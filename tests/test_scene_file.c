@@ -67,7 +67,7 @@ static const struct fault {
     {DOMAIN SPACING "blocks:\n  - 3\n", SPH2D_CODE_WRONG_TYPE, "blocks[0]", 4, 5, "expected a mapping, got '3'", ""},
     {DOMAIN SPACING "blocks:\n  - polygon: 1\n", SPH2D_CODE_WRONG_TYPE, "blocks[0].polygon", 4, 14,
      "a list of point [x, y]s", ""},
-    {SOUND "boundary: {left: no}\n", SPH2D_CODE_WRONG_TYPE, "boundary.left", 6, 18, "'no' is none of the known words",
+    {SOUND "boundary: {left: no}\n", SPH2D_CODE_WRONG_TYPE, "boundary.left", 6, 18, "unknown value 'no'",
      "one of: wall, open"},
     {SOUND "walls: sprin\n", SPH2D_CODE_WRONG_TYPE, "walls", 6, 8, "'sprin'", "did you mean 'spring'?"},
     {SOUND "walls: [spring]\n", SPH2D_CODE_WRONG_TYPE, "walls", 6, 8, "expected a word, got a list of 1", ""},

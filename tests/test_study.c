@@ -40,7 +40,7 @@ static const struct fault {
     {RUNS "  - set: {a: 1, b: 2, a: 3}\n", SPH2D_CODE_DUPLICATE_KEY, "runs[1].set", 4, 23, "'a' is given twice",
      "line 4"},
     {RUNS "  - set: {a: &b 1}\n", SPH2D_CODE_SYNTAX, "", 4, 15, "anchors", ""},
-    {RUNS "  - {skip: yes}\n", SPH2D_CODE_WRONG_TYPE, "runs[1].skip", 4, 12, "'yes' is none", "false, true"},
+    {RUNS "  - {skip: yes}\n", SPH2D_CODE_WRONG_TYPE, "runs[1].skip", 4, 12, "unknown value 'yes'", "false, true"},
     {RUNS "  - 3\n", SPH2D_CODE_WRONG_TYPE, "runs[1]", 4, 5, "expected a mapping, got '3'", ""},
     {MEASURE "    take: lats\n", SPH2D_CODE_WRONG_TYPE, "measures[0].take", 8, 11, "'lats'", "did you mean 'last'?"},
     {MEASURE "    scale: x\n", SPH2D_CODE_WRONG_TYPE, "measures[0].scale", 8, 12, "expected a number, got 'x'", ""},

@@ -29,15 +29,16 @@ static int read_references(cli_study *s)
 {
     s->references = calloc(s->study->measure_count + 1, sizeof *s->references);
     if (s->references == NULL)
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     int code = CLI_EXIT_SUCCESS;
     for (size_t i = 0; i < s->study->measure_count; ++i) {
         const sph2d_study_measure *m = &s->study->measures[i];
         if (m->expectation != SPH2D_EXPECT_REFERENCE)
             continue;
         bool along = m->source == SPH2D_MEASURE_PROFILE;
-        int told = study_told(s, study_points_read(&s->references[i], &m->reference, along, &s->report), NULL, NULL);
-        code = code == CLI_EXIT_SUCCESS ? told : code;
+        int reported =
+            study_report(s, study_points_read(&s->references[i], &m->reference, along, &s->report), NULL, NULL);
+        code = code == CLI_EXIT_SUCCESS ? reported : code;
     }
     return code;
 }
@@ -52,14 +53,14 @@ static int make_rows(cli_study *s)
 {
     s->rows = calloc(s->study->run_count, sizeof *s->rows);
     if (s->rows == NULL)
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     for (; s->row_count < s->study->run_count; ++s->row_count) {
         study_row *row = &s->rows[s->row_count];
         *row = (study_row){.number = s->row_count + 1, .run = s->study->runs[s->row_count]};
         row->wanted = is_wanted(s, &row->run);
         row->values = malloc((s->study->measure_count + 1) * sizeof *row->values);
         if (row->values == NULL)
-            return study_told(s, SPH2D_NOMEM, NULL, NULL);
+            return study_report(s, SPH2D_NOMEM, NULL, NULL);
     }
     return CLI_EXIT_SUCCESS;
 }
@@ -81,7 +82,7 @@ static int check_refinement(cli_study *s, const sph2d_study_run *step)
 {
     study_row row;
     int code = study_refine_row(&row, &s->study->runs[0], step, 0) ? study_scene_check(s, &row.run, false)
-                                                                   : study_told(s, SPH2D_NOMEM, NULL, NULL);
+                                                                   : study_report(s, SPH2D_NOMEM, NULL, NULL);
     free_row(&row);
     return code;
 }
@@ -124,7 +125,7 @@ static int open_folder(cli_study *s)
         code = folder_make_inside(&s->folder, "rows");
     const char *name = code == CLI_EXIT_SUCCESS ? folder_file(&s->folder, "rows/README") : NULL;
     if (name != NULL) /* and whether rows can be kept is known before any runs */
-        code = study_told(s, sph2d_text_write(name, mark, strlen(mark), &s->report), NULL, NULL);
+        code = study_report(s, sph2d_text_write(name, mark, strlen(mark), &s->report), NULL, NULL);
     return code;
 }
 
@@ -161,13 +162,13 @@ static int refine(cli_study *s)
             break;
         }
         size_t first = s->row_count;
-        int told = study_told(s, study_measure_all(s, false), NULL, NULL);
-        if (told == CLI_EXIT_SUCCESS)
-            told = study_told(s, study_refine(s, step), NULL, NULL);
-        if (told != CLI_EXIT_SUCCESS)
-            return told;
-        told = study_pool_run(s, first);
-        code = code == CLI_EXIT_SUCCESS ? told : code;
+        int reported = study_report(s, study_measure_all(s, false), NULL, NULL);
+        if (reported == CLI_EXIT_SUCCESS)
+            reported = study_report(s, study_refine(s, step), NULL, NULL);
+        if (reported != CLI_EXIT_SUCCESS)
+            return reported;
+        reported = study_pool_run(s, first);
+        code = code == CLI_EXIT_SUCCESS ? reported : code;
     }
     return code;
 }
@@ -198,9 +199,9 @@ static int run_rows(cli_study *s)
     int code = study_pool_run(s, 0);
     int refined = refine(s);
     tell_left_out(s);
-    int told = study_told(s, study_measure_all(s, true), NULL, NULL);
+    int reported = study_report(s, study_measure_all(s, true), NULL, NULL);
     study_front_mark(s);
-    code = code != CLI_EXIT_SUCCESS ? code : refined != CLI_EXIT_SUCCESS ? refined : told;
+    code = code != CLI_EXIT_SUCCESS ? code : refined != CLI_EXIT_SUCCESS ? refined : reported;
     int written = s->options->output != NULL ? folder_clear_study(&s->folder) : CLI_EXIT_SUCCESS;
     if (written == CLI_EXIT_SUCCESS)
         written = study_csv_write(s);

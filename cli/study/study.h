@@ -47,7 +47,7 @@ typedef struct cli_study {
     study_row *rows;
     size_t row_count;
     size_t judge;    /**< the measure whose error is weighed against the time; measure_count: none */
-    bool percent;    /**< errors are told in per cent */
+    bool percent;    /**< errors are printed in per cent */
     uint64_t repeat; /**< how often a short row is run */
     double target;   /**< the error that the cheapest row is named for */
     size_t kept;     /**< rows that an earlier session of this study ran */
@@ -63,6 +63,6 @@ static inline bool study_row_counts(const study_row *row)
 
 /** Tells what the report says, faults of a row's overrides at their places in the study, and returns the exit code for
  *  `status`. `scene` is for the places of the others, `row` for those of the overrides; either may be NULL. */
-int study_told(cli_study *s, sph2d_status status, const sph2d_scene_file *scene, const sph2d_study_run *row);
+int study_report(cli_study *s, sph2d_status status, const sph2d_scene_file *scene, const sph2d_study_run *row);
 
 #endif

@@ -95,13 +95,13 @@ static int write_rows(cli_study *s)
 {
     study_text page;
     if (!study_text_begin(&page))
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     put_headings(page.out, s->study);
     for (size_t r = 0; r < s->row_count; ++r)
         if (s->rows[r].there)
             put_row(page.out, s->study, &s->rows[r]);
     const char *path = folder_file(&s->folder, "study.csv");
-    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
+    return study_report(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }
 
 /* ---- series ------------------------------------------------------------------------------------------------------ */
@@ -110,7 +110,7 @@ static int write_series(cli_study *s, const study_row *row, const study_series *
 {
     study_text page;
     if (!study_text_begin(&page))
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     fprintf(page.out, "time [s],%s\n", series->headings);
     for (size_t i = 0; i < series->count; ++i) {
         fprintf(page.out, "%.17g", series->time[i]);
@@ -119,7 +119,7 @@ static int write_series(cli_study *s, const study_row *row, const study_series *
         putc('\n', page.out);
     }
     const char *path = folder_file(&s->folder, "series_%zu_%s.csv", row->number, series->probe);
-    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
+    return study_report(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }
 
 int study_csv_write(cli_study *s)

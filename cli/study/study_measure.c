@@ -217,7 +217,7 @@ static const char *why_no_value(const sph2d_study_measure *m)
     if (m->source == SPH2D_MEASURE_PROFILE)
         return "no particle is near one of its points";
     if (m->source == SPH2D_MEASURE_SUMMARY)
-        return "the run cannot tell it";
+        return "not known for this run";
     if (m->expectation == SPH2D_EXPECT_REFERENCE)
         return "no point of the reference lies inside the series";
     switch (m->take) {

@@ -97,7 +97,7 @@ static int open_scene(cli_study *s)
     sph2d_status status =
         sph2d_scene_file_read(s->path, s->options->overrides, s->options->override_count, &file, &s->report);
     if (status != SPH2D_OK)
-        return study_told(s, status, NULL, NULL);
+        return study_report(s, status, NULL, NULL);
     sph2d_report_clear(&s->report);
     const sph2d_scene *scene = sph2d_scene_file_scene(file);
     char *path = realpath(s->path, NULL);
@@ -110,7 +110,7 @@ static int open_scene(cli_study *s)
         status = sph2d_study_file_parse(s->made, strlen(s->made), s->path, &s->file, &s->report);
     free(path);
     sph2d_scene_file_destroy(file);
-    return study_told(s, status, NULL, NULL);
+    return study_report(s, status, NULL, NULL);
 }
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
@@ -138,7 +138,7 @@ int study_open(cli_study *s)
         sph2d_report_clear(&s->report);
         code = open_scene(s);
     } else {
-        code = study_told(s, status, NULL, NULL);
+        code = study_report(s, status, NULL, NULL);
     }
     if (code == CLI_EXIT_SUCCESS)
         s->study = sph2d_study_file_study(s->file);
@@ -203,7 +203,7 @@ static int write_cheapest(cli_study *s)
     int code = study_scene_open(s, &row->run, &file);
     if (code != CLI_EXIT_SUCCESS)
         return code;
-    code = study_told(s, write_scene(s, row, sph2d_scene_file_scene(file)), NULL, NULL);
+    code = study_report(s, write_scene(s, row, sph2d_scene_file_scene(file)), NULL, NULL);
     sph2d_scene_file_destroy(file);
     return code;
 }
@@ -217,7 +217,7 @@ int study_open_write(cli_study *s)
     if (path != NULL && folder_holds(s->folder.path, "study.yaml"))
         message_detail("'%s' is there already and stays as it is", path);
     else if (path != NULL)
-        code = study_told(s, sph2d_text_write(path, s->made, strlen(s->made), &s->report), NULL, NULL);
+        code = study_report(s, sph2d_text_write(path, s->made, strlen(s->made), &s->report), NULL, NULL);
     int written = write_cheapest(s);
     return code != CLI_EXIT_SUCCESS ? code : written;
 }

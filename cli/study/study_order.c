@@ -24,7 +24,7 @@ static bool same_keys(const sph2d_study_run *a, const sph2d_study_run *b)
     return same;
 }
 
-/* The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
+/* The row that the order of `fine` is reported from: the nearest before it that is coarser and has the same settings;
  * among rows that are written one by one, else the nearest that is coarser and sets the same keys. */
 static const study_row *coarser(const cli_study *s, const study_row *fine)
 {

@@ -251,8 +251,8 @@ int study_page_write(cli_study *s)
     if (s->options->output == NULL)
         return CLI_EXIT_SUCCESS;
     if (!study_text_begin(&page))
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     put_page(s, page.out);
     const char *path = folder_file(&s->folder, "study.html");
-    return study_told(s, study_text_write(&page, path, &s->report), NULL, NULL);
+    return study_report(s, study_text_write(&page, path, &s->report), NULL, NULL);
 }

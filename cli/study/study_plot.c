@@ -370,6 +370,6 @@ int study_plot(cli_study *s)
 {
     if (s->options->output == NULL || s->rows == NULL || picture_count(s) == 0)
         return CLI_EXIT_SUCCESS;
-    int code = study_told(s, write_script(s), NULL, NULL);
+    int code = study_report(s, write_script(s), NULL, NULL);
     return code == CLI_EXIT_SUCCESS ? draw(s) : code;
 }

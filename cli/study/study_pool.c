@@ -36,7 +36,7 @@ typedef struct pool {
     worker *workers; /* one a job */
     size_t next;     /* row to look at next */
     size_t running;
-    bool told; /* the workers know that they shall stop */
+    bool stop_sent; /* the workers know that they shall stop */
     int code;
 } pool;
 
@@ -233,9 +233,9 @@ static void receive(pool *p, worker *w)
 
 static void pass_signal_on(pool *p)
 {
-    if (signals_caught() == 0 || p->told)
+    if (signals_caught() == 0 || p->stop_sent)
         return;
-    p->told = true;
+    p->stop_sent = true;
     for (size_t i = 0; i < p->study->jobs; ++i)
         if (p->workers[i].pid != 0)
             kill(p->workers[i].pid, SIGTERM);
@@ -269,7 +269,7 @@ int study_pool_run(cli_study *s, size_t first)
     if (p.workers != NULL && polls != NULL)
         run_all(&p, polls);
     else
-        p.code = study_told(s, SPH2D_NOMEM, NULL, NULL);
+        p.code = study_report(s, SPH2D_NOMEM, NULL, NULL);
     s->stopped = s->stopped || signals_caught() != 0;
     free(p.workers);
     free(polls);

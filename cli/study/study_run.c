@@ -27,7 +27,7 @@ typedef struct runner {
     sph2d_scene_file *file;
     sph2d_sim *sim;
     bool alone;
-    bool again; /* a repeat, whose warnings were told before */
+    bool again; /* a repeat, whose warnings were printed before */
     cli_progress progress;
 } runner;
 
@@ -158,7 +158,7 @@ static void name_row(runner *r)
     }
 }
 
-static int told(runner *r, sph2d_status status)
+static int report_status(runner *r, sph2d_status status)
 {
     if (r->again && status == SPH2D_OK)
         sph2d_report_clear(&r->study->report);
@@ -167,7 +167,7 @@ static int told(runner *r, sph2d_status status)
         snprintf(r->record->reason, sizeof r->record->reason, "%s", sph2d_status_text(status));
     if (status != SPH2D_OK)
         r->record->end = status == SPH2D_GUARD ? STUDY_GUARD : STUDY_FAILED;
-    return study_told(r->study, status, r->file, r->run);
+    return study_report(r->study, status, r->file, r->run);
 }
 
 static int create(runner *r)
@@ -182,9 +182,9 @@ static int create(runner *r)
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = r->study->threads.count;
     options.isa = r->study->options->isa;
-    code = told(r, sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->study->report));
+    code = report_status(r, sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->study->report));
     r->record->start = clock_cpu() - begun;
-    return code == CLI_EXIT_SUCCESS && !begin_series(r) ? told(r, SPH2D_NOMEM) : code;
+    return code == CLI_EXIT_SUCCESS && !begin_series(r) ? report_status(r, SPH2D_NOMEM) : code;
 }
 
 /* A part of the scene's energy; NaN where there is none. */
@@ -212,7 +212,7 @@ static void fill_record(const runner *r)
     sph2d_densities inside = sph2d_sim_densities(r->sim);
     record->summary[SPH2D_SUMMARY_ENERGY_RISE] = of_scale(summary.energy_rise, &summary);
     record->summary[SPH2D_SUMMARY_ENERGY_ERROR] = of_scale(summary.energy_error, &summary);
-    record->summary[SPH2D_SUMMARY_DENSITY_APART] = fmax(summary.density_apart, fabs(inside.told - inside.counted));
+    record->summary[SPH2D_SUMMARY_DENSITY_APART] = fmax(summary.density_apart, fabs(inside.reported - inside.counted));
     record->summary[SPH2D_SUMMARY_LEFT] = (double)record->left;
     record->summary[SPH2D_SUMMARY_ITERATIONS] = steps > 0 ? (double)summary.iterations / steps : 0;
     snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
@@ -226,12 +226,12 @@ static void go(runner *r)
         return;
     double until = sph2d_sim_scene(r->sim)->run.until;
     r->progress = progress_begin(r->study->options, 0, until);
-    r->progress.told_tenth = 10; /* rows are told anyway: lines come only where one takes long */
+    r->progress.printed_tenth = 10; /* rows are printed anyway: lines come only where one takes long */
     sph2d_status status = advance(r);
     progress_end(&r->progress);
     if (status == SPH2D_OK && record->end == STUDY_FINISHED)
         status = take_samples(r);
-    record->code = told(r, status);
+    record->code = report_status(r, status);
     fill_record(r);
 }
 

@@ -16,7 +16,7 @@ enum { MOST_NAMES = 64, NAME_SIZE = 48 };
 
 /* ---- what the report says ---------------------------------------------------------------------------------------- */
 
-/* A fault of an override is told by the library at `--set KEY=VALUE`. When the study says so, its place is there. */
+/* A fault of an override is reported by the library at `--set KEY=VALUE`. When the study says so, its place is there. */
 static void locate_override(const cli_study *s, const sph2d_study_run *run, sph2d_diagnostic *d)
 {
     for (size_t i = 0; i < run->override_count; ++i) {
@@ -32,7 +32,7 @@ static void locate_override(const cli_study *s, const sph2d_study_run *run, sph2
     }
 }
 
-int study_told(cli_study *s, sph2d_status status, const sph2d_scene_file *scene, const sph2d_study_run *row)
+int study_report(cli_study *s, sph2d_status status, const sph2d_scene_file *scene, const sph2d_study_run *row)
 {
     for (size_t i = 0; i < s->report.count; ++i) {
         sph2d_diagnostic *d = &s->report.items[i];
@@ -65,7 +65,7 @@ int study_scene_open(cli_study *s, const sph2d_study_run *run, sph2d_scene_file 
     free(overrides);
     if (status == SPH2D_OK) /* making the simulation finds the warnings again */
         sph2d_report_clear(&s->report);
-    return study_told(s, status, NULL, run);
+    return study_report(s, status, NULL, run);
 }
 
 /* ---- columns ----------------------------------------------------------------------------------------------------- */
@@ -216,7 +216,7 @@ int study_scene_check(cli_study *s, const sph2d_study_run *run, bool place)
         status = place_particles(scene, &s->report);
     if (status == SPH2D_OK)
         sph2d_report_clear(&s->report);
-    code = study_told(s, status, file, run);
+    code = study_report(s, status, file, run);
     sph2d_scene_file_destroy(file);
     return code;
 }

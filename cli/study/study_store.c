@@ -109,8 +109,8 @@ int study_store_keep(cli_study *s, const char *key, const study_record *record)
     if (s->options->output == NULL)
         return CLI_EXIT_SUCCESS;
     if (!study_text_begin(&page))
-        return study_told(s, SPH2D_NOMEM, NULL, NULL);
+        return study_report(s, SPH2D_NOMEM, NULL, NULL);
     fputs(key, page.out);
     study_record_write(record, page.out);
-    return study_told(s, study_text_write(&page, path_of(s, key), &s->report), NULL, NULL);
+    return study_report(s, study_text_write(&page, path_of(s, key), &s->report), NULL, NULL);
 }

@@ -122,7 +122,7 @@ void study_table_print(const cli_study *s)
     size_t most = study_cells_most(s);
     study_column *columns = malloc(most * sizeof *columns);
     int *widths = malloc(most * sizeof *widths);
-    char line[1024], told[1024];
+    char line[1024], build[1024];
     if (columns != NULL && widths != NULL) {
         size_t count = study_cells_list(s, columns);
         measure_columns(s, columns, count, widths);
@@ -131,7 +131,7 @@ void study_table_print(const cli_study *s)
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
     }
     if (study_conditions(s, line, sizeof line)[0] != '\0')
-        printf("\n%s\n%s\n", line, build_describe(told, sizeof told));
+        printf("\n%s\n%s\n", line, build_describe(build, sizeof build));
     if (study_verdict(s, line, sizeof line)[0] != '\0')
         puts(line);
     free(columns);

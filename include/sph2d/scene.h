@@ -289,7 +289,7 @@ typedef struct sph2d_method_options {
                                  particles beyond it one by one */
     double stiffness;       /**< k in p = k (rho - rho0) [m^2/s^2]; default 0: derived as above. k = c0^2, but for
                                  muller, whose pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check`
-                                 prints, and the pressure that is told is the one that is carried */
+                                 prints, and the pressure that is reported is the one that is carried */
     double sound_speed;     /**< c0 [m/s] by itself, instead of stiffness; default 0: derived as above */
     double support_ratio;   /**< support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph
                                  3.0 with symmetric and 2.5 with fitted operators; pcisph and constraint 2.4 with
@@ -436,7 +436,7 @@ typedef enum sph2d_probe_kind {
                                     over particles of the distance to the nearest one, over the scene's spacing, H/dx at
                                     most; paired: fraction of particles with another nearer than half a spacing;
                                     density_rms, density_max: root mean square and largest absolute value of
-                                    rho/rho0 - 1; mach: largest speed over c0; told, counted: mean density inside the
+                                    rho/rho0 - 1; mach: largest speed over c0; reported, counted: mean density inside the
                                     liquid over rest density, as particles have it and by counting them on the area */
     SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
                                    anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */

@@ -199,8 +199,8 @@ SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 /** Mean density inside the liquid over rest density. Inside is what has liquid all around it for 5 spacings, and no
  *  wall within 3; NaN where there are less than 20 such particles, and where memory is short. */
 typedef struct sph2d_densities {
-    double told;    /**< as particles have it */
-    double counted; /**< by counting particles on the area, with a kernel of 3 spacings */
+    double reported; /**< as particles have it */
+    double counted;  /**< by counting particles on the area, with a kernel of 3 spacings */
 } sph2d_densities;
 
 /** The densities now. It counts all particles, which takes as long as a few steps do, and memory while it does. */
@@ -208,14 +208,14 @@ SPH2D_API sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
 
 /** What a step spends its time on. */
 typedef enum sph2d_phase {
-    SPH2D_PHASE_MOVE,    /**< kicks and drifts, and what holds particles on their ways */
-    SPH2D_PHASE_SORT,    /**< cells, and the order of particles that follows from them */
-    SPH2D_PHASE_WALLS,   /**< sums over the liquid around boundary particles */
-    SPH2D_PHASE_SEARCH,  /**< finding the neighbours that a pressure solver keeps, and density with them */
-    SPH2D_PHASE_DENSITY, /**< sums over neighbours for density or its rate */
-    SPH2D_PHASE_FORCES,  /**< sums over neighbours for accelerations */
-    SPH2D_PHASE_SOLVE,   /**< a pressure solver */
-    SPH2D_PHASE_BOOKKEEPING,   /**< sources and drains, guards, the next step's length, samples */
+    SPH2D_PHASE_MOVE,        /**< kicks and drifts, and what holds particles on their ways */
+    SPH2D_PHASE_SORT,        /**< cells, and the order of particles that follows from them */
+    SPH2D_PHASE_WALLS,       /**< sums over the liquid around boundary particles */
+    SPH2D_PHASE_SEARCH,      /**< finding the neighbours that a pressure solver keeps, and density with them */
+    SPH2D_PHASE_DENSITY,     /**< sums over neighbours for density or its rate */
+    SPH2D_PHASE_FORCES,      /**< sums over neighbours for accelerations */
+    SPH2D_PHASE_SOLVE,       /**< a pressure solver */
+    SPH2D_PHASE_BOOKKEEPING, /**< sources and drains, guards, the next step's length, samples */
     SPH2D_PHASE_COUNT
 } sph2d_phase;
 

@@ -158,7 +158,7 @@ typedef struct sph2d_study {
                           default spacing */
     double target;     /**< the error that the cheapest run is named for, > 0; default 0.01 */
     const char *target_text; /**< as the file has it, "0.01" or "1%"; NULL: not given */
-    int percent;             /**< 1: it was given in per cent, as errors are then told; default 0 */
+    int percent;             /**< 1: it was given in per cent, as errors are then printed; default 0 */
 } sph2d_study;
 
 enum {

@@ -155,7 +155,7 @@ static void read_word(const value *v, const sph2d__node *node, void *slot)
     char got[80];
     sph2d__faults *faults = v->converter->faults;
     sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), v->path,
-                                       "%s is none of the known words", sph2d__node_words(node, got, sizeof got));
+                                       "unknown value %s", sph2d__node_words(node, got, sizeof got));
     sph2d__suggest_word(d, node->text, words);
     sph2d__faults_spoil(faults, v->path);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_arrays.c
- *  Fields and state into a snapshot. Which arrays there are is told by the field table and the state alone. */
+ *  Fields and state into a snapshot. Which arrays there are is reported by the field table and the state alone. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

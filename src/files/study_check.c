@@ -242,7 +242,7 @@ static void check_judge(checker *c, const sph2d_study *study)
         fault(c, SPH2D_CODE_WRONG_TYPE, "judge", message);
 }
 
-/** Two columns of one name cannot be told apart. */
+/** Two columns of one name cannot be distinguished. */
 static void check_names(checker *c, const sph2d_study *study)
 {
     for (size_t i = 0; i < study->measure_count; ++i)

@@ -113,7 +113,7 @@ static const sph2d_key measure_items[] = {
     {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .standard = "none",
      .text = "largest error; above it the study fails"},
     {"order", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, order), .words = flag_words, .unit = "",
-     .standard = "false", .text = "tells the observed order of convergence between rows, listed from coarse to fine"},
+     .standard = "false", .text = "reports the observed order of convergence between rows, listed from coarse to fine"},
 };
 KEYS(measure, sph2d_study_measure, set_measure);
 

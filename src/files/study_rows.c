@@ -111,11 +111,11 @@ static bool end_row(const collection *c, sph2d_study_run *run, sph2d__pool *pool
 {
     if (!c->ok)
         return false;
-    size_t told = run->name && run->name[0] ? run->override_count : 0;
+    size_t named = run->name && run->name[0] ? run->override_count : 0;
     run->overrides = c->overrides;
     run->places = c->places;
     run->override_count = c->count;
-    run->name = made_name(run->name, run, told, pool);
+    run->name = made_name(run->name, run, named, pool);
     return run->name != NULL;
 }
 

@@ -133,7 +133,7 @@ static sph2d_status begin(sph2d__flow_moment *m, const sph2d_flow *flow, const s
     if (!flow || !context)
         return refuse(report, SPH2D_CODE_GENERAL, "a flow and its context must be given, not NULL");
     if ((unsigned)flow->kind >= KINDS || !kinds[flow->kind].at)
-        return refuse(report, SPH2D_CODE_GENERAL, "the flow is none of the known ones");
+        return refuse(report, SPH2D_CODE_GENERAL, "unknown flow");
     unsigned reads = kinds[flow->kind].reads;
     bool good = is_not_negative(report, "the time", time) && is_finite(report, "the time", time);
     good &= check_flow(flow, reads, report);

@@ -100,7 +100,7 @@ static inline double sph2d__poly6_compressed(double support, double spacing, dou
  *
  *      p_pairs/p = (d ln rho/d ln n) rho/S, over its value in the lattice at rest, n = 1/s^2.
  *
- *  0.93 at H/dx = 2 where density is 1.2 of rest density: by p itself pairs gave back 8 % more than was told. */
+ *  0.93 at H/dx = 2 where density is 1.2 of rest density: by p itself pairs gave back 8 % more than was reported. */
 static inline double sph2d__muller_pair_gain(double support, double spacing, double s)
 {
     double stress = sph2d__spiky_lattice_stress(support, spacing) / sph2d__spiky_lattice_stress(support, s);

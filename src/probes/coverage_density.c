@@ -57,7 +57,7 @@ static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
 static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned char *marks, size_t *inside)
 {
     const sph2d__store *f = &c->sim->system.fluid;
-    double counted = 0, told = 0;
+    double counted = 0, reported = 0;
     size_t nodes = 0, particles = 0;
     for (size_t k = 0; k < c->nodes_x * c->nodes_y; ++k)
         if (!marks[k]) {
@@ -70,13 +70,13 @@ static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned cha
         size_t row = y >= 0 && y < (double)c->ny + 1 ? sph2d__coverage_node((long)y, c->nodes_y, c->ny) : SIZE_MAX;
         if (column == SIZE_MAX || row == SIZE_MAX || marks[row * c->nodes_x + column])
             continue;
-        told += f->density[i] / c->sim->system.rest_density;
+        reported += f->density[i] / c->sim->system.rest_density;
         ++particles;
     }
     *inside = particles;
     if (particles < LEAST_INSIDE)
         return (sph2d_densities){NAN, NAN};
-    return (sph2d_densities){told / (double)particles, counted / (double)nodes};
+    return (sph2d_densities){reported / (double)particles, counted / (double)nodes};
 }
 
 static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside)
@@ -124,5 +124,5 @@ void sph2d__sim_watch_density(sph2d_sim *sim)
     size_t inside;
     sph2d_densities now = densities_now(sim, &inside);
     if (inside >= LEAST_COMPARED)
-        r->density_apart = fmax(r->density_apart, fabs(now.told - now.counted)); /* passes over NaN */
+        r->density_apart = fmax(r->density_apart, fabs(now.reported - now.counted)); /* passes over NaN */
 }

@@ -18,7 +18,7 @@ static const row rows[] = {
     [SPH2D_PROBE_AXES] = {sph2d__probe_axes,
                           "centre_x [m],centre_y [m],a [m],b [m],angle [rad],a_x [m],a_y [m],ab [m^2]"},
     [SPH2D_PROBE_QUALITY] = {sph2d__probe_quality,
-                             "spacing_min,spacing_p1,paired,density_rms,density_max,mach,told,counted"},
+                             "spacing_min,spacing_p1,paired,density_rms,density_max,mach,reported,counted"},
     [SPH2D_PROBE_MOMENTUM] = {sph2d__probe_momentum, "momentum_x [kg/s],momentum_y [kg/s],angular_momentum [kg m/s],"
                                                      "centre_x [m],centre_y [m]"},
     [SPH2D_PROBE_ERROR] = {sph2d__probe_error, "speed_l1,vector_l1,vector_max,pressure_l1,pressure_rms,kinetic"},

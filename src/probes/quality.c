@@ -109,7 +109,7 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
     values[4] = most;
     values[5] = sqrt(speed2) / s->sound_speed;
     sph2d_densities inside = sph2d_sim_densities(sim);
-    values[6] = inside.told;
+    values[6] = inside.reported;
     values[7] = inside.counted;
     return 8;
 }

@@ -87,7 +87,7 @@ sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2
     }
     if (hint == NULL) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
-                         "'%s' is no way to OpenGL: 'osmesa' and 'egl' are", wanted);
+                         "unknown OpenGL backend '%s'; expected 'osmesa' or 'egl'", wanted);
         return SPH2D_INVALID;
     }
     if (wanted == NULL)

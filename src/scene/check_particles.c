@@ -28,7 +28,7 @@ void sph2d__check_particles(sph2d__checker *c)
     const sph2d_method_options *m = &c->scene->method;
     if (!(m->sound_speed > 0) && !(m->stiffness > 0)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, "particles",
-                                                 "single particles do not tell what the sound speed must be");
+                                                 "a list of particles does not determine the sound speed");
         sph2d_diagnostic_hint(d, "name method.sound_speed, ten times the fastest speed that will be there [m/s]");
     }
     if (!p->items && p->count > 0)

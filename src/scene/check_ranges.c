@@ -43,7 +43,7 @@ static void check_word(checker *c, const sph2d_key *key, const char *path, int v
     while (key->words[count])
         ++count;
     if (value < 0 || value >= count)
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "is none of the known values");
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "unknown value");
 }
 
 static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix);

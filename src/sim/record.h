@@ -47,7 +47,7 @@
     X(error_low, "EnergyErrorLow", 1, 1, -2, "least of it so far, per metre")                                          \
     X(error_rise, "EnergyErrorRise", 1, 1, -2, "its largest rise above an earlier moment, per metre")                  \
     X(density_apart, "DensityApart", 0, 0, 0,                                                                          \
-      "largest difference of the densities that are told and counted inside the liquid, over rest density")            \
+      "largest difference of the densities that are reported and counted inside the liquid, over rest density")        \
     X(compression_max, "CompressionMax", 0, 0, 0, "largest compression so far")                                        \
     X(compression_p99, "CompressionP99Integral", 0, 0, 1, "99th percentile of compression, summed over time")          \
     X(compression_mean, "CompressionMeanIntegral", 0, 0, 1, "mean compression, summed over time")                      \

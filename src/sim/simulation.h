@@ -56,7 +56,7 @@ void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
 /** What a known flow needs to know of the scene. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 
-/** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is told [J/m]. */
+/** Energy of a column as high as the scene's liquid can fall, over which a rise of energy is reported [J/m]. */
 double sph2d__sim_energy_scale(const sph2d_sim *sim);
 
 /** Energy that a particle would have lost on its way, in parts of which whole ones are counted: their sum is the same

@@ -60,7 +60,7 @@ scene 65 --set 'boundary={left: periodic, right: periodic}' --set walls=default 
 table 'x,y' '0.5,0.5'
 scene 65 --set fluid.density=-5 && says 'fluid.density'
 grep -q 'cloud.csv' err && fail 'the file of particles is not at fault'
-scene 65 --set method.sound_speed=0 && says 'do not tell what the sound speed must be'
+scene 65 --set method.sound_speed=0 && says 'does not determine the sound speed'
 scene 65 --set 'blocks=[{box: {min: [0.2, 0.2], max: [0.6, 0.6]}}]' && says 'particles\[0\]: .*inside a block'
 scene 65 --set 'obstacles=[{circle: {center: [0.5, 0.5], radius: 0.1}}]' && says 'inside an obstacle'
 scene 0 --set 'blocks=[{box: {min: [0.1, 0.1], max: [0.3, 0.3]}}]' && prints 'particles *17 in the liquid'

@@ -4,8 +4,8 @@
 #
 # Leaves dozen.csv and dozen.txt in DIR, and a picture of each in the middle of its run, DIR/SCENE-METHOD.png. Numbers:
 # rise: largest rise of kinetic + potential + elastic energy above an earlier moment, per cent of the scene's scale
-# (energy.c), of closed scenes; p99, mean, max: compression, per cent, as told; counted: mean density inside the liquid
-# at the end by counting, and told: as told, both less 1, per cent; level: of the settled liquid over the exact one
+# (energy.c), of closed scenes; p99, mean, max: compression, per cent, as reported; counted: mean density inside the liquid
+# at the end by counting, and reported: as reported, both less 1, per cent; level: of the settled liquid over the exact one
 # less 1, per cent, from elevations at five places over the last quarter of the time; lost: particles through open
 # sides; cpu: seconds of stepping on one thread.
 set -euo pipefail
@@ -84,7 +84,7 @@ for scene; do
     for method in $methods; do echo "$scene $method"; done
 done | xargs -P "$jobs" -L 1 "${BASH_SOURCE[0]}" --row
 {
-    echo 'scene,method,exit,particles,steps,rise %,p99 %,mean %,max %,counted %,told %,level %,lost,cpu s'
+    echo 'scene,method,exit,particles,steps,rise %,p99 %,mean %,max %,counted %,reported %,level %,lost,cpu s'
     for scene; do
         for method in $methods; do cat "$OUT/$scene-$method.row"; done
     done

@@ -24,8 +24,8 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 
 /** The bounds. */
 #define ENERGY_BOUND 0.001 /* rise above any earlier moment over the scene's scale */
-#define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is told, over rest density */
-#define PACKING_SLACK 0.2  /* and this part of what is told: kernels of other widths see other means where it varies */
+#define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is reported, over rest density */
+#define PACKING_SLACK 0.2  /* and this part of what is reported: kernels of other widths see other means where it varies */
 #define DENSITY_LOW 0.25   /* least density over rest density where density is integrated */
 #define DENSITY_HIGH 4.0   /* largest, of liquid that does not start compressed */
 
@@ -34,7 +34,7 @@ typedef struct library_run {
     bool started, finished;
     double compression_max;    /**< largest rho/rho0 - 1 over all particles and steps */
     double scale, rise, since; /**< energy scale [J/m]; largest rise over it; when that was reached [s] */
-    double packing, density;   /**< mean density over rest density inside the liquid, by counting and as told */
+    double packing, density;   /**< mean density over rest density inside the liquid, by counting and as reported */
     double p99, highest;       /**< of the compression by counting */
     sph2d_summary summary;
 } library_run;

@@ -144,7 +144,7 @@ static void judge_end(const watch *w, library_run *run, size_t inside_at_start)
                      100 * run->rise, run->scale, run->since);
     measure_packing(w->scene, w->sim, run);
     if (fabs(run->packing - run->density) > PACKING_BOUND + PACKING_SLACK * fabs(run->density - 1))
-        verdict_fail(w->verdict, "packing", "mean density inside is %.4f of rest density by counting, %.4f as told",
+        verdict_fail(w->verdict, "packing", "mean density inside is %.4f of rest density by counting, %.4f as reported",
                      run->packing, run->density);
     if (run->summary.compression_max < run->compression_max * (1 - 1e-6) - 1e-9)
         verdict_fail(w->verdict, "compression", "the summary tells a maximum of %g %%, a particle had %g %%",

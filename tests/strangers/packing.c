@@ -90,20 +90,20 @@ void measure_packing(const sph2d_scene *s, const sph2d_sim *sim, library_run *ru
     room r = {.reach = 3 * s->spacing, .fluid = sph2d_sim_fluid(sim), .walls = sph2d_sim_walls(sim), .scene = s};
     r.period_x = s->boundary.left == SPH2D_SIDE_PERIODIC ? s->domain.max.x - s->domain.min.x : 0;
     r.period_y = s->boundary.bottom == SPH2D_SIDE_PERIODIC ? s->domain.max.y - s->domain.min.y : 0;
-    double *inside = malloc((r.fluid.count + 1) * sizeof *inside), counted = 0, told = 0;
+    double *inside = malloc((r.fluid.count + 1) * sizeof *inside), counted = 0, reported = 0;
     size_t count = 0;
     for (size_t i = 0; inside != NULL && i < r.fluid.count; ++i) {
         const double n = near_wall(&r, r.fluid.x[i], r.fluid.y[i]) ? 0 : count_around(&r, i);
         if (n > 0) {
             inside[count++] = n - 1;
             counted += n;
-            told += r.fluid.density[i] / s->fluid.density;
+            reported += r.fluid.density[i] / s->fluid.density;
         }
     }
     if (count >= LEAST_INSIDE) {
         qsort(inside, count, sizeof *inside, ascending);
         run->packing = counted / (double)count;
-        run->density = told / (double)count;
+        run->density = reported / (double)count;
         run->p99 = inside[(count * 99) / 100];
         run->highest = inside[count - 1];
     }

@@ -189,7 +189,7 @@ static bool is_known(known_list *known, const options *o, unsigned long number, 
     return false;
 }
 
-// ---- what is told --------------------------------------------------------------------------------------------------
+// ---- what is reported --------------------------------------------------------------------------------------------------
 
 /** The command that judges a scene once more. */
 static void tell_again(const options *o, const task *t)

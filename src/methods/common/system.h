@@ -36,7 +36,8 @@ typedef struct sph2d__system {
     double corner_fill;     /**< muller: Q, times rest density [kg/m^3] */
     double side_power;      /**< muller: m */
     double modulus;         /**< muller: pressure over summed density beyond rest density [m^2/s^2] */
-    double pair_gain[SPH2D__PAIR_GAINS + 1]; /**< muller: pressure that pairs take over that which is told, at densities
+    double pair_gain[SPH2D__PAIR_GAINS +
+                     1];   /**< muller: pressure that pairs take over that which is reported, at densities
                                                   from 1 to SPH2D__PAIR_GAIN_TOP times rest density */
     double moment;         /**< of a projection's gradients on a filled lattice, where 1 would be exact */
     double residual_gain;  /**< wcsph, fitted: gamma, the part of the fit's residual that belongs to the Laplacian */

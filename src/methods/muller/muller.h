@@ -9,7 +9,7 @@
  *
  *  Pairs take G p for p. G (kernels/muller.h, 0.93 where density is 1.2 of rest density at H/dx = 2) makes the work of
  *  a lattice that is compressed evenly that of the state equation: by p itself, of a block that is 1.3 times too dense
- *  at the start, pairs gave back 7 % more than it was told to hold.
+ *  at the start, pairs gave back 7 % more than it was reported to hold.
  *
  *  What pairs carry is P p with P = 0.443 at H/dx = 2 (kernels/muller.h), about half: the pressure that particles tell
  *  is this one, c0^2 is dP p/drho, and k follows from c0. Negative pressure is cut off: at a free surface the density
