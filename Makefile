@@ -386,9 +386,9 @@ report: $(BUILD)/sph2d ## what an error costs: all studies as one page, BUILD/re
 report-full: $(BUILD)/sph2d ## the same with the rows that take long, in BUILD/report-full (hours)
 	$(hush)$(REPORT) $(BUILD)/report-full --jobs "$$(nproc)" --repeat 3 --all
 
-report-readme: ## puts the table of the last report into README.md
+report-docs: ## puts the table of the last report into docs/validation.md
 	$(hush)sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' \
-	    -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' README.md
+	    -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' docs/validation.md
 
 # ---- checks ----------------------------------------------------------------------------------------------------------
 HEADERS := $(filter-out $(if $(WITH_RENDER),,%/render.h),$(sort $(wildcard include/sph2d/*.h)))
@@ -500,6 +500,6 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-readme \
+    bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-docs \
     check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -2,7 +2,7 @@
 # One page with what sph2d reaches and what that takes: report.sh SPH2D FOLDER [OPTION...]
 #
 # Runs the studies of tests/report/studies, or of the list $STUDIES, with the options given, and writes
-# FOLDER/index.html, which opens from disk, FOLDER/cases.md, the same rows as a table for the README, and a folder with
+# FOLDER/index.html, which opens from disk, FOLDER/cases.md, the same rows as a table for docs/validation.md, and a folder with
 # the files of each study. A study that fails is a section that says so. Interrupted, it goes on where it stopped.
 # Needs base64 and awk; gnuplot for the plots, and pictures where the build can draw.
 set -euo pipefail
@@ -62,7 +62,7 @@ section() { # NAME TIME FOLDER-OF-THE-SCENE
     done
 }
 
-# Rows for the README: case, row, errors by name, their first order, particles, steps, seconds, speed.
+# Rows for docs/validation.md: case, row, errors by name, their first order, particles, steps, seconds, speed.
 rows() { # NAME
     awk -v name="$1" '
         function cells(line, out,    n, quoted, c, i) {
