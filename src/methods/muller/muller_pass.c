@@ -1,18 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller_pass.c
- *  The pair loops of method `muller`. Compiled once for each instruction set, named by SPH2D__ISA. */
-#include "kernels/muller.h"
-#include "methods/common/group.h"
-#include "methods/muller/muller.h"
-#include "methods/muller/muller_side.h"
-
-/** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
-SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
-{
-    sph2d__lanes dx = at_x - x, dy = at_y - y;
-    sph2d__lanes d = sph2d__lanes_max(support2 - (dx * dx + dy * dy), (sph2d__lanes){0});
-    return d * d * d;
-}
+ *  The loops of method `muller`; what a pair does is in muller_pair.h. Compiled once for each instruction set, named by
+ *  SPH2D__ISA. */
+#include "methods/muller/muller_pair.h"
 
 /** Their sum around a group of particles `of`; `mass` NULL counts each candidate once. */
 SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, const sph2d__group *g,
@@ -28,27 +18,6 @@ SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, 
         }
     }
     return sum;
-}
-
-/** What the sides with springs add to the density at a place. */
-SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
-{
-    sph2d__side_part parts[2];
-    sph2d__sides_at(s, x, y, parts);
-    return s->side_fill * (parts[0].value + parts[1].value) + s->corner_fill * parts[0].value * parts[1].value;
-}
-
-/** The push of these sides on particle i. */
-SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, double *ay)
-{
-    const sph2d__store *f = &s->fluid;
-    double rho = f->density[i], push = f->pressure[i] / (rho * rho);
-    if (!(push > 0))
-        return;
-    sph2d__side_part parts[2];
-    sph2d__sides_at(s, f->x[i], f->y[i], parts);
-    *ax += push * (s->side_fill + s->corner_fill * parts[1].value) * parts[0].slope;
-    *ay += push * (s->side_fill + s->corner_fill * parts[0].value) * parts[1].slope;
 }
 
 static void density(sph2d__system *s, size_t first, size_t last)
@@ -87,45 +56,6 @@ static void wall_density(sph2d__system *s, size_t first, size_t last)
             walls->density[b] = s->rest_density + (walls->mass[b] > 0 ? own * sum[l] : 0);
         }
     }
-}
-
-/** Sums of the forces on a group, without their constants. */
-typedef struct force_sums {
-    sph2d__lanes press_x, press_y, drag_x, drag_y;
-} force_sums;
-
-/** The particles of a group that feel a candidate. */
-typedef struct receiver {
-    sph2d__lanes x, y, vx, vy, pressure;
-} receiver;
-
-SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i, const sph2d__store *from, size_t j)
-{
-    sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
-    /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
-    sph2d__lanes tiny = sph2d__lanes_all(1e-24 * support * support);
-    sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
-    sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
-    sph2d__lanes wv = w * from->volume[j];
-    sph2d__lanes press = wv * w * (i->pressure + from->pair_pressure[j]) / r;
-    sums->press_x += press * dx;
-    sums->press_y += press * dy;
-    sums->drag_x += wv * (from->vx[j] - i->vx);
-    sums->drag_y += wv * (from->vy[j] - i->vy);
-}
-
-/** The same of a boundary particle, which adds to density alone. */
-SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiver *i, const sph2d__store *walls,
-                                  size_t j)
-{
-    sph2d__lanes dx = i->x - walls->x[j], dy = i->y - walls->y[j], none = {0};
-    sph2d__lanes r2 = dx * dx + dy * dy, d = sph2d__lanes_max(support * support - r2, none);
-    sph2d__lanes press = d * d * walls->mass[j], wv = sph2d__lanes_max(support - sph2d__lanes_sqrt(r2), none);
-    sums->press_x += press * dx;
-    sums->press_y += press * dy;
-    wv *= walls->volume[j];
-    sums->drag_x += wv * (walls->vx[j] - i->vx);
-    sums->drag_y += wv * (walls->vy[j] - i->vy);
 }
 
 /** Adds the forces of the particles in `ranges` on a group whose box is laid. */
