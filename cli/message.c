@@ -21,11 +21,6 @@ static struct {
 /* Room for a diagnostic with all its parts. */
 enum { MESSAGE_SIZE = 2048 };
 
-bool message_json(void)
-{
-    return style.json;
-}
-
 bool message_terminal(void)
 {
     const char *term = getenv("TERM");

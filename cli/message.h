@@ -32,8 +32,6 @@ void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene
 /** Shows `text` on the terminal's last line, to be replaced by the next; NULL takes it away. Messages go above it. */
 void message_status(const char *text);
 
-/** Whether messages are JSON. */
-bool message_json(void);
 /** Whether stderr is a terminal that can redraw a line. */
 bool message_terminal(void);
 

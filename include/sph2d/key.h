@@ -62,6 +62,10 @@ typedef struct sph2d_keys {
     void (*set_default)(void *out); /**< fills it with defaults; NULL for groups, which get theirs from their owner */
 } sph2d_keys;
 
+/** Whether a number may be the value of a NUMBER, a COUNT, or a coordinate of a POINT; otherwise `why` gets a sentence of
+ *  at most `size` bytes: "-1 is out of range: must be above 0". */
+SPH2D_API bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size);
+
 /** The keys of a scene. Static storage. */
 SPH2D_API const sph2d_keys *sph2d_scene_keys(void);
 

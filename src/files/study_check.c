@@ -54,15 +54,9 @@ static void check_range(checker *c, const sph2d_key *key, const void *owner)
     memcpy(&count, (const char *)owner + key->offset, sizeof count);
     if (key->kind == SPH2D_KEY_COUNT)
         value = (double)count;
-    bool below = key->min_excluded ? value <= key->min : value < key->min;
-    if (isnan(value) || (!below && value <= key->max))
+    char message[160];
+    if (isnan(value) || sph2d_key_accepts(key, value, message, sizeof message)) /* NaN: it is not given */
         return;
-    char range[80], message[120];
-    if (isfinite(key->max))
-        snprintf(range, sizeof range, "from %g to %g", key->min, key->max);
-    else
-        snprintf(range, sizeof range, "%s %g", key->min_excluded ? "above" : "at least", key->min);
-    snprintf(message, sizeof message, "%g is out of range: must be %s", value, range);
     sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, key->name, message), "%s: %s", key->name, key->text);
 }
 

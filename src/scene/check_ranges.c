@@ -12,21 +12,27 @@
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
 
-static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
+bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size)
 {
     if (key->zero_is_unset && value == 0)
-        return;
+        return true;
     if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
-        return;
-    char message[160];
+        return true;
+    const char *least = key->min_excluded ? "above" : "at least";
     if (!isfinite(value))
-        snprintf(message, sizeof message, "%g is not a finite number", value);
+        snprintf(why, size, "%g is not a finite number", value);
     else if (key->max == INFINITY)
-        snprintf(message, sizeof message, "%g is out of range: must be %s %g", value,
-                 key->min_excluded ? "above" : "at least", key->min);
+        snprintf(why, size, "%g is out of range: must be %s %g", value, least, key->min);
     else
-        snprintf(message, sizeof message, "%g is out of range: must be %s %g and at most %g", value,
-                 key->min_excluded ? "above" : "at least", key->min, key->max);
+        snprintf(why, size, "%g is out of range: must be %s %g and at most %g", value, least, key->min, key->max);
+    return false;
+}
+
+static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
+{
+    char message[160];
+    if (sph2d_key_accepts(key, value, message, sizeof message))
+        return;
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
     sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
 }
