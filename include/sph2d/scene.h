@@ -412,47 +412,56 @@ typedef struct sph2d_interaction {
     double acceleration; /**< at the point [m/s^2]; positive pulls, negative pushes */
 } sph2d_interaction;
 
-/** What a probe writes: the columns behind `time`. Values without meaning, as where there is no liquid, are NaN. */
+/** Kinds of probes, in the order of their values from 0 on: name, word of scene files, the columns that one writes behind
+ *  `time`. Values without meaning, as where there is no liquid, are NaN.
+ *
+ *  energy     kinetic and potential energy, the latter of gravity, central force, springs of sides and surface; momentum;
+ *             speed of the fastest particle; energy of compression; energy_error: what does not add up, over the
+ *             scene's energy scale (sph2d_summary)
+ *  speed      of the liquid at a point, by sph2d_sim_sample(); neighbours: particles within the support radius
+ *  pressure   at a point, by sph2d_sim_sample(). With `size` or `rise_time` the pressure that a gauge of that kind shows,
+ *             0 in air
+ *  elevation  y of the highest free surface on the vertical line through at.x, where liquid fills half of what the kernel
+ *             covers: from H/dx = 2.2 on, no lone particle does. Liquid up to a closed top has the top's y
+ *  extent     of the particles' places
+ *  axes       centre of mass; a, b: larger and smaller half axis of the filled ellipse that has the particles' second
+ *             moments about it; angle: of the larger one to the x axis, above -pi/2 to pi/2; a_x, a_y: half axes along x
+ *             and y from <x^2> and <y^2> alone. Places are taken as they are: not across a periodic side
+ *  quality    spacing_min, spacing_p1: smallest distance between two particles, and 1st percentile over particles of the
+ *             distance to the nearest one, over the scene's spacing, H/dx at most; paired: fraction of particles with
+ *             another nearer than half a spacing; density_rms, density_max: root mean square and largest absolute value
+ *             of rho/rho0 - 1; mach: largest speed over c0; reported, counted: mean density inside the liquid over rest
+ *             density, as particles have it and by counting them on the area
+ *  momentum   angular_momentum: about the middle of the domain, anticlockwise; centre_x, centre_y: centre of mass
+ *  error      difference from the exact solution that a block starts with, at the particles' places: speed_l1: mean error
+ *             of |v| over mean exact |v|; vector_l1: the same of v; vector_max: largest error of v over the flow's speed
+ *             U (a flow at rest: over the speed that its largest pressure could make); pressure_l1: mean error over mean
+ *             exact |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic: kinetic energy over
+ *             the exact one, - 1
+ *  volume     area that liquid covers, to a surface where half of a kernel is filled, and of particles by themselves,
+ *             dx^2 each; placed: what the particles stand for at rest density
+ *  level      height up to which `volume` fills what the liquid can get to from where it is, below that height and without
+ *             passing a wall: the mean level once it has settled. Closed obstacles take room, as they stand now; lines
+ *             hold liquid. NaN unless gravity points straight down */
+#define SPH2D_PROBE_MAP(X)                                                                                             \
+    X(ENERGY, energy,                                                                                                  \
+      "kinetic [J/m],potential [J/m],momentum_x [kg/s],momentum_y [kg/s],particles,speed_max [m/s],elastic [J/m],"     \
+      "energy_error")                                                                                                  \
+    X(SPEED, speed, "vx [m/s],vy [m/s],speed [m/s],neighbours")                                                        \
+    X(PRESSURE, pressure, "pressure [Pa],density [kg/m^3],neighbours")                                                 \
+    X(ELEVATION, elevation, "elevation [m]")                                                                           \
+    X(EXTENT, extent, "left [m],right [m],bottom [m],top [m]")                                                         \
+    X(AXES, axes, "centre_x [m],centre_y [m],a [m],b [m],angle [rad],a_x [m],a_y [m],ab [m^2]")                        \
+    X(QUALITY, quality, "spacing_min,spacing_p1,paired,density_rms,density_max,mach,reported,counted")                 \
+    X(MOMENTUM, momentum, "momentum_x [kg/s],momentum_y [kg/s],angular_momentum [kg m/s],centre_x [m],centre_y [m]")   \
+    X(ERROR, error, "speed_l1,vector_l1,vector_max,pressure_l1,pressure_rms,kinetic")                                  \
+    X(VOLUME, volume, "volume [m^2],placed [m^2]")                                                                     \
+    X(LEVEL, level, "level [m]")
+
 typedef enum sph2d_probe_kind {
-    SPH2D_PROBE_ENERGY = 0,    /**< kinetic, potential: energy [J/m], the latter of gravity,
-                                    central force, springs of sides and surface; momentum_x, momentum_y [kg/s];
-                                    particles; speed_max: of the fastest one [m/s]; elastic: energy of compression
-                                    [J/m]; energy_error: what does not add up, over the scene's energy scale
-                                    (sph2d_summary) */
-    SPH2D_PROBE_SPEED = 1,     /**< vx, vy, speed: of the liquid at a point, by sph2d_sim_sample() [m/s]; neighbours:
-                                    particles within the support radius */
-    SPH2D_PROBE_PRESSURE = 2,  /**< pressure [Pa], density [kg/m^3]: at a point, by sph2d_sim_sample(); neighbours. With
-                                    `size` or `rise_time` the pressure that a gauge of that kind shows, 0 in air */
-    SPH2D_PROBE_ELEVATION = 3, /**< elevation: y of the highest free surface on the vertical line through at.x [m],
-                                  where liquid fills half of what the kernel covers: from H/dx = 2.2 on, no lone
-                                  particle does. Liquid up to a closed top has the top's y */
-    SPH2D_PROBE_EXTENT = 4,    /**< left, right, bottom, top: of the particles' places [m] */
-    SPH2D_PROBE_AXES = 5,      /**< centre_x, centre_y: centre of mass [m]; a, b: larger and smaller half axis of the
-                                    filled ellipse that has the particles' second moments about it [m]; angle: of the
-                                    larger one to the x axis, above -pi/2 to pi/2 [rad]; a_x, a_y: half axes along x and
-                                    y from <x^2> and <y^2> alone [m]. Places are taken as they are: not across a
-                                    periodic side */
-    SPH2D_PROBE_QUALITY = 6,   /**< spacing_min, spacing_p1: smallest distance between two particles, and 1st percentile
-                                    over particles of the distance to the nearest one, over the scene's spacing, H/dx at
-                                    most; paired: fraction of particles with another nearer than half a spacing;
-                                    density_rms, density_max: root mean square and largest absolute value of
-                                    rho/rho0 - 1; mach: largest speed over c0; reported, counted: mean density inside the
-                                    liquid over rest density, as particles have it and by counting them on the area */
-    SPH2D_PROBE_MOMENTUM = 7,  /**< momentum_x, momentum_y [kg/s]; angular_momentum: about the middle of the domain,
-                                   anticlockwise [kg m/s]; centre_x, centre_y: centre of mass [m] */
-    SPH2D_PROBE_ERROR = 8,  /**< difference from the exact solution that a block starts with, at the particles' places:
-                                speed_l1: mean error of |v| over mean exact |v|; vector_l1: the same of v;
-                                vector_max: largest error of v over the flow's speed U (a flow at rest: over the
-                                speed that its largest pressure could make); pressure_l1: mean error over mean exact
-                                |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
-                                kinetic energy over the exact one, - 1 */
-    SPH2D_PROBE_VOLUME = 9, /**< volume: area that liquid covers, to a surface where half of a kernel is filled, and of
-                               particles by themselves, dx^2 each; placed: what the particles stand for at rest density
-                               [m^2] */
-    SPH2D_PROBE_LEVEL = 10  /**< level: height up to which `volume` fills what the liquid can get to from where it is,
-                               below that height and without passing a wall [m]: the mean level once it has settled.
-                               Closed obstacles take room, as they stand now; lines hold liquid. NaN unless gravity
-                               points straight down */
+#define SPH2D__PROBE_ENUM(name, word, columns) SPH2D_PROBE_##name,
+    SPH2D_PROBE_MAP(SPH2D__PROBE_ENUM)
+#undef SPH2D__PROBE_ENUM
 } sph2d_probe_kind;
 
 /** A time series, written while the run goes on. */

@@ -9,13 +9,10 @@
 
 typedef size_t sph2d__probe_kind(const sph2d_sim *sim, const sph2d_probe *probe, double *values);
 
-/* At a point. */
-sph2d__probe_kind sph2d__probe_speed, sph2d__probe_pressure, sph2d__probe_elevation;
-/* Of all liquid. */
-sph2d__probe_kind sph2d__probe_energy, sph2d__probe_momentum, sph2d__probe_extent, sph2d__probe_axes;
-sph2d__probe_kind sph2d__probe_error, sph2d__probe_volume, sph2d__probe_level;
-/* Of the particles. */
-sph2d__probe_kind sph2d__probe_quality;
+/** Each kind's, in a file of its own or with its like. */
+#define SPH2D__PROBE_DECLARE(name, word, columns) sph2d__probe_kind sph2d__probe_##word;
+SPH2D_PROBE_MAP(SPH2D__PROBE_DECLARE)
+#undef SPH2D__PROBE_DECLARE
 
 /** The mean pressure on the face of a gauge now, and what the gauge that is probe `index` shows [Pa]. */
 double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe);

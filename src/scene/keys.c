@@ -52,8 +52,8 @@ static const char *const state_words[] = {"linear", "tait", NULL};
 static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
 static const char *const turbulence_words[] = {"default", "none", "smagorinsky", NULL};
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
-static const char *const probe_words[] = {"energy",  "speed",    "pressure", "elevation", "extent", "axes",
-                                          "quality", "momentum", "error",    "volume",    "level",  NULL};
+#define PROBE_WORD(name, word, columns) #word,
+static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
