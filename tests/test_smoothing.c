@@ -8,9 +8,9 @@
 #include "common.h"
 #include "kernels/kernel.h"
 
-static const sph2d_kernel kinds[] = {SPH2D_KERNEL_WENDLAND_C2, SPH2D_KERNEL_WENDLAND_C4, SPH2D_KERNEL_WENDLAND_C6,
-                                     SPH2D_KERNEL_CUBIC, SPH2D_KERNEL_QUINTIC};
-enum { KINDS = sizeof kinds / sizeof kinds[0] };
+#define KIND(name, word) SPH2D_KERNEL_##name,
+static const sph2d_kernel kinds[] = {SPH2D_KERNEL_MAP(KIND)};
+enum { KINDS = SPH2D_KERNEL_COUNT };
 
 static double power(double base, int exponent)
 {
@@ -29,9 +29,10 @@ static double known(sph2d_kernel kind, double q)
         return 40 / (7 * TEST_PI) * (power(2 - 2 * q, 3) / 4 - power(1 - 2 * q, 3));
     case SPH2D_KERNEL_QUINTIC: /* 7/(478 pi h^2) [(3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5], h = 1/3 */
         return 63 / (478 * TEST_PI) * (power(3 - 3 * q, 5) - 6 * power(2 - 3 * q, 5) + 15 * power(1 - 3 * q, 5));
-    default:
+    case SPH2D_KERNEL_WENDLAND_C2:
         return 7 / TEST_PI * power(1 - q, 4) * (1 + 4 * q);
     }
+    return NAN;
 }
 
 static double value(sph2d_kernel kind, double q)
