@@ -153,7 +153,7 @@ GOLDEN_SRC := tests/golden/golden.c
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/hard/*.sh tests/golden/*.sh examples/*.sh))
+    tests/strangers/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -347,6 +347,7 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	$(hush)if echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1; \
 	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
 	$(hush)$(MAKE) test-sanitize
+	$(hush)tests/adding.sh $(BUILD)/adding
 	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
 
 golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved

@@ -91,7 +91,12 @@ END_TEST
 /* f''(0) = g(0): -20, -56/3, -22; splines 2 (-3 + 12) .. as the knots say. */
 START_TEST(the_slope_is_finite_at_no_distance)
 {
-    static const double curvature[KINDS] = {-20, -56.0 / 3, -22, -12, -1080};
+    static const double curvature[KINDS] = {[SPH2D_KERNEL_WENDLAND_C2] = -20,
+                                            [SPH2D_KERNEL_WENDLAND_C4] = -56.0 / 3,
+                                            [SPH2D_KERNEL_WENDLAND_C6] = -22,
+                                            [SPH2D_KERNEL_CUBIC] = -12,
+                                            [SPH2D_KERNEL_QUINTIC] = -1080};
+    ck_assert_msg(curvature[_i] < 0, "the curvature of kernel %d is missing above", _i);
     ck_assert_double_eq_tol(sph2d__kernel_slope_at(kinds[_i], 0), curvature[_i], 1e-12 * fabs(curvature[_i]));
     double near = sph2d__kernel_slope_at(kinds[_i], 1e-300);
     ck_assert_double_eq_tol(near, curvature[_i], 1e-12 * fabs(curvature[_i]));
