@@ -91,7 +91,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_gradient) : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
-    bool search = sim->method->integrator == SPH2D__PROJECTED && s->reach < WIDE * s->spacing;
+    bool search = sim->method->project && s->reach < WIDE * s->spacing;
     s->fluid_cells.columns = s->wall_cells.columns = search ? 1 : COLUMNS;
     s->body.center_x = scene->central_force.center.x;
     s->body.center_y = scene->central_force.center.y;
@@ -130,7 +130,7 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
 /** The rates of density of liquid that starts in motion, for the length of its first step (guards.c). */
 static bool find_first_rates(sph2d_sim *sim)
 {
-    if (!(sph2d__sim_start_speed(sim) > 0) || sim->method->integrator != SPH2D__MIDPOINT)
+    if (!(sph2d__sim_start_speed(sim) > 0) || !sim->method->density_rate)
         return true;
     sim->method->density_rate(&sim->system);
     return sim->method->evaluate(&sim->system);

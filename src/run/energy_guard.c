@@ -66,7 +66,7 @@ sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
         return SPH2D_NOMEM;
     sph2d_summary now;
     sph2d__sim_sum_energy(sim, &now);
-    if (sim->method->integrator == SPH2D__PROJECTED)
+    if (sim->method->project)
         book_pressed(r, now.elastic);
     double energy = now.kinetic + now.potential + now.elastic - r->energy_fed - r->energy_walls - r->energy_forces;
     bool starts = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;

@@ -202,7 +202,7 @@ double sph2d__sim_step_part(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     double speed = sph2d__sim_start_speed(sim), rate = 0;
-    bool chosen = !(sim->scene.method.time_step > 0), sound = sim->method->integrator == SPH2D__MIDPOINT;
+    bool chosen = !(sim->scene.method.time_step > 0), sound = sim->method->density_rate != NULL;
     if (!(speed > 0) || !chosen || !sound || sim->record.steps > 0)
         return 1;
     for (size_t i = 0; i < f->count; ++i)

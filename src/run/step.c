@@ -35,21 +35,6 @@ static void advance_clock(sph2d_sim *sim, double dt)
     r->particle_steps += sim->system.fluid.count;
 }
 
-static sph2d_status move(sph2d_sim *sim, double dt)
-{
-    switch (sim->method->integrator) {
-    case SPH2D__ADAMS_BASHFORTH:
-        return sph2d__adams_bashforth(sim, dt);
-    case SPH2D__MIDPOINT:
-        return sph2d__midpoint(sim, dt);
-    case SPH2D__PROJECTED:
-        return sph2d__projected(sim, dt);
-    case SPH2D__LEAPFROG:
-        break;
-    }
-    return sph2d__leapfrog(sim, dt);
-}
-
 /** Sources feed, drains and open sides take. */
 static sph2d_status come_and_go(sph2d_sim *sim)
 {
@@ -74,7 +59,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     sim->system.step = dt;
     sim->system.speed = sim->record.speed;
     sph2d__profile_enter(profile, SPH2D_PHASE_MOVE);
-    status = move(sim, dt);
+    status = sim->method->step(sim, dt);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     if (status == SPH2D_GUARD)
         sph2d__sim_measure(sim, report); /* names the particle */

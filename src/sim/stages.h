@@ -1,20 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file stages.h
- *  The schemes that move the particles by one step, and what they share. */
+ *  What the methods' time schemes share. */
 #ifndef SPH2D_SIM_STAGES_H
 #define SPH2D_SIM_STAGES_H
 
 #include "sim/simulation.h"
-
-/** Kick-drift-kick with density as a sum (leapfrog.c). Errors of all: SPH2D_GUARD when a place is not finite,
- *  SPH2D_NOMEM. */
-sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
-/** Kick-drift-kick with density moved at the half step (midpoint.c). */
-sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
-/** Half a drift, pressure for the places that come next, kick, half a drift (projected.c). */
-sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
-/** Third order from the rates of three steps (adams_bashforth.c). */
-sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
 
 /** Particles that are moved together: so many that the look for walls around all of them costs little. */
 enum { SPH2D__BATCH = 32 };

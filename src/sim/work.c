@@ -29,7 +29,7 @@ enum { LOOK_STEPS = 40, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
 {
-    return sim->method->integrator == SPH2D__ADAMS_BASHFORTH;
+    return sim->system.method.operators == SPH2D_OPERATORS_FITTED;
 }
 
 bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps)
@@ -135,7 +135,7 @@ void sph2d__sim_book_drives(sph2d_sim *sim)
     double span = r->time - r->drives_time;
     r->energy_forces += sum_up(&r->power_forces, power_of_forces(sim), span);
     r->drives_time = r->time;
-    if (sim->method->integrator == SPH2D__PROJECTED)
+    if (sim->method->project)
         return;
     wall_powers power = powers_of_walls(sim);
     r->energy_walls += sum_up(&r->power_walls, power.all, span);
@@ -309,7 +309,7 @@ sph2d_status sph2d__sim_book(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    if (!is_fitted(sim) && sim->method->integrator != SPH2D__PROJECTED) {
+    if (!is_fitted(sim) && !sim->method->project) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
         r->energy_viscous -= sum_up(&r->power_viscous, viscous, span);

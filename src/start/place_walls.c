@@ -114,7 +114,7 @@ static double row_sum(const sph2d_method_options *m, double distance)
 static double side_offset(const sph2d_sim *sim)
 {
     const sph2d_method_options *m = &sim->scene.method;
-    if (sim->method->integrator != SPH2D__PROJECTED || sim->scene.walls != SPH2D_WALL_HEAVY)
+    if (!sim->method->project || sim->scene.walls != SPH2D_WALL_HEAVY)
         return SIDE_OFFSET;
     double behind = 0, row = row_sum(m, 0), lattice = row;
     for (int k = 1; k <= (int)m->support_ratio + 1; ++k)

@@ -15,14 +15,6 @@ typedef enum sph2d__limit {
     SPH2D__LIMIT_COUNT
 } sph2d__limit;
 
-/** How particles are moved in time; the schemes are in sim/. */
-typedef enum sph2d__integrator {
-    SPH2D__LEAPFROG,  /**< kick, drift, evaluate, kick: density is a sum */
-    SPH2D__MIDPOINT,  /**< kick, half drift, density by its rate, half drift, evaluate, kick: reversible too */
-    SPH2D__PROJECTED, /**< drift, evaluate, project, kick, drift: pressures keep the density of places that come next */
-    SPH2D__ADAMS_BASHFORTH /**< third order, from the rates of velocity and density of three steps */
-} sph2d__integrator;
-
 /** What a boundary particle does to liquid [N/m]. */
 typedef struct sph2d__wall_force {
     sph2d_vec2 pressure, friction;
@@ -30,7 +22,9 @@ typedef struct sph2d__wall_force {
 
 typedef struct sph2d__method {
     const char *name;
-    sph2d__integrator integrator;
+    /** Moves all particles by one step of length dt, the method's time scheme (sim/stages.h). Errors: SPH2D_GUARD when a
+     *  place is not finite, SPH2D_NOMEM. */
+    sph2d_status (*step)(sph2d_sim *sim, double dt);
     sph2d__set fluid, carried; /**< the arrays of the fluid's store, and those that a new order carries along */
     sph2d__set walls;          /**< the arrays of the boundary particles' store */
     /** Those of the fluid's arrays that a scene's options do without; NULL: none. */
@@ -41,12 +35,13 @@ typedef struct sph2d__method {
      *  moved. NULL: nothing does. */
     void (*walls_placed)(sph2d__system *system);
     /** Density, pressure and acceleration of every particle at its present position and (predicted) velocity. The
-     *  cells are up to date. SPH2D__PROJECTED: acceleration without that of pressure. False when memory is short. */
+     *  cells are up to date. With `project` acceleration without that of pressure. False when memory is short. */
     bool (*evaluate)(sph2d__system *system);
-    /** SPH2D__MIDPOINT: change of density of every particle at its present position and velocity. NULL otherwise. */
+    /** Change of density of every particle at its present position and velocity, where the scheme moves density by
+     *  its rate in the middle of a step; else NULL. */
     void (*density_rate)(sph2d__system *system);
-    /** SPH2D__PROJECTED: adds the acceleration by the pressures that keep the density over the system's step. NULL
-     *  otherwise. */
+    /** Adds the acceleration by the pressures that keep the density over the system's step, where they do; else
+     *  NULL. */
     void (*project)(sph2d__system *system);
     /** Force of boundary particle b on particle i of the fluid at (dx, dy) from it, within the support radius, as the
      *  forces of the last evaluation, or projection, have it. NULL: not known. */

@@ -14,6 +14,7 @@
  *  A step looks at the neighbours once. Waves are stable up to w dt = 0.72 (Durran 1991), with three stages
  *  of Runge and Kutta's up to 1.73; what decays at a rate r up to r dt = 6/11. */
 #include "methods/common/state_equation.h"
+#include "methods/fitted/fitted.h"
 #include "sim/stages.h"
 
 /* Shift velocity over the largest speed and the crowding, for shifting: 1. */

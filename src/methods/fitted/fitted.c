@@ -82,7 +82,7 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 
 const sph2d__method sph2d__wcsph_fitted = {
     .name = "wcsph, fitted",
-    .integrator = SPH2D__ADAMS_BASHFORTH,
+    .step = sph2d__adams_bashforth,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | RATES | OLD_RATES | OLDER_RATES | SHIFT,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(density) | RATES | OLD_RATES,
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) | SPH2D__BIT(ax) |

@@ -33,6 +33,9 @@
 
 extern const sph2d__method sph2d__wcsph_fitted;
 
+/** Its time scheme (adams_bashforth.c): method.h. */
+sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
+
 /** The pair loops, compiled once for each instruction set and precision. */
 typedef struct sph2d__fitted_passes {
     /** The fluid's acceleration and density_rate along the way of the liquid, its shift and what that adds to both

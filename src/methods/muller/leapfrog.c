@@ -10,6 +10,7 @@
  *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces of position
  *  alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with u(-dt/2) =
  *  u(0) - dt/2 a(0). */
+#include "methods/muller/muller.h"
 #include "sim/stages.h"
 
 static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)

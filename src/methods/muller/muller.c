@@ -152,7 +152,7 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 
 const sph2d__method sph2d__muller = {
     .name = "muller",
-    .integrator = SPH2D__LEAPFROG,
+    .step = sph2d__leapfrog,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(pair_pressure) | SPH2D__BIT(volume),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay),

@@ -33,6 +33,9 @@
 
 extern const sph2d__method sph2d__muller;
 
+/** Its time scheme (leapfrog.c): method.h. */
+sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
+
 /** The pair loops, compiled once for each instruction set. */
 typedef struct sph2d__muller_passes {
     /** Density of the fluid, from fluid and walls. */

@@ -164,7 +164,7 @@ static void project(sph2d__system *s)
 
 const sph2d__method sph2d__constraint = {
     .name = "constraint",
-    .integrator = SPH2D__PROJECTED,
+    .step = sph2d__projected,
     .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(product) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
     .carried = SPH2D__PROJECTION_CARRIED,
     .walls = SPH2D__PROJECTION_WALLS | SPH2D__BIT(product),

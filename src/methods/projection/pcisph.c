@@ -86,7 +86,7 @@ static void project(sph2d__system *s)
 
 const sph2d__method sph2d__pcisph = {
     .name = "pcisph",
-    .integrator = SPH2D__PROJECTED,
+    .step = sph2d__projected,
     .fluid = SPH2D__PROJECTION_FLUID | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
     .carried = SPH2D__PROJECTION_CARRIED,
     .walls = SPH2D__PROJECTION_WALLS,

@@ -44,6 +44,7 @@
 #include <string.h>
 
 #include "methods/common/slabs.h"
+#include "methods/projection/projection.h"
 #include "sim/stages.h"
 
 static void drift(sph2d_sim *sim, double dt, sph2d__batch *w)

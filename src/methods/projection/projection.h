@@ -31,6 +31,9 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
+/** The time scheme of both methods (projected.c): method.h. */
+sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
+
 /** Finds the neighbours, and with them the density, the diagonal of D D' and the acceleration by viscosity, body force
  *  and surface tension of every fluid particle; of boundary particles the diagonal, and in place of a density what they
  *  would have if the wall alone had the rest density. The cells are up to date. False when memory is short. */

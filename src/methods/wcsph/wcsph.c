@@ -231,7 +231,7 @@ static sph2d__set unused(const sph2d_method_options *m)
 
 const sph2d__method sph2d__wcsph = {
     .name = "wcsph",
-    .integrator = SPH2D__MIDPOINT,
+    .step = sph2d__midpoint,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) |

@@ -100,6 +100,9 @@
 
 extern const sph2d__method sph2d__wcsph;
 
+/** Its time scheme (midpoint.c): method.h. */
+sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
+
 /** How much is learnt of a particle's neighbourhood; each includes the one before. */
 typedef enum sph2d__detail {
     SPH2D__DETAIL_NONE,       /**< nothing */
