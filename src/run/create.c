@@ -127,7 +127,7 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-/** The rates of density of liquid that starts in motion, for the length of its first step (guards.c). */
+/** The rates of density of liquid that starts in motion, for the length of its first step (time_step.c). */
 static bool find_first_rates(sph2d_sim *sim)
 {
     if (!(sph2d__sim_start_speed(sim) > 0) || !sim->method->density_rate)

@@ -9,6 +9,8 @@
 /** Looks at every particle after its velocity and acceleration are new: finite values, largest speed, acceleration and
  *  compression; from them the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
+/** Chooses the length of the next step from the largest speed [m/s] and acceleration [m/s^2] of a particle. */
+void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration);
 /** Fastest block at the start [m/s], without known flows, which start as they would go on. */
 double sph2d__sim_start_speed(const sph2d_sim *sim);
 /** The next step over the one that speed and sound allow: less than 1 for the first step of liquid whose density is
