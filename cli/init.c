@@ -77,7 +77,7 @@ static void write_comment(const writer *w, int indent, const sph2d_key *key)
 static const char *literal_default(const sph2d_key *key)
 {
     double number;
-    const char *text = key->standard;
+    const char *text = key->default_text;
     if (text == NULL)
         return "";
     bool word = false;

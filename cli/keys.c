@@ -87,8 +87,8 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size)
         append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
     if (key->required)
         append(out, size, "; must be given");
-    else if (key->standard != NULL && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
-        append(out, size, "; default %s", key->standard);
+    else if (key->default_text != NULL && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
+        append(out, size, "; default %s", key->default_text);
     return out;
 }
 

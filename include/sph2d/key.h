@@ -46,7 +46,7 @@ typedef struct sph2d_key {
     bool as_mapping;               /**< a file writes this LIST of two texts as a mapping, {first: second}, the second
                                         being any value */
     const char *unit;              /**< "m", "Pa s"; "" for none */
-    const char *standard;          /**< the default, in words; NULL for none */
+    const char *default_text;      /**< the default, in words; NULL for none */
     const char *text;              /**< one sentence */
     bool stands_alone;             /**< of a WORD: in a file it may stand for the whole group, `method: wcsph` */
     int feature;                   /**< sph2d_feature (method.h) that the key asks for; 0: all methods have it */

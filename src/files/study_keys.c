@@ -35,12 +35,12 @@ static const sph2d_key override_items[] = {
 KEYS(override, sph2d_override, NULL);
 
 static const sph2d_key run_items[] = {
-    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_study_run, name), .unit = "", .standard = "made from set",
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_study_run, name), .unit = "", .default_text = "made from set",
      .text = "of the row"},
     {"set", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study_run, overrides, override_count), .keys = &override_keys,
-     .as_mapping = true, .unit = "", .standard = "none",
+     .as_mapping = true, .unit = "", .default_text = "none",
      .text = "keys of the scene with other values: {spacing: 0.02, method.cfl: 0.2}"},
-    {"skip", SPH2D_KEY_WORD, false, AT(sph2d_study_run, skip), .words = flag_words, .unit = "", .standard = "false",
+    {"skip", SPH2D_KEY_WORD, false, AT(sph2d_study_run, skip), .words = flag_words, .unit = "", .default_text = "false",
      .text = "leaves the row out unless all are asked for"},
 };
 KEYS(run, sph2d_study_run, NULL);
@@ -60,7 +60,7 @@ static const sph2d_key reference_items[] = {
     {"x", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, x), .unit = "",
      .text = "its column of times, or of places along the line from 0 to 1"},
     {"y", SPH2D_KEY_TEXT, true, AT(sph2d_study_reference, y), .unit = "", .text = "its column of values"},
-    {"shift", SPH2D_KEY_NUMBER, false, AT(sph2d_study_reference, shift), FROM_0, .unit = "s", .standard = "0",
+    {"shift", SPH2D_KEY_NUMBER, false, AT(sph2d_study_reference, shift), FROM_0, .unit = "s", .default_text = "0",
      .text = "how far its times may be moved to fit best"},
 };
 KEYS(reference, sph2d_study_reference, NULL);
@@ -87,15 +87,15 @@ static const sph2d_key measure_items[] = {
     {"column", SPH2D_KEY_TEXT, false, AT(sph2d_study_measure, column), .unit = "",
      .text = "of the probe, without its unit"},
     {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
-     .standard = "last, or all for a reference and for finest", .text = "how the series becomes a number"},
-    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .standard = "the mean",
+     .default_text = "last, or all for a reference and for finest", .text = "how the series becomes a number"},
+    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .default_text = "the mean",
      .text = "what a crossing, period or decay refers to, in units of the column"},
     {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, .unit = "s", .text = "value: the time"},
-    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, .unit = "s", .standard = "the start",
+    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, .unit = "s", .default_text = "the start",
      .text = "where the part of the series that counts begins"},
-    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, to), FROM_0, .unit = "s", .standard = "the end",
+    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, to), FROM_0, .unit = "s", .default_text = "the end",
      .text = "where it ends"},
-    {"scale", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, scale), ABOVE_0, .unit = "", .standard = "1",
+    {"scale", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, scale), ABOVE_0, .unit = "", .default_text = "1",
      .text = "divides what is taken; expect, reference and bound are in units of it"},
     {"expect", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, expect), ANY,
      CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_NUMBER), .unit = "", .text = "the right value"},
@@ -105,15 +105,16 @@ static const sph2d_key measure_items[] = {
     {"finest", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, finest),
      CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_FINEST), .words = flag_words, .unit = "",
      .text = "true: what the run of the smallest spacing gives is right, instead of expect"},
-    {"norm", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, norm), .words = norm_words, .unit = "", .standard = "max",
-     .text = "of the differences from the reference, or from the series of the finest run"},
+    {"norm", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, norm), .words = norm_words, .unit = "",
+     .default_text = "max", .text = "of the differences from the reference, or from the series of the finest run"},
     {"relative", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, relative), .words = flag_words, .unit = "",
-     .standard = "false",
+     .default_text = "false",
      .text = "makes the error |value/expect - 1|, or the norm over the largest value of the finest series"},
-    {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .standard = "none",
+    {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .default_text = "none",
      .text = "largest error; above it the study fails"},
     {"order", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, order), .words = flag_words, .unit = "",
-     .standard = "false", .text = "reports the observed order of convergence between rows, listed from coarse to fine"},
+     .default_text = "false",
+     .text = "reports the observed order of convergence between rows, listed from coarse to fine"},
 };
 KEYS(measure, sph2d_study_measure, set_measure);
 
@@ -133,24 +134,24 @@ static void set_study(void *out)
 static const sph2d_key study_items[] = {
     {"scene", SPH2D_KEY_TEXT, true, AT(sph2d_study, scene), .unit = "", .text = "the scene file, from this folder"},
     {"runs", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, runs, run_count), .keys = &run_keys, .unit = "",
-     .standard = "the scene as it is", .text = "one row of the table each"},
+     .default_text = "the scene as it is", .text = "one row of the table each"},
     {"vary", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, vary, vary_count), .keys = &vary_keys, .as_mapping = true,
-     .unit = "", .standard = "none",
+     .unit = "", .default_text = "none",
      .text = "keys of the scene with a list of values each, {spacing: [0.02, 0.01], method.cfl: [0.1, 0.3]}: each "
              "combination is a row"},
     {"refine", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, refinements, refinement_count), .keys = &run_keys,
-     .unit = "", .standard = "none",
+     .unit = "", .default_text = "none",
      .text = "steps after that: the cheapest rows for their error, of those with the smallest spacing, once more with "
              "set"},
     {"measures", SPH2D_KEY_LIST, false, LIST_AT(sph2d_study, measures, measure_count), .keys = &measure_keys,
-     .unit = "", .standard = "none", .text = "one to three columns of the table each"},
-    {"judge", SPH2D_KEY_TEXT, false, AT(sph2d_study, judge), .unit = "", .standard = "the first with an error",
+     .unit = "", .default_text = "none", .text = "one to three columns of the table each"},
+    {"judge", SPH2D_KEY_TEXT, false, AT(sph2d_study, judge), .unit = "", .default_text = "the first with an error",
      .text = "the measure whose error is weighed against the time"},
-    {"along", SPH2D_KEY_TEXT, false, AT(sph2d_study, along), .unit = "", .standard = "spacing",
+    {"along", SPH2D_KEY_TEXT, false, AT(sph2d_study, along), .unit = "", .default_text = "spacing",
      .text = "the key on the axis of the plot; rows that differ in nothing else belong together"},
-    {"target", SPH2D_KEY_TEXT, false, AT(sph2d_study, target_text), .unit = "", .standard = "0.01",
+    {"target", SPH2D_KEY_TEXT, false, AT(sph2d_study, target_text), .unit = "", .default_text = "0.01",
      .text = "the error that the cheapest row is named for, 0.01 or 1%"},
-    {"repeat", SPH2D_KEY_COUNT, false, AT(sph2d_study, repeat), .min = 1, .max = 100, .unit = "", .standard = "1",
+    {"repeat", SPH2D_KEY_COUNT, false, AT(sph2d_study, repeat), .min = 1, .max = 100, .unit = "", .default_text = "1",
      .text = "how often a row of less than 10 s is run; the least time counts"},
 };
 KEYS(study, sph2d_study, set_study);

@@ -95,78 +95,78 @@ KEYS(disc, sph2d_disc, NULL);
 
 static const sph2d_key start_items[] = {
     {"flow", SPH2D_KEY_WORD, true, AT(sph2d_flow, kind), .words = flow_words, .unit = "", .text = "which known flow"},
-    {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, speed), ANY, .unit = "m/s", .standard = "0",
+    {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, speed), ANY, .unit = "m/s", .default_text = "0",
      .text = "its speed U"},
-    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, length), FROM_0, .unit = "m", .standard = "0",
+    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, length), FROM_0, .unit = "m", .default_text = "0",
      .text = "its length L: period, radius, side, distance of walls"},
-    {"depth", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, depth), FROM_0, .unit = "m", .standard = "0",
+    {"depth", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, depth), FROM_0, .unit = "m", .default_text = "0",
      .text = "standing_wave: of the liquid at rest"},
-    {"center", SPH2D_KEY_POINT, false, AT(sph2d_flow, center), ANY, .unit = "m", .standard = "[0, 0]",
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_flow, center), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "its centre; still: a point of the surface"},
 };
 KEYS(start, sph2d_flow, NULL);
 
 static const sph2d_key perturb_items[] = {
     {"amplitude", SPH2D_KEY_NUMBER, false, AT(sph2d_perturb, amplitude), BETWEEN(0, 0.5), .unit = "spacings",
-     .standard = "0", .text = "largest displacement of a coordinate"},
-    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_perturb, seed), FROM_0, .unit = "", .standard = "1",
+     .default_text = "0", .text = "largest displacement of a coordinate"},
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_perturb, seed), FROM_0, .unit = "", .default_text = "1",
      .text = "of the random numbers"},
 };
 KEYS(perturb, sph2d_perturb, NULL);
 
 static const sph2d_key block_items[] = {
     SHAPE(sph2d_block),
-    {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .standard = "[0, 0]",
+    {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .default_text = "[0, 0]",
      .text = "at the start"},
-    {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .standard = "the scene's",
+    {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .default_text = "the scene's",
      .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed, "
              "wcsph by 10 % at most"},
-    {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .standard = "none",
+    {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .default_text = "none",
      .text = "a known flow that it starts with"},
     {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
-     .standard = "lattice", .text = "how the particles lie; rings, for discs, have a smooth edge"},
-    {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "", .standard = "none",
-     .text = "random displacement of the particles"},
+     .default_text = "lattice", .text = "how the particles lie; rings, for discs, have a smooth edge"},
+    {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "",
+     .default_text = "none", .text = "random displacement of the particles"},
 };
 KEYS(block, sph2d_block, block_set);
 
 static const sph2d_key source_items[] = {
     {"at", SPH2D_KEY_POINT, true, AT(sph2d_source, at), ANY, .unit = "m", .text = "centre of the nozzle"},
-    {"direction", SPH2D_KEY_POINT, false, AT(sph2d_source, direction), ANY, .unit = "", .standard = "[0, -1]",
+    {"direction", SPH2D_KEY_POINT, false, AT(sph2d_source, direction), ANY, .unit = "", .default_text = "[0, -1]",
      .text = "of the jet, of any length"},
-    {"width", SPH2D_KEY_NUMBER, false, AT(sph2d_source, width), FROM_0, .unit = "m", .standard = "0: one particle",
+    {"width", SPH2D_KEY_NUMBER, false, AT(sph2d_source, width), FROM_0, .unit = "m", .default_text = "0: one particle",
      .text = "of the nozzle"},
     {"speed", SPH2D_KEY_NUMBER, true, AT(sph2d_source, speed), ABOVE_0, .unit = "m/s", .text = "of the jet"},
-    {"spread", SPH2D_KEY_NUMBER, false, AT(sph2d_source, spread), BETWEEN(0, 1), .unit = "", .standard = "0",
+    {"spread", SPH2D_KEY_NUMBER, false, AT(sph2d_source, spread), BETWEEN(0, 1), .unit = "", .default_text = "0",
      .text = "random change of each velocity component, as a fraction of speed"},
-    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_source, rate), FROM_0, .unit = "m^2/s", .standard = "width * speed",
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_source, rate), FROM_0, .unit = "m^2/s", .default_text = "width * speed",
      .text = "area of liquid per second"},
-    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_source, start), FROM_0, .unit = "s", .standard = "0",
+    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_source, start), FROM_0, .unit = "s", .default_text = "0",
      .text = "when it opens"},
-    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_source, stop), FROM_0, .unit = "s", .standard = "never",
+    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_source, stop), FROM_0, .unit = "s", .default_text = "never",
      .text = "when it closes"},
-    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), FROM_0, .unit = "", .standard = "1",
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), FROM_0, .unit = "", .default_text = "1",
      .text = "of the random spread"},
 };
 KEYS(source, sph2d_source, source_set);
 
 static const sph2d_key drain_items[] = {
     SHAPE(sph2d_drain),
-    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, start), FROM_0, .unit = "s", .standard = "0",
+    {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, start), FROM_0, .unit = "s", .default_text = "0",
      .text = "when it opens"},
-    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, stop), FROM_0, .unit = "s", .standard = "never",
+    {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_drain, stop), FROM_0, .unit = "s", .default_text = "never",
      .text = "when it closes"},
 };
 KEYS(drain, sph2d_drain, drain_set);
 
 static const sph2d_key motion_items[] = {
     {"path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_motion, path.items, path.count), ANY, .unit = "s, m, m",
-     .standard = "none", .text = "[t, x, y] displacements with straight lines between; it rests before and after"},
-    {"amplitude", SPH2D_KEY_POINT, false, AT(sph2d_motion, amplitude), ANY, .unit = "m", .standard = "[0, 0]",
+     .default_text = "none", .text = "[t, x, y] displacements with straight lines between; it rests before and after"},
+    {"amplitude", SPH2D_KEY_POINT, false, AT(sph2d_motion, amplitude), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "of a swing: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},
-    {"frequency", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, frequency), FROM_0, .unit = "1/s", .standard = "0",
+    {"frequency", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, frequency), FROM_0, .unit = "1/s", .default_text = "0",
      .text = "of the swing"},
-    {"phase", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, phase), ANY, .unit = "rad", .standard = "0",
+    {"phase", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, phase), ANY, .unit = "rad", .default_text = "0",
      .text = "of the swing; -1.5708 starts at rest"},
 };
 KEYS(motion, sph2d_motion, NULL);
@@ -184,17 +184,18 @@ static const sph2d_key obstacle_items[] = {
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
      .text = "a solid: corners, 3 or more, closed by itself"},
-    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "", .standard = "auto",
+    {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
+     .default_text = "auto",
      .text = "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
              "sources lie; both: a solid of the layers' thickness, centred on the line"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
-     .standard = "the method's",
+     .default_text = "the method's",
      .text =
          "heavy (not wcsph), generalised (not muller): acts through the pressure; reflect: at once, for large steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
-     .standard = "0.5", .text = "reflect: normal speed after over before"},
-    {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "", .standard = "none",
-     .text = "how it moves"},
+     .default_text = "0.5", .text = "reflect: normal speed after over before"},
+    {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "",
+     .default_text = "none", .text = "how it moves"},
 };
 KEYS(obstacle, sph2d_obstacle, obstacle_set);
 
@@ -214,10 +215,10 @@ KEYS(interaction, sph2d_interaction, interaction_set);
      AT(type, member.per_second),                                                                                      \
      FROM_0,                                                                                                           \
      .unit = "1/s",                                                                                                    \
-     .standard = "none",                                                                                               \
+     .default_text = "none",                                                                                           \
      .text = "outputs per simulated second"},                                                                          \
     {                                                                                                                  \
-        "every", SPH2D_KEY_NUMBER, false, AT(type, member.every), FROM_0, .unit = "s", .standard = "none",             \
+        "every", SPH2D_KEY_NUMBER, false, AT(type, member.every), FROM_0, .unit = "s", .default_text = "none",         \
                                                                           .text = "simulated seconds between outputs"  \
     }
 
@@ -227,13 +228,13 @@ static const sph2d_key probe_items[] = {
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
      .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
              "speed, pressure, elevation of the surface"},
-    {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .standard = "[0, 0]",
+    {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "place, for the kinds at a point"},
-    {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .standard = "0, a point",
+    {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
-    {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .standard = "[0, 1]",
+    {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",
      .text = "pressure: direction of that face"},
-    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .standard = "0",
+    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .default_text = "0",
      .text = "pressure: time that the gauge takes from 10 to 90 % of a jump"},
     RATE(sph2d_probe, rate),
 };
@@ -241,7 +242,7 @@ KEYS(probe, sph2d_probe, probe_set);
 
 static const sph2d_key snapshots_items[] = {
     RATE(sph2d_snapshots, rate),
-    {"compress", SPH2D_KEY_COUNT, false, AT(sph2d_snapshots, compress), BETWEEN(0, 9), .unit = "", .standard = "0",
+    {"compress", SPH2D_KEY_COUNT, false, AT(sph2d_snapshots, compress), BETWEEN(0, 9), .unit = "", .default_text = "0",
      .text = "deflate level; 0 writes plain data"},
 };
 KEYS(snapshots, sph2d_snapshots, NULL);
@@ -249,60 +250,60 @@ KEYS(snapshots, sph2d_snapshots, NULL);
 static const sph2d_key frames_items[] = {
     RATE(sph2d_frames, rate),
     {"size", SPH2D_KEY_COUNTS2, false, AT(sph2d_frames, size), BETWEEN(16, 16384), .unit = "pixels",
-     .standard = "[1280, 720]", .text = "width and height"},
-    {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "", .standard = "metaballs",
-     .text = "a liquid surface, or a dot a particle"},
+     .default_text = "[1280, 720]", .text = "width and height"},
+    {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "",
+     .default_text = "metaballs", .text = "a liquid surface, or a dot a particle"},
     {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
-     .standard = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
-    {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .standard = "one colour",
+     .default_text = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
+    {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .default_text = "one colour",
      .text = "points: what to colour by: speed, Pressures, Densities"},
-    {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "", .standard = "each frame's",
-     .text = "values at the two ends of the colour bar"},
+    {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "",
+     .default_text = "each frame's", .text = "values at the two ends of the colour bar"},
 };
 KEYS(frames, sph2d_frames, NULL);
 
 static const sph2d_key run_items[] = {
-    {"until", SPH2D_KEY_NUMBER, false, AT(sph2d_run, until), FROM_0, .unit = "s", .standard = "1",
+    {"until", SPH2D_KEY_NUMBER, false, AT(sph2d_run, until), FROM_0, .unit = "s", .default_text = "1",
      .text = "simulated end"},
     {"snapshots", SPH2D_KEY_GROUP, false, AT(sph2d_run, snapshots), .keys = &snapshots_keys, .unit = "",
-     .standard = "none", .text = "HDF5 files"},
-    {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .standard = "none",
+     .default_text = "none", .text = "HDF5 files"},
+    {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .default_text = "none",
      .text = "pictures"},
     {"max_energy_rise", SPH2D_KEY_NUMBER, false, AT(sph2d_run, max_energy_rise), BETWEEN_OR_0(1e-6, 1e9), .unit = "",
-     .standard = "0.1", .text = "energy from nothing, over the scene's energy scale, that a guard lets pass"},
+     .default_text = "0.1", .text = "energy from nothing, over the scene's energy scale, that a guard lets pass"},
     {"impacts", SPH2D_KEY_NUMBERS, false, LIST_AT(sph2d_run, impacts.items, impacts.count), FROM_0, .unit = "s",
-     .standard = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
+     .default_text = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
 };
 KEYS(run, sph2d_run, NULL);
 
 static const sph2d_key boundary_items[] = {
-    {"left", SPH2D_KEY_WORD, false, AT(sph2d_boundary, left), .words = side_words, .unit = "", .standard = "wall",
+    {"left", SPH2D_KEY_WORD, false, AT(sph2d_boundary, left), .words = side_words, .unit = "", .default_text = "wall",
      .text = "left side"},
-    {"right", SPH2D_KEY_WORD, false, AT(sph2d_boundary, right), .words = side_words, .unit = "", .standard = "wall",
+    {"right", SPH2D_KEY_WORD, false, AT(sph2d_boundary, right), .words = side_words, .unit = "", .default_text = "wall",
      .text = "right side"},
-    {"bottom", SPH2D_KEY_WORD, false, AT(sph2d_boundary, bottom), .words = side_words, .unit = "", .standard = "wall",
-     .text = "bottom side"},
-    {"top", SPH2D_KEY_WORD, false, AT(sph2d_boundary, top), .words = side_words, .unit = "", .standard = "open",
+    {"bottom", SPH2D_KEY_WORD, false, AT(sph2d_boundary, bottom), .words = side_words, .unit = "",
+     .default_text = "wall", .text = "bottom side"},
+    {"top", SPH2D_KEY_WORD, false, AT(sph2d_boundary, top), .words = side_words, .unit = "", .default_text = "open",
      .text = "top side"},
 };
 KEYS(boundary, sph2d_boundary, NULL);
 
 static const sph2d_key wall_speeds_items[] = {
-    {"left", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, left), ANY, .unit = "m/s", .standard = "0",
+    {"left", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, left), ANY, .unit = "m/s", .default_text = "0",
      .text = "upwards"},
-    {"right", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, right), ANY, .unit = "m/s", .standard = "0",
+    {"right", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, right), ANY, .unit = "m/s", .default_text = "0",
      .text = "upwards"},
-    {"bottom", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, bottom), ANY, .unit = "m/s", .standard = "0",
+    {"bottom", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, bottom), ANY, .unit = "m/s", .default_text = "0",
      .text = "to the right"},
-    {"top", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, top), ANY, .unit = "m/s", .standard = "0",
+    {"top", SPH2D_KEY_NUMBER, false, AT(sph2d_side_speeds, top), ANY, .unit = "m/s", .default_text = "0",
      .text = "to the right"},
 };
 KEYS(wall_speeds, sph2d_side_speeds, NULL);
 
 static const sph2d_key central_force_items[] = {
-    {"center", SPH2D_KEY_POINT, false, AT(sph2d_central_force, center), ANY, .unit = "m", .standard = "[0, 0]",
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_central_force, center), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "where it is zero"},
-    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_central_force, rate), FROM_0, .unit = "1/s", .standard = "0",
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_central_force, rate), FROM_0, .unit = "1/s", .default_text = "0",
      .text = "B in the acceleration -B^2 (x - center)"},
 };
 KEYS(central_force, sph2d_central_force, NULL);
@@ -315,123 +316,126 @@ static void set_material(void *fluid)
 
 static const sph2d_key fluid_items[] = {
     {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
-     .standard = "none", .stands_alone = true, .preset = set_material,
+     .default_text = "none", .stands_alone = true, .preset = set_material,
      .text = "density and viscosity at 20 C, unless they are given; `fluid: water` does, `help materials` has the "
              "numbers"},
-    {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .standard = "1000",
+    {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .default_text = "1000",
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
-     .standard = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
+     .default_text = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
     {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
-     .standard = "0", .feature = SPH2D_FEATURE_SURFACE_TENSION, .text = "of the free surface"},
+     .default_text = "0", .feature = SPH2D_FEATURE_SURFACE_TENSION, .text = "of the free surface"},
 };
 KEYS(fluid, sph2d_fluid, NULL);
 
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
-     .standard = "wcsph", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
+     .default_text = "wcsph", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
-     .standard = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
+     .default_text = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
      .text = "symmetric keep momentum; fitted are of second order where liquid fills "
              "its room"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
-     .standard = "double", .feature = SPH2D_FEATURE_PRECISION,
+     .default_text = "double", .feature = SPH2D_FEATURE_PRECISION,
      .text = "mixed takes floats for what is summed over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
-     .standard = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
+     .default_text = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
-     .unit = "", .standard = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
+     .unit = "", .default_text = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
      .text = "p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
-     .unit = "", .standard = "morris where a block fills a domain without open sides, else monaghan",
+     .unit = "", .default_text = "morris where a block fills a domain without open sides, else monaghan",
      .feature = SPH2D_FEATURE_VISCOSITY_FORM,
      .text = "morris is exact in shear, monaghan at free surfaces, and keeps angular "
              "momentum"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
-     .unit = "", .standard = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
+     .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
      .text = "delta; density diffuses with delta c0 H/2"},
     {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,
-     .unit = "", .standard = "antuono", .feature = SPH2D_FEATURE_DIFFUSION_FORM,
+     .unit = "", .default_text = "antuono", .feature = SPH2D_FEATURE_DIFFUSION_FORM,
      .text = "antuono is exact for linear density, fourtakas for liquid at rest; fastest "
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .standard = "muller 0.1, else 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
+     .unit = "", .default_text = "muller 0.1, else 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
      .text = "alpha; wcsph adds the viscosity alpha c0 H/16, that of muller is alpha rho c0 H at least"},
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
-     .standard = "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
-                 "else smagorinsky",
+     .default_text =
+         "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
+         "else smagorinsky",
      .feature = SPH2D_FEATURE_TURBULENCE,
      .text = "smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
              "than the kernel, against what is not strained smoothly"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
-     .standard = "1", .feature = SPH2D_FEATURE_SHIFTING, .text = "strength of particle shifting over the standard one"},
+     .default_text = "1", .feature = SPH2D_FEATURE_SHIFTING,
+     .text = "strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
-     .unit = "", .standard = "on", .feature = SPH2D_FEATURE_TENSILE_CONTROL,
+     .unit = "", .default_text = "on", .feature = SPH2D_FEATURE_TENSILE_CONTROL,
      .text = "keeps liquid under tension from tearing"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
-     .unit = "", .standard = "muller 0.1, else 0.01",
+     .unit = "", .default_text = "muller 0.1, else 0.01",
      .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
-     .standard = "from max_compression",
+     .default_text = "from max_compression",
      .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
-     .standard = "from max_compression", .text = "c0 by itself, instead of stiffness"},
+     .default_text = "from max_compression", .text = "c0 by itself, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .standard = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
+     .unit = "", .default_text = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
      .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
              "takes 3 at most where a flow starts with hardly any viscosity"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .standard = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
+     .default_text = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max), without c0 for pcisph and constraint"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
-     .standard = "adaptive", .text = "a fixed step"},
-    {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps", .standard = "2",
-     .feature = SPH2D_FEATURE_DAMPING, .text = "how fast a compression fades"},
+     .default_text = "adaptive", .text = "a fixed step"},
+    {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",
+     .default_text = "2", .feature = SPH2D_FEATURE_DAMPING, .text = "how fast a compression fades"},
     {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
-     .standard = "max_compression/100", .feature = SPH2D_FEATURE_TOLERANCE,
+     .default_text = "max_compression/100", .feature = SPH2D_FEATURE_TOLERANCE,
      .text = "mean compression that a step may leave to correct"},
     {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
-     .standard = "max", .feature = SPH2D_FEATURE_CRITERION, .text = "which compression is kept below max_compression"},
+     .default_text = "max", .feature = SPH2D_FEATURE_CRITERION,
+     .text = "which compression is kept below max_compression"},
     {"min_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, min_iterations), BETWEEN(1, 100000), .unit = "",
-     .standard = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "least iterations of a step"},
+     .default_text = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "least iterations of a step"},
     {"max_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, max_iterations), BETWEEN(1, 100000), .unit = "",
-     .standard = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "most iterations of a step"},
+     .default_text = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "most iterations of a step"},
 };
 KEYS(method, sph2d_method_options, NULL);
 
 #define LIST(word, member, singular, meaning)                                                                          \
     {                                                                                                                  \
         word, SPH2D_KEY_LIST, false, LIST_AT(sph2d_scene, member, singular##_count),                                   \
-            .keys = &singular##_keys, .unit = "", .standard = "none", .text = meaning                                  \
+            .keys = &singular##_keys, .unit = "", .default_text = "none", .text = meaning                              \
     }
 
 static const sph2d_key scene_items[] = {
-    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_scene, name), .unit = "", .standard = "scene", .text = "for people"},
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_scene, name), .unit = "", .default_text = "scene", .text = "for people"},
     {"domain", SPH2D_KEY_GROUP, true, AT(sph2d_scene, domain), .keys = &box_keys, .unit = "",
      .text = "the rectangle where the liquid lives"},
     {"boundary", SPH2D_KEY_GROUP, false, AT(sph2d_scene, boundary), .keys = &boundary_keys, .unit = "",
      .text = "what closes its sides"},
     {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
-     .standard = "muller spring, else generalised", .text = "form of the sides that are walls"},
+     .default_text = "muller spring, else generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
-     .standard = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
+     .default_text = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
      .text = "generalised walls: free slides, none sticks, smooth rubs by the law of the wall"},
-    {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .standard = "0",
+    {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .default_text = "0",
      .text = "smooth walls: how far behind them the velocity comes to theirs"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",
-     .standard = "none", .text = "how fast sides that are not free-slip move along themselves"},
+     .default_text = "none", .text = "how fast sides that are not free-slip move along themselves"},
     {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
-     .standard = "0.1", .text = "spring walls: damping over critical damping"},
-    {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .standard = "[0, -9.81]",
+     .default_text = "0.1", .text = "spring walls: damping over critical damping"},
+    {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .default_text = "[0, -9.81]",
      .text = "acceleration"},
     {"central_force", SPH2D_KEY_GROUP, false, AT(sph2d_scene, central_force), .keys = &central_force_keys, .unit = "",
-     .standard = "none", .text = "a pull towards a centre that grows with the distance"},
+     .default_text = "none", .text = "a pull towards a centre that grows with the distance"},
     {"spacing", SPH2D_KEY_NUMBER, true, AT(sph2d_scene, spacing), ABOVE_0, .unit = "m", .text = "between particles"},
     {"fluid", SPH2D_KEY_GROUP, false, AT(sph2d_scene, fluid), .keys = &fluid_keys, .unit = "", .text = "the liquid"},
     {"method", SPH2D_KEY_GROUP, false, AT(sph2d_scene, method), .keys = &method_keys, .unit = "",
      .text = "the solver and its numbers"},
     LIST("blocks", blocks, block, "liquid at the start"),
-    {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .standard = "none",
+    {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .default_text = "none",
      .text = "a CSV file of particles: x, y, and perhaps vx, vy, density"},
     LIST("sources", sources, source, "nozzles that feed liquid in"),
     LIST("drains", drains, drain, "areas where liquid vanishes"),
