@@ -187,7 +187,8 @@ static void check_block_spacings(sph2d__checker *c)
 static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form)
 {
     const sph2d_method_info *method = sph2d_method_of(&c->scene->method);
-    if (form == SPH2D_WALL_DEFAULT || (method->wall_forms >> form & 1))
+    bool known = form > SPH2D_WALL_DEFAULT && form <= SPH2D_WALL_GENERALISED; /* others are out of range by the keys */
+    if (!known || (method->wall_forms >> form & 1))
         return;
     char message[160];
     snprintf(message, sizeof message, "method %s does not have this", method->name);
