@@ -110,11 +110,13 @@ typedef struct column {
 
 enum { TEXTS = 3, COLUMNS = 25 };
 static const column columns[COLUMNS] = {
-    {"scene", -11, 0},       {"isa", -8, 0},    {"precision", -9, 0},  {"threads", 7, 0},       {"particles", 9, 0},
-    {"neighbours", 10, 1},   {"M/s", 6, 2},     {"M/CPU s", 7, 2},     {"c dt/dx", 7, 3},       {"carried M/s", 11, 2},
-    {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2}, {"traversals", 10, 1}, {"ns/traversal", 12, 1}, {"move %", 6, 0},
-    {"sort %", 6, 0},        {"walls %", 7, 0}, {"search %", 8, 0},    {"density %", 9, 0},     {"forces %", 8, 0},
-    {"solve %", 7, 0},       {"bookkeeping %", 13, 0}, {"B/particle", 10, 0}, {"of peak %", 9, 1},     {"of memory %", 11, 1},
+    {"scene", -11, 0},      {"isa", -8, 0},           {"precision", -9, 0},    {"threads", 7, 0},
+    {"particles", 9, 0},    {"neighbours", 10, 1},    {"M/s", 6, 2},           {"M/CPU s", 7, 2},
+    {"c dt/dx", 7, 3},      {"carried M/s", 11, 2},   {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2},
+    {"traversals", 10, 1},  {"ns/traversal", 12, 1},  {"move %", 6, 0},        {"sort %", 6, 0},
+    {"walls %", 7, 0},      {"search %", 8, 0},       {"density %", 9, 0},     {"forces %", 8, 0},
+    {"solve %", 7, 0},      {"bookkeeping %", 13, 0}, {"B/particle", 10, 0},   {"of peak %", 9, 1},
+    {"of memory %", 11, 1},
 };
 
 /* By form. */
