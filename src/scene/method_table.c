@@ -31,6 +31,11 @@ static double projected_support(sph2d_kernel kernel)
 #define INTEGRATED_DENSITY .min_density = 0.2, .max_density = 5, .energy_rise = 0.1
 #define SUMMED_DENSITY .summed_density = true, .min_density = 0, .max_density = 20, .energy_rise = 0.1
 
+/* What both operators of wcsph share. */
+#define WEAKLY_COMPRESSIBLE                                                                                            \
+    .side_form = SPH2D_WALL_GENERALISED, .obstacle_form = SPH2D_WALL_GENERALISED, .sound = true,                       \
+    .sound_compression = 1, INTEGRATED_DENSITY
+
 /* What pcisph and constraint share. */
 #define PROJECTED                                                                                                      \
     .support_of_kernel = projected_support, .cfl = 0.4, .cfl_by_spacing = true, .side_form = SPH2D_WALL_GENERALISED,   \
@@ -52,12 +57,8 @@ static const sph2d__method_row rows[] = {
                           HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.3,
-     .side_form = SPH2D_WALL_GENERALISED,
-     .obstacle_form = SPH2D_WALL_GENERALISED,
-     .sound = true,
-     .sound_compression = 1,
      .calmed_by = "method.artificial_viscosity: 0.05",
-     INTEGRATED_DENSITY},
+     WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_WCSPH,
               .operators = SPH2D_OPERATORS_FITTED,
               .word = "wcsph",
@@ -71,12 +72,8 @@ static const sph2d__method_row rows[] = {
                           HAS(SHIFTING) | HAS(WALL_SLIP),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.25,
-     .side_form = SPH2D_WALL_GENERALISED,
-     .obstacle_form = SPH2D_WALL_GENERALISED,
-     .sound = true,
-     .sound_compression = 1,
      .calmed_by = "more fluid.dynamic_viscosity",
-     INTEGRATED_DENSITY},
+     WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_CONSTRAINT,
               .word = "constraint",
               .name = "constraint",
