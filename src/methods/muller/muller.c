@@ -4,6 +4,7 @@
 #include "methods/muller/muller.h"
 #include "methods/muller/muller_side.h"
 #include "methods/terms/tension.h"
+#include "methods/terms/viscosity.h"
 
 #include <math.h>
 
@@ -85,8 +86,7 @@ static void prepare(sph2d__system *s)
     fill_sides(s);
     s->moment = sph2d__spiky_lattice_stress(s->support, s->spacing);
     s->modulus = s->sound_speed * s->sound_speed / sph2d__poly6_lattice_response(s->support, s->spacing);
-    double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
-    s->viscosity = s->viscosity > calm ? s->viscosity : calm;
+    s->viscosity = sph2d__viscosity_at_least(s);
     fill_pair_gains(s);
     weigh_walls(s);
 }

@@ -9,6 +9,7 @@
 #include "methods/common/group.h"
 #include "methods/muller/muller.h"
 #include "methods/muller/muller_side.h"
+#include "methods/terms/viscosity_pair.h"
 
 /** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
 SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
@@ -41,7 +42,8 @@ SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, d
 
 /** Sums of the forces on a group, without their constants. */
 typedef struct force_sums {
-    sph2d__lanes press_x, press_y, drag_x, drag_y;
+    sph2d__lanes press_x, press_y;
+    sph2d__drag drag;
 } force_sums;
 
 /** The particles of a group that feel a candidate. */
@@ -60,8 +62,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i
     sph2d__lanes press = wv * w * (i->pressure + from->pair_pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
-    sums->drag_x += wv * (from->vx[j] - i->vx);
-    sums->drag_y += wv * (from->vy[j] - i->vy);
+    sph2d__drag_add(&sums->drag, wv, from->vx[j] - i->vx, from->vy[j] - i->vy);
 }
 
 /** The same of a boundary particle, which adds to density alone. */
@@ -73,9 +74,7 @@ SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiv
     sph2d__lanes press = d * d * walls->mass[j], wv = sph2d__lanes_max(support - sph2d__lanes_sqrt(r2), none);
     sums->press_x += press * dx;
     sums->press_y += press * dy;
-    wv *= walls->volume[j];
-    sums->drag_x += wv * (walls->vx[j] - i->vx);
-    sums->drag_y += wv * (walls->vy[j] - i->vy);
+    sph2d__drag_add(&sums->drag, wv * walls->volume[j], walls->vx[j] - i->vx, walls->vy[j] - i->vy);
 }
 
 #endif

@@ -63,7 +63,7 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
                                     const sph2d__store *from)
 {
     const sph2d__store *fluid = &s->fluid;
-    force_sums sums = {{0}, {0}, {0}, {0}};
+    force_sums sums = {{0}, {0}, {{0}, {0}}};
     receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
                    .vy = sph2d__lanes_load(fluid->vy + g->first),
                    .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
@@ -94,13 +94,13 @@ static void force(sph2d__system *s, size_t first, size_t last)
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         sph2d__group_box(f, &g);
         force_sums sums = sum_forces(s, &g, &ranges, f);
-        sph2d__lanes fx = press * sums.press_x + drag * sums.drag_x, fy = press * sums.press_y + drag * sums.drag_y;
+        sph2d__lanes fx = press * sums.press_x + drag * sums.drag.x, fy = press * sums.press_y + drag * sums.drag.y;
         if (sph2d__group_near(&by, &g, &ranges)) {
             sums = sum_forces(s, &g, &ranges, &s->walls);
             sph2d__lanes hard =
                 wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);
-            fx += hard * sums.press_x + drag * sums.drag_x;
-            fy += hard * sums.press_y + drag * sums.drag_y;
+            fx += hard * sums.press_x + drag * sums.drag.x;
+            fy += hard * sums.press_y + drag * sums.drag.y;
         }
         for (int l = 0; l < g.count; ++l) {
             size_t i = g.first + (size_t)l;

@@ -8,6 +8,7 @@
 #include "kernels/kernel.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
+#include "methods/terms/viscosity.h"
 #include "scene/method_table.h"
 #include "simd/lanes.h"
 
@@ -187,7 +188,7 @@ double sph2d__projection_step(const sph2d__system *s, double speed, double accel
 {
     double push = sqrt(s->max_pressure / s->rest_density);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, s->viscosity / s->rest_density,
-                                sph2d__viscous_limit(s->method.kernel), FORCE, limit);
+                                sph2d__viscosity_step(s->method.kernel), FORCE, limit);
 }
 
 sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)

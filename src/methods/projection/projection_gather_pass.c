@@ -4,10 +4,8 @@
  *  pressure is solved for. Compiled once for each instruction set, named by SPH2D__ISA, and in it once for each kernel.
  *  Neighbours are searched for one particle after another, a block of candidates at a time; what is summed over them
  *  is summed for a slice of particles at once. */
-#include "kernels/kernel.h"
-#include "methods/common/shortest.h"
 #include "methods/common/traverse.h"
-#include "methods/projection/projection.h"
+#include "methods/projection/projection_pair.h"
 
 /** Where the pairs of a slab go. */
 typedef struct slab {
@@ -91,63 +89,14 @@ SPH2D__INLINE uint32_t write_slots(sph2d__neighbours *n, slab *to, size_t far)
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-/** The particles of a slice and what is summed over their pairs. */
-typedef struct slice {
-    sph2d__lanes x, y, vx, vy;
-    sph2d__lanes value;          /* f(q), weighted */
-    sph2d__lanes gx, gy, square; /* G and |G|^2 */
-    sph2d__lanes drag_x, drag_y;
-} slice;
-
-/** What the sums over the pairs with one store need. */
-typedef struct weights {
-    double support, slope;
-    sph2d__lanes weight; /* c m/rho0, or c/rho0 with masses given */
-    const double *mass;  /* of each boundary particle; NULL: in the weight */
-    bool viscous;        /* the velocities differ: drag */
-    const sph2d__store *from;
-    const sph2d__period *period;
-} weights;
-
 /** Sums over `slots` slots whose pairs begin at `at`, and keeps their gradients. */
 SPH2D__INLINE void sum_slots(sph2d__neighbours *n, size_t at, uint32_t slots, const weights *w, sph2d_kernel kernel,
                              slice *to)
 {
-    const sph2d__store *from = w->from;
     slice sum = *to;
-    for (uint32_t k = 0; k < slots; ++k, at += SPH2D__LANES) {
-        const uint32_t *index = n->index + at;
-        sph2d__lanes dx = sph2d__shortest(sum.x - sph2d__lanes_gather(from->x, index), w->period->length_x);
-        sph2d__lanes dy = sph2d__shortest(sum.y - sph2d__lanes_gather(from->y, index), w->period->length_y);
-        sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / w->support), share = w->weight;
-        if (w->mass)
-            share *= sph2d__lanes_gather(w->mass, index);
-        sph2d__lanes g = share * w->slope * sph2d__kernel_slope(kernel, q), gx = g * dx, gy = g * dy;
-        sum.value += share * sph2d__kernel_value(kernel, q);
-        sum.gx += gx;
-        sum.gy += gy;
-        if (!w->mass)
-            sum.square += gx * gx + gy * gy;
-        if (w->viscous) {
-            sum.drag_x += g * (sum.vx - sph2d__lanes_gather(from->vx, index));
-            sum.drag_y += g * (sum.vy - sph2d__lanes_gather(from->vy, index));
-        }
-        sph2d__float2_store(n->gradient + at, sph2d__float2_of(gx, gy));
-    }
+    for (uint32_t k = 0; k < slots; ++k, at += SPH2D__LANES)
+        sph2d__float2_store(n->gradient + at, gather_pair(&sum, w, kernel, n->index + at));
     *to = sum;
-}
-
-/** Acceleration without pressure of the particles of a slice. */
-SPH2D__INLINE void accelerate(const sph2d__system *s, size_t first, const slice *p)
-{
-    const sph2d__store *f = &s->fluid;
-    double nu = s->viscosity / s->rest_density;
-    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < f->count; ++l) {
-        double ax = 2 * nu * p->drag_x[l], ay = 2 * nu * p->drag_y[l];
-        sph2d__body_add(&s->body, p->x[l], p->y[l], p->vx[l], p->vy[l], &ax, &ay);
-        f->ax[first + (size_t)l] = ax;
-        f->ay[first + (size_t)l] = ay;
-    }
 }
 
 /** Everything about the fluid particles `first` on of a slice. */
@@ -157,11 +106,10 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
     sph2d__store *f = &s->fluid;
     sph2d__slice *at = &n->slices[first / SPH2D__LANES];
     double h2 = s->support * s->support, own = s->calibration * s->mass / s->rest_density;
-    double constant = sph2d__kernel_constant(kernel);
     slice sum = {sph2d__lanes_load(f->x + first), sph2d__lanes_load(f->y + first), sph2d__lanes_load(f->vx + first),
                  sph2d__lanes_load(f->vy + first), .value = {0}};
     weights w = {.support = s->support,
-                 .slope = constant / (h2 * h2),
+                 .slope = sph2d__kernel_constant(kernel) / (h2 * h2),
                  .weight = (sph2d__lanes){0} + own,
                  .viscous = s->viscosity > 0,
                  .from = f,
@@ -179,10 +127,9 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
         at->walls = write_slots(n, to, s->walls.count);
         sum_slots(n, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &w, kernel, &sum);
     }
-    sph2d__lanes middle = sum.value + own * sph2d__kernel_value_at(kernel, 0);
-    sph2d__lanes_store(f->density + first, s->rest_density * constant / h2 * middle);
-    sph2d__lanes_store(f->diagonal + first, sum.square + sum.gx * sum.gx + sum.gy * sum.gy);
-    accelerate(s, first, &sum);
+    finish_fluid(s, first, &sum, kernel);
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < f->count; ++l)
+        finish_acceleration(s, first + (size_t)l, &sum, l);
 }
 
 /** Everything about boundary particles `first` on: their pairs where they have rows, and what liquid adds there. */
@@ -191,11 +138,11 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_
     sph2d__neighbours *n = &s->wall_neighbours;
     sph2d__store *w = &s->walls;
     sph2d__slice *at = &n->slices[first / SPH2D__LANES];
-    double h2 = s->support * s->support, constant = sph2d__kernel_constant(kernel);
+    double h2 = s->support * s->support;
     sph2d__lanes mass = sph2d__lanes_load(w->mass + first);
     slice sum = {sph2d__lanes_load(w->x + first), sph2d__lanes_load(w->y + first), .value = {0}};
     weights weigh = {.support = s->support,
-                     .slope = constant / (h2 * h2),
+                     .slope = sph2d__kernel_constant(kernel) / (h2 * h2),
                      .weight = s->calibration / s->rest_density * mass,
                      .from = &s->fluid,
                      .period = &s->fluid_cells.period};
@@ -203,12 +150,8 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_
     search_slice(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filled);
     at->fluid = write_slots(n, to, s->fluid.count);
     sum_slots(n, at->begin, at->fluid, &weigh, kernel, &sum);
-    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l) {
-        size_t b = first + (size_t)l;
-        double added = constant / h2 * s->mass / w->mass[b] * sum.value[l];
-        w->density[b] = s->rest_density * (1 + (to->counts[l] > 0 ? added - w->filled[b] : 0));
-        w->diagonal[b] = sum.square[l];
-    }
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l)
+        finish_wall(s, first + (size_t)l, &sum, l, kernel, to->counts[l] > 0);
 }
 
 /* ---- one for every kernel ---------------------------------------------------------------------------------------- */

@@ -2,9 +2,7 @@
 /** @file projection_pass.c
  *  The sums of projection.h over the neighbours that were gathered. Compiled once for each instruction set, named by
  *  SPH2D__ISA, and prediction in it once for each kernel. Every lane is a particle. */
-#include "kernels/kernel.h"
-#include "methods/common/shortest.h"
-#include "methods/projection/projection.h"
+#include "methods/projection/projection_pair.h"
 
 /** Runs the statement behind it for each slice of particles `first` to `end` - 1, its first particle being `i`. */
 #define FOR_SLICES(first, end, i) for (size_t i = (first); i < (end); i += SPH2D__LANES)
@@ -28,7 +26,7 @@ SPH2D__INLINE sph2d__float2 transpose_over(const sph2d__neighbours *n, size_t fi
                                            const double *y, sph2d__float2 sum)
 {
     for (size_t k = first; k < end; k += SPH2D__LANES)
-        sum += (own + sph2d__float2_gather(y, n->index + k)) * sph2d__float2_load(n->gradient + k);
+        sum += transpose_pair(own, sph2d__float2_gather(y, n->index + k), sph2d__float2_load(n->gradient + k));
     return sum;
 }
 
@@ -99,7 +97,7 @@ SPH2D__INLINE sph2d__float2 apply_over(const sph2d__neighbours *n, size_t first,
 {
     sph2d__float2 sum = {0};
     for (size_t k = first; k < end; k += SPH2D__LANES)
-        sum += (u - sph2d__float2_gather(push, n->index + k)) * sph2d__float2_load(n->gradient + k);
+        sum += apply_pair(u, sph2d__float2_gather(push, n->index + k), sph2d__float2_load(n->gradient + k));
     return sum;
 }
 
@@ -115,7 +113,7 @@ static void apply_fluid(sph2d__system *s, double share, double *out, size_t firs
             if (share != 0)
                 wall = sph2d__float2_of(share * sph2d__lanes_gather(w->vx, n->index + k),
                                         share * sph2d__lanes_gather(w->vy, n->index + k));
-            sum += (u - wall) * sph2d__float2_load(n->gradient + k);
+            sum += apply_pair(u, wall, sph2d__float2_load(n->gradient + k));
         }
         sph2d__lanes_store(out + i, sph2d__float2_x(sum) + sph2d__float2_y(sum));
     }
@@ -135,15 +133,6 @@ static void apply_walls(sph2d__system *s, double share, double *out, size_t firs
 
 /* ---- prediction -------------------------------------------------------------------------------------------------- */
 
-/** f(q) for particles that will be at (x, y), and at (jx, jy). */
-SPH2D__INLINE sph2d__lanes value_at(const sph2d__system *s, sph2d__lanes x, sph2d__lanes y, sph2d__lanes jx,
-                                    sph2d__lanes jy, sph2d_kernel kernel)
-{
-    const sph2d__period *period = &s->fluid_cells.period;
-    sph2d__lanes dx = sph2d__shortest(x - jx, period->length_x), dy = sph2d__shortest(y - jy, period->length_y);
-    return sph2d__kernel_value(kernel, sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support));
-}
-
 /** f(q) summed over the fluid's pairs from `first` to `end`. */
 SPH2D__INLINE sph2d__lanes values(const sph2d__system *s, const sph2d__neighbours *n, size_t first, size_t end,
                                   sph2d__lanes x, sph2d__lanes y, sph2d_kernel kernel)
@@ -160,28 +149,17 @@ SPH2D__INLINE sph2d__lanes values(const sph2d__system *s, const sph2d__neighbour
 SPH2D__INLINE sph2d__lanes wall_values(const sph2d__system *s, const sph2d__neighbours *n, size_t first, size_t end,
                                        sph2d__lanes x, sph2d__lanes y, sph2d_kernel kernel)
 {
-    const sph2d__store *w = &s->walls;
     sph2d__lanes sum = {0};
-    for (size_t k = first; k < end; k += SPH2D__LANES) {
-        const uint32_t *b = n->index + k;
-        sph2d__lanes jx = sph2d__lanes_gather(w->x, b) + s->step * sph2d__lanes_gather(w->vx, b);
-        sph2d__lanes jy = sph2d__lanes_gather(w->y, b) + s->step * sph2d__lanes_gather(w->vy, b);
-        sum += sph2d__lanes_gather(w->mass, b) * value_at(s, x, y, jx, jy, kernel);
-    }
+    for (size_t k = first; k < end; k += SPH2D__LANES)
+        sum += wall_value_at(s, x, y, n->index + k, kernel);
     return sum;
-}
-
-/** Factor that makes a density over rest density of masses times f(q). */
-static double scale_of(const sph2d__system *s, sph2d_kernel kernel)
-{
-    return s->calibration * sph2d__kernel_constant(kernel) / (s->support * s->support * s->rest_density);
 }
 
 SPH2D__INLINE void predict_fluid(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     const sph2d__neighbours *n = &s->neighbours;
     sph2d__store *f = &s->fluid;
-    double middle = sph2d__kernel_value_at(kernel, 0), scale = scale_of(s, kernel);
+    double middle = sph2d__kernel_value_at(kernel, 0), scale = density_scale(s, kernel);
     FOR_SLICES (first, last, i) {
         ends at = ends_of(n, i);
         sph2d__lanes x = sph2d__lanes_load(f->next_x + i), y = sph2d__lanes_load(f->next_y + i);
@@ -195,7 +173,7 @@ SPH2D__INLINE void predict_walls(sph2d__system *s, size_t first, size_t last, sp
 {
     const sph2d__neighbours *n = &s->wall_neighbours;
     sph2d__store *w = &s->walls;
-    double scale = scale_of(s, kernel);
+    double scale = density_scale(s, kernel);
     FOR_SLICES (first, last, b) {
         ends at = ends_of(n, b);
         sph2d__lanes x = sph2d__lanes_load(w->x + b) + s->step * sph2d__lanes_load(w->vx + b);

@@ -4,13 +4,7 @@
 
 #include <math.h>
 
-#include "kernels/kernel.h"
 #include "methods/terms/tension.h"
-
-double sph2d__viscous_limit(sph2d_kernel kernel)
-{
-    return 0.067 / (sph2d__kernel_constant(kernel) * sph2d__kernel_value_at(kernel, 0));
-}
 
 double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,
                             double viscous, double force, sph2d__limit *limit)

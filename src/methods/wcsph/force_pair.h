@@ -9,13 +9,15 @@
 
 #include "kernels/kernel.h"
 #include "methods/terms/shift.h"
+#include "methods/terms/viscosity.h"
+#include "methods/terms/viscosity_pair.h"
 #include "methods/wcsph/pair.h"
 #include "methods/wcsph/wcsph.h"
 
 /** What is summed for the force and the slope of density. */
 typedef struct force_sums {
-    sph2d__lanes press_x, press_y; /* along the line between two: pressure, and viscosity of Monaghan's form */
-    sph2d__lanes morris_x, morris_y;
+    sph2d__lanes press_x, press_y; /* along the line between two: pressure, and viscosity of the central form */
+    sph2d__drag drag;              /* viscosity of Morris' form */
     sph2d__lanes plain_x, plain_y; /* m_j grad W: what uniform pressure would do */
     sph2d__lanes xx, xy, yy, density_grad_x, density_grad_y;
     sph2d__lanes grad_c_x, grad_c_y;
@@ -27,18 +29,18 @@ typedef struct force_sums {
 typedef struct terms {
     sph2d_kernel kernel;
     sph2d__detail detail;
-    bool morris, monaghan; /**< either form of viscosity acts */
-    bool eddies;           /**< Smagorinsky's does; never without `monaghan` */
+    bool laplacian, central; /**< either form of viscosity acts */
+    bool eddies;             /**< Smagorinsky's does; never without `central` */
 } terms;
 
 /** Numbers of the scene. */
 typedef struct numbers {
     sph2d__real inverse_support;
     sph2d__real inverse_mass;
-    sph2d__real near;        /**< 1/f(dx/H) */
-    double morris, monaghan; /**< dynamic viscosity of each form [Pa s] */
-    double eddies;           /**< and that of eddies over the rate of strain [Pa s^2] */
-    sph2d__real sticky;      /**< 1 where walls are rough, else 0 */
+    sph2d__real near; /**< 1/f(dx/H) */
+    sph2d__viscosity viscosity;
+    double eddies;      /**< dynamic viscosity by eddies over the rate of strain [Pa s^2] */
+    sph2d__real sticky; /**< 1 where walls are rough, else 0 */
 } numbers;
 
 /* In place of 0 where it is divided by. */
@@ -48,7 +50,7 @@ typedef struct numbers {
 #define TINY 1e-300
 #endif
 
-/** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes Monaghan's viscosity of
+/** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes the central viscosity of
  *  the same unit, `eddies` what makes half the rate of strain so, which `strain` is. */
 typedef struct receiver {
     sph2d__lanes vx, vy, density, own, damping, strain, stretch, shear, eddies;
@@ -74,7 +76,7 @@ SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const numbers
     sums->yy += vg * p->dy * p->dy;
 }
 
-/** Adds what acts along the line to a candidate: pressure, and Monaghan's viscosity. The candidate's mass is `ratio`
+/** Adds what acts along the line to a candidate: pressure, and the central form of viscosity. The candidate's mass is `ratio`
  *  times that of the liquid's particles, `theirs` its p V^2 over that, `damped` v_ij . r_ij times what resists.
  *  Pressure of their own is in the sums already where nothing but these can turn it round. */
 SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
@@ -88,18 +90,11 @@ SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, c
     } else {
         stress += me->own * ratio;
     }
-    if (with.monaghan)
-        stress += damped / sph2d__lanes_max(p->r2, sph2d__lanes_all(TINY));
+    if (with.central)
+        stress += sph2d__central_stress(damped, p->r2, sph2d__lanes_all(TINY));
     sph2d__lanes press = p->g * stress;
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
-}
-
-/** Adds Morris' viscosity. */
-SPH2D__INLINE void add_morris(force_sums *sums, sph2d__lanes vg, sph2d__lanes dvx, sph2d__lanes dvy)
-{
-    sums->morris_x += vg * dvx;
-    sums->morris_y += vg * dvy;
 }
 
 /** What eddies damp of `jump`, v_ij . r_ij: all of it where a quarter or more is not linear, nothing in liquid that is
@@ -126,8 +121,8 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, co
         damped += me->eddies * (me->strain + theirs) * volume * rough_part(me, p, f, j, jump);
     }
     add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damped);
-    if (with.morris)
-        add_morris(sums, p->g * volume, dvx, dvy);
+    if (with.laplacian)
+        sph2d__drag_add(&sums->drag, p->g * volume, dvx, dvy);
     if (with.detail >= SPH2D__DETAIL_GRADIENT) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
         add_neighbourhood(sums, with, n, p, vg, 1);
@@ -153,8 +148,8 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
         sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
     sums->press_x += along * along_x;
     sums->press_y += along * along_y;
-    if (with.morris)
-        add_morris(sums, p->g * (volume * sticky), dvx, dvy);
+    if (with.laplacian)
+        sph2d__drag_add(&sums->drag, p->g * (volume * sticky), dvx, dvy);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
         add_neighbourhood(sums, with, n, p, p->g * volume, ratio);
 }
@@ -221,24 +216,21 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
     }
     *ax += press * x;
     *ay += press * y;
-    if (with.morris) {
-        double morris = 2 * n->morris * scale / density;
-        *ax += morris * (double)sums->morris_x[l];
-        *ay += morris * (double)sums->morris_y[l];
+    if (with.laplacian) {
+        double drag = 2 * n->viscosity.laplacian * scale / density;
+        *ax += drag * (double)sums->drag.x[l];
+        *ay += drag * (double)sums->drag.y[l];
     }
 }
 
 static numbers numbers_of(const sph2d__system *s)
 {
-    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
-    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
     double near = sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
     double filter = SPH2D__SMAGORINSKY * 2 * s->support;
     return (numbers){.inverse_support = (sph2d__real)(1 / s->support),
                      .inverse_mass = (sph2d__real)(1 / s->mass),
                      .near = (sph2d__real)(1 / near),
-                     .morris = morris ? s->viscosity : 0,
-                     .monaghan = artificial + (morris ? 0 : s->viscosity),
+                     .viscosity = sph2d__viscosity_of(s),
                      .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                      .sticky = s->wall_slip == SPH2D_SLIP_NONE};
 }

@@ -38,7 +38,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first),
                        .vy = sph2d__lanes_load(liquid.vy + g.first),
                        .own = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
-                       .damping = -8 * (sph2d__real)n.monaghan * volume};
+                       .damping = -8 * (sph2d__real)n.viscosity.central * volume};
         if (with.detail >= SPH2D__DETAIL_GRADIENT)
             me.density = sph2d__lanes_load(liquid.density + g.first);
         if (with.eddies) {
@@ -76,13 +76,13 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
     const numbers n = numbers_of(s);
     terms with = {.kernel = kernel, .detail = sph2d__wcsph_detail(&s->method), .eddies = n.eddies > 0};
 #ifndef SPH2D__BARE
-    with.morris = n.morris > 0;
+    with.laplacian = n.viscosity.laplacian > 0;
 #endif
-    with.monaghan = n.monaghan > 0 || with.eddies;
+    with.central = n.viscosity.central > 0 || with.eddies;
     return with;
 }
 
-/* The copies of the loops for the usual kernel: detail, Morris' viscosity, Monaghan's, eddies. */
+/* The copies of the loops for the usual kernel: detail, the Laplacian form of viscosity, the central one, eddies. */
 #define OF_LAYOUT(X, detail) X(detail, 0, 0, 0) X(detail, 0, 1, 0) X(detail, 1, 0, 0) X(detail, 1, 1, 0)
 #define WITH_EDDIES(X) X(SHIFT, 0, 1, 1) X(SHIFT, 1, 1, 1)
 #define FOR_COPIES(X)                                                                                                  \
@@ -100,7 +100,7 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
 {
     const terms with = terms_of(s, USUAL);
 #define TRY(of, form1, form2, rough)                                                                                   \
-    if (with.detail == SPH2D__DETAIL_##of && with.morris == form1 && with.monaghan == form2 && with.eddies == rough)   \
+    if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 && with.eddies == rough) \
         force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, rough}, walls_of);
     FOR_COPIES(TRY)
 #undef TRY

@@ -9,7 +9,7 @@
 
 #include "kernels/kernel.h"
 #include "methods/terms/shift.h"
-#include "methods/terms/stable_step.h"
+#include "methods/terms/viscosity.h"
 #include "methods/wcsph/pair.h"
 #include "methods/wcsph/wcsph.h"
 
@@ -115,7 +115,7 @@ SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i, const rate_sums *sum
 SPH2D__INLINE double most_strain(const sph2d__system *s)
 {
     const double filter = 2 * SPH2D__SMAGORINSKY;
-    return sph2d__viscous_limit(s->method.kernel) / (3 * filter * filter * s->step);
+    return sph2d__viscosity_step(s->method.kernel) / (3 * filter * filter * s->step);
 }
 
 /** The rate of strain, by which the next step shifts and eddies damp; no larger than what a step stands of either. */

@@ -11,9 +11,8 @@
 #include "methods/terms/friction.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
+#include "methods/terms/viscosity.h"
 
-/* Monaghan's form damps compression three times as fast as shear. */
-static const double MONAGHAN = 3;
 /* Step limit as a fraction of sqrt(H/a). */
 static const double FORCE = 0.25;
 
@@ -67,14 +66,6 @@ static void prepare(sph2d__system *s)
                 s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
         }
     walls_placed(s);
-}
-
-/** The kinematic viscosity that limits the step as much as what acts does in Morris' form [m^2/s]. */
-static double limiting_viscosity(const sph2d__system *s)
-{
-    double artificial = s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    double liquid = s->viscosity / s->rest_density;
-    return MONAGHAN * artificial + (s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN ? MONAGHAN : 1) * liquid;
 }
 
 /** Whether density diffuses by what exceeds that of a liquid at rest. */
@@ -196,21 +187,16 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     force.friction = sph2d__friction_of(s, b, dx, dy);
     if (s->wall_slip != SPH2D_SLIP_NONE)
         return force;
-    bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
-    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    double along = artificial + (morris ? 0 : s->viscosity), dvx = f->vx[i] - w->image_vx[b];
-    double dvy = f->vy[i] - w->image_vy[b], drag = vi * vb * g, approach = r2 > 0 ? (dvx * dx + dvy * dy) / r2 : 0;
-    double shear = morris ? 2 * s->viscosity : 0;
-    force.friction.x = drag * (8 * along * approach * dx + shear * dvx);
-    force.friction.y = drag * (8 * along * approach * dy + shear * dvy);
+    force.friction = sph2d__viscosity_force(sph2d__viscosity_of(s), vi * vb * g, dx, dy, f->vx[i] - w->image_vx[b],
+                                            f->vy[i] - w->image_vy[b]);
     return force;
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double sound = sqrt(sph2d__sound_speed2_at(s, s->max_density));
-    double viscous = sph2d__viscous_limit(s->method.kernel);
-    return sph2d__shortest_step(s, sound, speed, acceleration, limiting_viscosity(s), viscous, FORCE, limit);
+    double nu = sph2d__viscosity_limiting(s), viscous = sph2d__viscosity_step(s->method.kernel);
+    return sph2d__shortest_step(s, sound, speed, acceleration, nu, viscous, FORCE, limit);
 }
 
 /** What is known of how liquid is strained. */

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/** @file projection_pair.h
+ *  What a pair of particles adds to the sums of projection.h, and what becomes of a particle when all is summed. No
+ *  loops; every lane is a particle with a neighbour of its own. */
+#ifndef SPH2D_METHODS_PROJECTION_PROJECTION_PAIR_H
+#define SPH2D_METHODS_PROJECTION_PROJECTION_PAIR_H
+
+#include "kernels/kernel.h"
+#include "methods/common/shortest.h"
+#include "methods/projection/projection.h"
+#include "methods/terms/viscosity_pair.h"
+
+/* ---- density, gradients and viscosity ---------------------------------------------------------------------------- */
+
+/** The particles of a slice and what is summed over their pairs. */
+typedef struct slice {
+    sph2d__lanes x, y, vx, vy;
+    sph2d__lanes value;          /* f(q), weighted */
+    sph2d__lanes gx, gy, square; /* G and |G|^2 */
+    sph2d__drag drag;
+} slice;
+
+/** What the sums over the pairs with one store need. */
+typedef struct weights {
+    double support, slope;
+    sph2d__lanes weight; /* c m/rho0, or c/rho0 with masses given */
+    const double *mass;  /* of each boundary particle; NULL: in the weight */
+    bool viscous;        /* the velocities differ: drag */
+    const sph2d__store *from;
+    const sph2d__period *period;
+} weights;
+
+/** Adds the neighbours at `index` and returns their gradients G. */
+SPH2D__INLINE sph2d__float2 gather_pair(slice *sum, const weights *w, sph2d_kernel kernel, const uint32_t *index)
+{
+    const sph2d__store *from = w->from;
+    sph2d__lanes dx = sph2d__shortest(sum->x - sph2d__lanes_gather(from->x, index), w->period->length_x);
+    sph2d__lanes dy = sph2d__shortest(sum->y - sph2d__lanes_gather(from->y, index), w->period->length_y);
+    sph2d__lanes q = sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / w->support), share = w->weight;
+    if (w->mass)
+        share *= sph2d__lanes_gather(w->mass, index);
+    sph2d__lanes g = share * w->slope * sph2d__kernel_slope(kernel, q), gx = g * dx, gy = g * dy;
+    sum->value += share * sph2d__kernel_value(kernel, q);
+    sum->gx += gx;
+    sum->gy += gy;
+    if (!w->mass)
+        sum->square += gx * gx + gy * gy;
+    if (w->viscous)
+        sph2d__drag_add(&sum->drag, g, sum->vx - sph2d__lanes_gather(from->vx, index),
+                        sum->vy - sph2d__lanes_gather(from->vy, index));
+    return sph2d__float2_of(gx, gy);
+}
+
+/** Acceleration without pressure of the particle in lane l of a slice. */
+SPH2D__INLINE void finish_acceleration(const sph2d__system *s, size_t i, const slice *sum, int l)
+{
+    double drag = 2 * (s->viscosity / s->rest_density), ax = drag * sum->drag.x[l], ay = drag * sum->drag.y[l];
+    sph2d__body_add(&s->body, sum->x[l], sum->y[l], sum->vx[l], sum->vy[l], &ax, &ay);
+    s->fluid.ax[i] = ax;
+    s->fluid.ay[i] = ay;
+}
+
+/** Density and diagonal of D D' of the fluid particles `first` on of a slice. */
+SPH2D__INLINE void finish_fluid(const sph2d__system *s, size_t first, const slice *sum, sph2d_kernel kernel)
+{
+    double h2 = s->support * s->support, own = s->calibration * s->mass / s->rest_density;
+    sph2d__lanes all = sum->value + own * sph2d__kernel_value_at(kernel, 0);
+    sph2d__lanes_store(s->fluid.density + first, s->rest_density * sph2d__kernel_constant(kernel) / h2 * all);
+    sph2d__lanes_store(s->fluid.diagonal + first, sum->square + sum->gx * sum->gx + sum->gy * sum->gy);
+}
+
+/** What liquid adds at boundary particle b, g_b, as a density, and the diagonal: `near` of its neighbours are liquid. */
+SPH2D__INLINE void finish_wall(const sph2d__system *s, size_t b, const slice *sum, int l, sph2d_kernel kernel,
+                               bool near)
+{
+    const sph2d__store *w = &s->walls;
+    double h2 = s->support * s->support;
+    double added = sph2d__kernel_constant(kernel) / h2 * s->mass / w->mass[b] * sum->value[l];
+    w->density[b] = s->rest_density * (1 + (near ? added - w->filled[b] : 0));
+    w->diagonal[b] = sum->square[l];
+}
+
+/* ---- D and its transpose ----------------------------------------------------------------------------------------- */
+
+/** (y_i + y_j) G_ij: a pair's part of D' y, in floats as good as the gradients. */
+SPH2D__INLINE sph2d__float2 transpose_pair(sph2d__float2 own, sph2d__float2 other, sph2d__float2 gradient)
+{
+    return (own + other) * gradient;
+}
+
+/** (u_i - u_j) G_ij by components: their sum is a pair's part of D u. */
+SPH2D__INLINE sph2d__float2 apply_pair(sph2d__float2 own, sph2d__float2 other, sph2d__float2 gradient)
+{
+    return (own - other) * gradient;
+}
+
+/* ---- density at the end of a step -------------------------------------------------------------------------------- */
+
+/** f(q) for particles that will be at (x, y), and at (jx, jy). */
+SPH2D__INLINE sph2d__lanes value_at(const sph2d__system *s, sph2d__lanes x, sph2d__lanes y, sph2d__lanes jx,
+                                    sph2d__lanes jy, sph2d_kernel kernel)
+{
+    const sph2d__period *period = &s->fluid_cells.period;
+    sph2d__lanes dx = sph2d__shortest(x - jx, period->length_x), dy = sph2d__shortest(y - jy, period->length_y);
+    return sph2d__kernel_value(kernel, sph2d__lanes_sqrt(dx * dx + dy * dy) * (1 / s->support));
+}
+
+/** m_b f(q) of the boundary particles at `b`, moved on by their velocities over the step. */
+SPH2D__INLINE sph2d__lanes wall_value_at(const sph2d__system *s, sph2d__lanes x, sph2d__lanes y, const uint32_t *b,
+                                         sph2d_kernel kernel)
+{
+    const sph2d__store *w = &s->walls;
+    sph2d__lanes jx = sph2d__lanes_gather(w->x, b) + s->step * sph2d__lanes_gather(w->vx, b);
+    sph2d__lanes jy = sph2d__lanes_gather(w->y, b) + s->step * sph2d__lanes_gather(w->vy, b);
+    return sph2d__lanes_gather(w->mass, b) * value_at(s, x, y, jx, jy, kernel);
+}
+
+/** Factor that makes a density over rest density of masses times f(q). */
+static inline double density_scale(const sph2d__system *s, sph2d_kernel kernel)
+{
+    return s->calibration * sph2d__kernel_constant(kernel) / (s->support * s->support * s->rest_density);
+}
+
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/** @file viscosity.c */
+#include "methods/terms/viscosity.h"
+
+#include "kernels/kernel.h"
+
+/* The central form damps compression three times as fast as shear. */
+static const double CENTRAL = 3;
+
+static bool is_laplacian(const sph2d__system *s)
+{
+    return s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
+}
+
+sph2d__viscosity sph2d__viscosity_of(const sph2d__system *s)
+{
+    double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    return (sph2d__viscosity){.laplacian = is_laplacian(s) ? s->viscosity : 0,
+                              .central = artificial + (is_laplacian(s) ? 0 : s->viscosity)};
+}
+
+double sph2d__viscosity_limiting(const sph2d__system *s)
+{
+    double artificial = s->method.artificial_viscosity * s->sound_speed * s->support / 16;
+    double liquid = s->viscosity / s->rest_density;
+    return CENTRAL * artificial + (s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN ? CENTRAL : 1) * liquid;
+}
+
+double sph2d__viscosity_at_least(const sph2d__system *s)
+{
+    double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
+    return s->viscosity > calm ? s->viscosity : calm;
+}
+
+double sph2d__viscosity_step(sph2d_kernel kernel)
+{
+    return 0.067 / (sph2d__kernel_constant(kernel) * sph2d__kernel_value_at(kernel, 0));
+}
+
+sph2d_vec2 sph2d__viscosity_force(sph2d__viscosity viscosity, double share, double dx, double dy, double dvx,
+                                  double dvy)
+{
+    double r2 = dx * dx + dy * dy, approach = r2 > 0 ? (dvx * dx + dvy * dy) / r2 : 0;
+    double shear = 2 * viscosity.laplacian;
+    return (sph2d_vec2){share * (8 * viscosity.central * approach * dx + shear * dvx),
+                        share * (8 * viscosity.central * approach * dy + shear * dvy)};
+}
