@@ -56,18 +56,18 @@ typedef struct constants {
 
 /* ---- liquid -------------------------------------------------------------------------------------------------------- */
 
-/** A candidate as the particles of a group see it: its place, and 1 - q where that is positive, else 0. */
-typedef struct sight {
+/** From the particles of a group to a candidate, in units of H, and 1 - q where that is positive, else 0. */
+typedef struct offset {
     sph2d__lanes x, y, t;
-} sight;
+} offset;
 
-SPH2D__INLINE sight sight_of(sph2d__lanes x, sph2d__lanes y)
+SPH2D__INLINE offset offset_to(sph2d__lanes x, sph2d__lanes y)
 {
-    return (sight){x, y, sph2d__above_zero(1 - sph2d__lanes_sqrt(x * x + y * y))};
+    return (offset){x, y, sph2d__above_zero(1 - sph2d__lanes_sqrt(x * x + y * y))};
 }
 
 /** Adds the differences d of a field, weighted by w. */
-SPH2D__INLINE void add_field(fit_sums *to, int field, const sight *at, sph2d__lanes w, sph2d__lanes d)
+SPH2D__INLINE void add_field(fit_sums *to, int field, const offset *at, sph2d__lanes w, sph2d__lanes d)
 {
     sph2d__lanes *b = to->of + FIELDS + field * FIELD_SUMS;
     sph2d__lanes wd = w * d, xd = wd * at->x, yd = wd * at->y;

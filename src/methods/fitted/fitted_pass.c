@@ -25,22 +25,22 @@ typedef struct list {
 } list;
 
 /** The particles of a group, and the box around them: places in the same units. */
-typedef struct receiver {
+typedef struct group_state {
     sph2d__lanes x, y, vx, vy, density;
     double from_x, from_y;                    /**< the first particle [m] */
     sph2d__real low_x, low_y, high_x, high_y; /**< the box */
-} receiver;
+} group_state;
 
 /** Lists those of the particles from j on, in range r, that are near the box. */
-SPH2D__INLINE void list_block(list *to, const receiver *me, const sph2d__ranges *ranges, int r, size_t j,
+SPH2D__INLINE void list_block(list *to, const group_state *own, const sph2d__ranges *ranges, int r, size_t j,
                               const constants *k)
 {
-    const sph2d__real from_x = (sph2d__real)(ranges->x[r] + me->from_x);
-    const sph2d__real from_y = (sph2d__real)(ranges->y[r] + me->from_y);
+    const sph2d__real from_x = (sph2d__real)(ranges->x[r] + own->from_x);
+    const sph2d__real from_y = (sph2d__real)(ranges->y[r] + own->from_y);
     sph2d__lanes x = (sph2d__lanes_load(k->liquid.x + j) - from_x) * k->inverse_support;
     sph2d__lanes y = (sph2d__lanes_load(k->liquid.y + j) - from_y) * k->inverse_support;
-    sph2d__lanes dx = sph2d__above_zero(sph2d__lanes_max(me->low_x - x, x - me->high_x));
-    sph2d__lanes dy = sph2d__above_zero(sph2d__lanes_max(me->low_y - y, y - me->high_y));
+    sph2d__lanes dx = sph2d__above_zero(sph2d__lanes_max(own->low_x - x, x - own->high_x));
+    sph2d__lanes dy = sph2d__above_zero(sph2d__lanes_max(own->low_y - y, y - own->high_y));
     unsigned near = sph2d__lanes_which(dx * dx + dy * dy, 1);
     size_t left = ranges->end[r] - j;
     if (left < SPH2D__LANES)
@@ -54,25 +54,25 @@ SPH2D__INLINE void list_block(list *to, const receiver *me, const sph2d__ranges 
 /** Adds the listed candidates to the sums: of the fields in one loop, all others in a second, as all at once need more
  *  registers than there are. The next candidate's root is under way while one is summed: that spares 8 % of the time.
  *  */
-static void sum_listed(fit_sums *to, list *from, const receiver *me, const constants *k)
+static void sum_listed(fit_sums *to, list *from, const group_state *own, const constants *k)
 {
     const sph2d__packed *f = &k->liquid;
     sph2d__lanes kept[LISTED];
     fit_sums sums = *to;
     from->x[from->count] = from->y[from->count] = 0;
-    sight next = sight_of(from->x[0] - me->x, from->y[0] - me->y);
+    offset next = offset_to(from->x[0] - own->x, from->y[0] - own->y);
     for (size_t n = 0; n < from->count; ++n) {
         const size_t j = from->index[n];
-        const sight at = next;
+        const offset at = next;
         sph2d__lanes w = at.t * at.t * at.t;
-        next = sight_of(from->x[n + 1] - me->x, from->y[n + 1] - me->y);
+        next = offset_to(from->x[n + 1] - own->x, from->y[n + 1] - own->y);
         kept[n] = at.t;
-        add_field(&sums, 0, &at, w, f->vx[j] - me->vx);
-        add_field(&sums, 1, &at, w, f->vy[j] - me->vy);
-        add_field(&sums, 2, &at, w, f->density[j] - me->density);
+        add_field(&sums, 0, &at, w, f->vx[j] - own->vx);
+        add_field(&sums, 1, &at, w, f->vy[j] - own->vy);
+        add_field(&sums, 2, &at, w, f->density[j] - own->density);
     }
     for (size_t n = 0; n < from->count; ++n)
-        add_moments(&sums, from->x[n] - me->x, from->y[n] - me->y, kept[n], k);
+        add_moments(&sums, from->x[n] - own->x, from->y[n] - own->y, kept[n], k);
     *to = sums;
     from->count = 0;
 }
@@ -84,17 +84,17 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
     const size_t i = g->first;
     const double x0 = f->x[i], y0 = f->y[i];
     const sph2d__real unit = k->inverse_support;
-    const receiver me = {.x = sph2d__group_lanes(f->x + i, -x0) * unit,
-                         .y = sph2d__group_lanes(f->y + i, -y0) * unit,
-                         .vx = sph2d__lanes_load(k->liquid.vx + i),
-                         .vy = sph2d__lanes_load(k->liquid.vy + i),
-                         .density = sph2d__lanes_load(k->liquid.density + i),
-                         .from_x = x0,
-                         .from_y = y0,
-                         .low_x = (sph2d__real)(g->low_x - x0) * unit,
-                         .low_y = (sph2d__real)(g->low_y - y0) * unit,
-                         .high_x = (sph2d__real)(g->high_x - x0) * unit,
-                         .high_y = (sph2d__real)(g->high_y - y0) * unit};
+    const group_state own = {.x = sph2d__group_lanes(f->x + i, -x0) * unit,
+                             .y = sph2d__group_lanes(f->y + i, -y0) * unit,
+                             .vx = sph2d__lanes_load(k->liquid.vx + i),
+                             .vy = sph2d__lanes_load(k->liquid.vy + i),
+                             .density = sph2d__lanes_load(k->liquid.density + i),
+                             .from_x = x0,
+                             .from_y = y0,
+                             .low_x = (sph2d__real)(g->low_x - x0) * unit,
+                             .low_y = (sph2d__real)(g->low_y - y0) * unit,
+                             .high_x = (sph2d__real)(g->high_x - x0) * unit,
+                             .high_y = (sph2d__real)(g->high_y - y0) * unit};
     sph2d__ranges ranges;
     list found;
     found.count = 0;
@@ -103,11 +103,11 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
     sph2d__patch_ranges(&s->fluid_cells, &g->patch, &ranges);
     for (int r = 0; r < ranges.count; ++r)
         for (size_t j = ranges.begin[r]; j < ranges.end[r]; j += SPH2D__LANES) {
-            list_block(&found, &me, &ranges, r, j, k);
+            list_block(&found, &own, &ranges, r, j, k);
             if (found.count > LISTED - SPH2D__LANES)
-                sum_listed(to, &found, &me, k);
+                sum_listed(to, &found, &own, k);
         }
-    sum_listed(to, &found, &me, k);
+    sum_listed(to, &found, &own, k);
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */

@@ -47,34 +47,35 @@ typedef struct force_sums {
 } force_sums;
 
 /** The particles of a group that feel a candidate. */
-typedef struct receiver {
+typedef struct group_state {
     sph2d__lanes x, y, vx, vy, pressure;
-} receiver;
+} group_state;
 
-SPH2D__INLINE void add_force(force_sums *sums, double support, const receiver *i, const sph2d__store *from, size_t j)
+SPH2D__INLINE void add_force(force_sums *sums, double support, const group_state *own, const sph2d__store *from,
+                             size_t j)
 {
-    sph2d__lanes dx = i->x - from->x[j], dy = i->y - from->y[j];
+    sph2d__lanes dx = own->x - from->x[j], dy = own->y - from->y[j];
     /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
     sph2d__lanes tiny = sph2d__lanes_all(1e-24 * support * support);
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
     sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
     sph2d__lanes wv = w * from->volume[j];
-    sph2d__lanes press = wv * w * (i->pressure + from->pair_pressure[j]) / r;
+    sph2d__lanes press = wv * w * (own->pressure + from->pair_pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
-    sph2d__drag_add(&sums->drag, wv, from->vx[j] - i->vx, from->vy[j] - i->vy);
+    sph2d__drag_add(&sums->drag, wv, from->vx[j] - own->vx, from->vy[j] - own->vy);
 }
 
 /** The same of a boundary particle, which adds to density alone. */
-SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const receiver *i, const sph2d__store *walls,
+SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const group_state *own, const sph2d__store *walls,
                                   size_t j)
 {
-    sph2d__lanes dx = i->x - walls->x[j], dy = i->y - walls->y[j], none = {0};
+    sph2d__lanes dx = own->x - walls->x[j], dy = own->y - walls->y[j], none = {0};
     sph2d__lanes r2 = dx * dx + dy * dy, d = sph2d__lanes_max(support * support - r2, none);
     sph2d__lanes press = d * d * walls->mass[j], wv = sph2d__lanes_max(support - sph2d__lanes_sqrt(r2), none);
     sums->press_x += press * dx;
     sums->press_y += press * dy;
-    sph2d__drag_add(&sums->drag, wv * walls->volume[j], walls->vx[j] - i->vx, walls->vy[j] - i->vy);
+    sph2d__drag_add(&sums->drag, wv * walls->volume[j], walls->vx[j] - own->vx, walls->vy[j] - own->vy);
 }
 
 #endif

@@ -64,19 +64,19 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
 {
     const sph2d__store *fluid = &s->fluid;
     force_sums sums = {{0}, {0}, {{0}, {0}}};
-    receiver me = {.vx = sph2d__lanes_load(fluid->vx + g->first),
-                   .vy = sph2d__lanes_load(fluid->vy + g->first),
-                   .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
+    group_state own = {.vx = sph2d__lanes_load(fluid->vx + g->first),
+                       .vy = sph2d__lanes_load(fluid->vy + g->first),
+                       .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, ranges, s->support);
     while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {
-        me.x = sph2d__group_lanes(fluid->x + g->first, sieve.offset_x);
-        me.y = sph2d__group_lanes(fluid->y + g->first, sieve.offset_y);
+        own.x = sph2d__group_lanes(fluid->x + g->first, sieve.offset_x);
+        own.y = sph2d__group_lanes(fluid->y + g->first, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j)
             if (from == &s->walls)
-                add_wall_force(&sums, s->support, &me, from, j);
+                add_wall_force(&sums, s->support, &own, from, j);
             else
-                add_force(&sums, s->support, &me, from, j);
+                add_force(&sums, s->support, &own, from, j);
     }
     return sums;
 }

@@ -34,14 +34,14 @@ typedef struct terms {
 } terms;
 
 /** Numbers of the scene. */
-typedef struct numbers {
+typedef struct constants {
     sph2d__real inverse_support;
     sph2d__real inverse_mass;
     sph2d__real near; /**< 1/f(dx/H) */
     sph2d__viscosity viscosity;
     double eddies;      /**< dynamic viscosity by eddies over the rate of strain [Pa s^2] */
     sph2d__real sticky; /**< 1 where walls are rough, else 0 */
-} numbers;
+} constants;
 
 /* In place of 0 where it is divided by. */
 #ifdef SPH2D__MIXED
@@ -50,19 +50,19 @@ typedef struct numbers {
 #define TINY 1e-300
 #endif
 
-/** The particles of a group that feel a candidate. `own` is p V^2, `damping` what makes the central viscosity of
+/** The particles of a group that feel a candidate. `pv2` is p V^2, `damping` what makes the central viscosity of
  *  the same unit, `eddies` what makes half the rate of strain so, which `strain` is. */
-typedef struct receiver {
-    sph2d__lanes vx, vy, density, own, damping, strain, stretch, shear, eddies;
-} receiver;
+typedef struct group_state {
+    sph2d__lanes vx, vy, density, pv2, damping, strain, stretch, shear, eddies;
+} group_state;
 
 /** Adds what tells how neighbours lie around a particle: `vg` is V_j g, `ratio` their mass over that of the liquid's
  *  particles. */
-SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const numbers *n, const pair *p, sph2d__lanes vg,
+SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const constants *k, const pair *p, sph2d__lanes vg,
                                      sph2d__real ratio)
 {
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
-        sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * n->near;
+        sph2d__lanes near = sph2d__kernel_value(with.kernel, p->q) * k->near;
         sums->packing += near * ratio;
         if (with.detail >= SPH2D__DETAIL_SHIFT) {
             near *= near;
@@ -78,8 +78,8 @@ SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const numbers
 
 /** Adds what acts along the line to a candidate: pressure, and the central form of viscosity. The candidate's mass is `ratio`
  *  times that of the liquid's particles, `theirs` its p V^2 over that, `damped` v_ij . r_ij times what resists.
- *  Pressure of their own is in the sums already where nothing but these can turn it round. */
-SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, const pair *p, sph2d__real ratio,
+ *  Their own pressure is in the sums already where nothing but these can turn it round. */
+SPH2D__INLINE void add_along(force_sums *sums, terms with, const group_state *own, const pair *p, sph2d__real ratio,
                              sph2d__real theirs, sph2d__lanes damped)
 {
     sph2d__lanes stress = sph2d__lanes_all(theirs);
@@ -88,7 +88,7 @@ SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, c
         sums->plain_x += plain * p->dx;
         sums->plain_y += plain * p->dy;
     } else {
-        stress += me->own * ratio;
+        stress += own->pv2 * ratio;
     }
     if (with.central)
         stress += sph2d__central_stress(damped, p->r2, sph2d__lanes_all(TINY));
@@ -99,33 +99,33 @@ SPH2D__INLINE void add_along(force_sums *sums, terms with, const receiver *me, c
 
 /** What eddies damp of `jump`, v_ij . r_ij: all of it where a quarter or more is not linear, nothing in liquid that is
  *  strained smoothly. */
-SPH2D__INLINE sph2d__lanes rough_part(const receiver *me, const pair *p, const sph2d__packed *f, size_t j,
+SPH2D__INLINE sph2d__lanes rough_part(const group_state *own, const pair *p, const sph2d__packed *f, size_t j,
                                       sph2d__lanes jump)
 {
     const sph2d__real half = 0.5, past = SPH2D__PAST_LINEAR;
-    sph2d__lanes linear = (me->stretch + f->stretch[j]) * half * (p->dx * p->dx - p->dy * p->dy) +
-                          (me->shear + f->shear[j]) * p->dx * p->dy;
+    sph2d__lanes linear = (own->stretch + f->stretch[j]) * half * (p->dx * p->dx - p->dy * p->dy) +
+                          (own->shear + f->shear[j]) * p->dx * p->dy;
     sph2d__lanes most = past * sph2d__lanes_max(jump - linear, linear - jump);
     return sph2d__lanes_max(-most, -sph2d__lanes_max(-jump, -most));
 }
 
-SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, const group_state *own, const pair *p,
                               const sph2d__packed *f, size_t j)
 {
     const sph2d__real volume = f->volume[j];
-    sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
-    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = me->damping * volume * jump;
+    sph2d__lanes dvx = own->vx - f->vx[j], dvy = own->vy - f->vy[j];
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = own->damping * volume * jump;
     if (with.eddies) {
         const double stretch = f->stretch[j], shear = f->shear[j];
         const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
-        damped += me->eddies * (me->strain + theirs) * volume * rough_part(me, p, f, j, jump);
+        damped += own->eddies * (own->strain + theirs) * volume * rough_part(own, p, f, j, jump);
     }
-    add_along(sums, with, me, p, 1, f->pressure[j] * volume * volume, damped);
+    add_along(sums, with, own, p, 1, f->pressure[j] * volume * volume, damped);
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, p->g * volume, dvx, dvy);
     if (with.detail >= SPH2D__DETAIL_GRADIENT) {
-        sph2d__lanes vg = p->g * volume, drho = f->density[j] - me->density;
-        add_neighbourhood(sums, with, n, p, vg, 1);
+        sph2d__lanes vg = p->g * volume, drho = f->density[j] - own->density;
+        add_neighbourhood(sums, with, k, p, vg, 1);
         if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
             sums->leave_x += vg * dvx;
             sums->leave_y += vg * dvy;
@@ -136,13 +136,13 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const numbers *n, co
 }
 
 /** Boundary particles have masses of their own; smooth ones have no viscosity. */
-SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, const receiver *me, const pair *p,
+SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, const group_state *own, const pair *p,
                             const sph2d__packed *w, size_t j)
 {
-    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * n->inverse_mass, sticky = n->sticky;
+    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * k->inverse_mass, sticky = k->sticky;
     const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
-    sph2d__lanes dvx = me->vx - w->vx[j], dvy = me->vy - w->vy[j];
-    add_along(sums, with, me, p, ratio, theirs, me->damping * (volume * sticky) * (dvx * p->dx + dvy * p->dy));
+    sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
+    add_along(sums, with, own, p, ratio, theirs, own->damping * (volume * sticky) * (dvx * p->dx + dvy * p->dy));
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
     sph2d__lanes along =
         sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
@@ -151,7 +151,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const numbers *n, cons
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, p->g * (volume * sticky), dvx, dvy);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
-        add_neighbourhood(sums, with, n, p, p->g * volume, ratio);
+        add_neighbourhood(sums, with, k, p, p->g * volume, ratio);
 }
 
 /** The corrected gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W;
@@ -204,35 +204,35 @@ SPH2D__INLINE void finish_concentration(sph2d__system *s, size_t i, const force_
     f->grad_c_y[i] = cy;
 }
 
-/** Adds the acceleration that the sums stand for. `own` is p V^2 of the particle where it is not in them. */
-SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int l, terms with, const numbers *n,
-                            double own, double density, double *ax, double *ay)
+/** Adds the acceleration that the sums stand for. `pv2` is p V^2 of the particle where it is not in them. */
+SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int l, terms with, const constants *k,
+                            double pv2, double density, double *ax, double *ay)
 {
     double scale = slope_scale(s), press = -scale / s->mass;
     double x = sums->press_x[l], y = sums->press_y[l];
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
-        x += own * (double)sums->plain_x[l];
-        y += own * (double)sums->plain_y[l];
+        x += pv2 * (double)sums->plain_x[l];
+        y += pv2 * (double)sums->plain_y[l];
     }
     *ax += press * x;
     *ay += press * y;
     if (with.laplacian) {
-        double drag = 2 * n->viscosity.laplacian * scale / density;
+        double drag = 2 * k->viscosity.laplacian * scale / density;
         *ax += drag * (double)sums->drag.x[l];
         *ay += drag * (double)sums->drag.y[l];
     }
 }
 
-static numbers numbers_of(const sph2d__system *s)
+static constants constants_of(const sph2d__system *s)
 {
     double near = sph2d__kernel_value_at(s->method.kernel, s->spacing / s->support);
     double filter = SPH2D__SMAGORINSKY * 2 * s->support;
-    return (numbers){.inverse_support = (sph2d__real)(1 / s->support),
-                     .inverse_mass = (sph2d__real)(1 / s->mass),
-                     .near = (sph2d__real)(1 / near),
-                     .viscosity = sph2d__viscosity_of(s),
-                     .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
-                     .sticky = s->wall_slip == SPH2D_SLIP_NONE};
+    return (constants){.inverse_support = (sph2d__real)(1 / s->support),
+                       .inverse_mass = (sph2d__real)(1 / s->mass),
+                       .near = (sph2d__real)(1 / near),
+                       .viscosity = sph2d__viscosity_of(s),
+                       .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
+                       .sticky = s->wall_slip == SPH2D_SLIP_NONE};
 }
 
 /* |S| H/c0 from which on tension is controlled one way alone. */
@@ -252,11 +252,11 @@ SPH2D__INLINE bool is_pushed(const sph2d__system *s, size_t i, const force_sums 
 
 /** What becomes of particle i when all is summed in lane l; `slope` is of the liquid alone. */
 SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, const force_sums *liquid, int l,
-                          terms with, const numbers *n)
+                          terms with, const constants *k)
 {
     sph2d__store *f = &s->fluid;
     const double volume = s->mass / f->density[i];
-    double own = f->pressure[i] * volume * volume, ax = 0, ay = 0;
+    double pv2 = f->pressure[i] * volume * volume, ax = 0, ay = 0;
     if (with.detail >= SPH2D__DETAIL_GRADIENT)
         finish_density_gradient(f, i, liquid, l);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
@@ -265,13 +265,13 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         f->min_eigenvalue[i] = min_eigenvalue;
         double packing = sums->packing[l];
         f->packing[i] = s->rest_density / s->lattice_values * packing;
-        if (s->method.tensile_control == SPH2D_SWITCH_ON && own < 0 && inside && is_pushed(s, i, sums, liquid, l, with))
-            own = -own;
+        if (s->method.tensile_control == SPH2D_SWITCH_ON && pv2 < 0 && inside && is_pushed(s, i, sums, liquid, l, with))
+            pv2 = -pv2;
         if (with.detail >= SPH2D__DETAIL_SHIFT)
             finish_concentration(s, i, sums, l, min_eigenvalue, scale,
                                  (packing - (double)liquid->packing[l]) / s->lattice_values);
     }
-    add_sums(s, sums, l, with, n, own, f->density[i], &ax, &ay);
+    add_sums(s, sums, l, with, k, pv2, f->density[i], &ax, &ay);
     sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
     f->ax[i] = ax;
     f->ay[i] = ay;

@@ -7,10 +7,10 @@
 /** Adds the boundary particles near a group. There is one for every kernel, in which the other terms are asked for: few
  *  particles are near walls, and copies take long to compile. */
 typedef void wall_adder(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
-                        terms with, const numbers *n, const receiver *me, const sph2d__packed *walls);
+                        terms with, const constants *k, const group_state *own, const sph2d__packed *walls);
 
 SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
-                             terms with, const numbers *n, const receiver *me, const sph2d__packed *walls)
+                             terms with, const constants *k, const group_state *own, const sph2d__packed *walls)
 {
     sph2d__ranges ranges;
     if (!sph2d__group_near(by, g, &ranges))
@@ -20,8 +20,8 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
     while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
         place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
-            pair p = pair_with(with.kernel, n->inverse_support, &at, walls, j);
-            add_wall(sums, with, n, me, &p, walls, j);
+            pair p = pair_with(with.kernel, k->inverse_support, &at, walls, j);
+            add_wall(sums, with, k, own, &p, walls, j);
         }
     }
 }
@@ -29,23 +29,23 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
 SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms with, wall_adder *walls_of)
 {
     sph2d__store *f = &s->fluid;
-    const numbers n = numbers_of(s);
+    const constants k = constants_of(s);
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     sph2d__sieve sieve;
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
-        receiver me = {.vx = sph2d__lanes_load(liquid.vx + g.first),
-                       .vy = sph2d__lanes_load(liquid.vy + g.first),
-                       .own = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
-                       .damping = -8 * (sph2d__real)n.viscosity.central * volume};
+        group_state own = {.vx = sph2d__lanes_load(liquid.vx + g.first),
+                           .vy = sph2d__lanes_load(liquid.vy + g.first),
+                           .pv2 = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
+                           .damping = -8 * (sph2d__real)k.viscosity.central * volume};
         if (with.detail >= SPH2D__DETAIL_GRADIENT)
-            me.density = sph2d__lanes_load(liquid.density + g.first);
+            own.density = sph2d__lanes_load(liquid.density + g.first);
         if (with.eddies) {
-            me.stretch = sph2d__lanes_load(liquid.stretch + g.first);
-            me.shear = sph2d__lanes_load(liquid.shear + g.first);
-            me.strain = sph2d__lanes_sqrt(me.stretch * me.stretch + me.shear * me.shear);
-            me.eddies = -8 * (sph2d__real)n.eddies * volume;
+            own.stretch = sph2d__lanes_load(liquid.stretch + g.first);
+            own.shear = sph2d__lanes_load(liquid.shear + g.first);
+            own.strain = sph2d__lanes_sqrt(own.stretch * own.stretch + own.shear * own.shear);
+            own.eddies = -8 * (sph2d__real)k.eddies * volume;
         }
         force_sums sums = {0};
         sph2d__ranges ranges;
@@ -55,16 +55,16 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
             place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
-                pair p = pair_with(with.kernel, n.inverse_support, &at, &liquid, j);
-                add_liquid(&sums, with, &n, &me, &p, &liquid, j);
+                pair p = pair_with(with.kernel, k.inverse_support, &at, &liquid, j);
+                add_liquid(&sums, with, &k, &own, &p, &liquid, j);
             }
         }
         const force_sums beside = sums; /* the sums themselves can then stay in registers */
         force_sums all = sums;
         if (by.other)
-            walls_of(s, &by, &g, &all, with, &n, &me, &walls);
+            walls_of(s, &by, &g, &all, with, &k, &own, &walls);
         SPH2D__FOR_LANES (g, l)
-            finish(s, g.first + (size_t)l, &all, &beside, l, with, &n);
+            finish(s, g.first + (size_t)l, &all, &beside, l, with, &k);
     }
 }
 
@@ -73,12 +73,12 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
 /** The terms of a scene. */
 static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 {
-    const numbers n = numbers_of(s);
-    terms with = {.kernel = kernel, .detail = sph2d__wcsph_detail(&s->method), .eddies = n.eddies > 0};
+    const constants k = constants_of(s);
+    terms with = {.kernel = kernel, .detail = sph2d__wcsph_detail(&s->method), .eddies = k.eddies > 0};
 #ifndef SPH2D__BARE
-    with.laplacian = n.viscosity.laplacian > 0;
+    with.laplacian = k.viscosity.laplacian > 0;
 #endif
-    with.central = n.viscosity.central > 0 || with.eddies;
+    with.central = k.viscosity.central > 0 || with.eddies;
     return with;
 }
 
@@ -110,10 +110,10 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
 #define FOR_KERNEL(name, word)                                                                                         \
     static __attribute__((noinline)) void walls_##word(                                                                \
         const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums, terms with,        \
-        const numbers *n, const receiver *me, const sph2d__packed *walls)                                              \
+        const constants *k, const group_state *own, const sph2d__packed *walls)                                        \
     {                                                                                                                  \
         with.kernel = SPH2D_KERNEL_##name;                                                                             \
-        add_walls(s, by, g, sums, with, n, me, walls);                                                                 \
+        add_walls(s, by, g, sums, with, k, own, walls);                                                                \
     }                                                                                                                  \
     static void force_##word(sph2d__system *s, size_t first, size_t last)                                              \
     {                                                                                                                  \

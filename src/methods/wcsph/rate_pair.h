@@ -32,9 +32,9 @@ typedef enum diffusion {
 } diffusion;
 
 /** The particles of a group that meet a candidate. `density` is the one that diffuses. */
-typedef struct receiver {
+typedef struct group_state {
     sph2d__lanes vx, vy, density, density_grad_x, density_grad_y;
-} receiver;
+} group_state;
 
 /** What is summed for the rate of density, and for the rate of strain. */
 typedef struct rate_sums {
@@ -47,29 +47,29 @@ typedef struct rate_sums {
 } rate_sums;
 
 /** v_ij . r_ij. */
-SPH2D__INLINE sph2d__lanes approach_of(const pair *p, const receiver *me, const sph2d__packed *from, size_t j)
+SPH2D__INLINE sph2d__lanes approach_of(const pair *p, const group_state *own, const sph2d__packed *from, size_t j)
 {
-    return (me->vx - from->vx[j]) * p->dx + (me->vy - from->vy[j]) * p->dy;
+    return (own->vx - from->vx[j]) * p->dx + (own->vy - from->vy[j]) * p->dy;
 }
 
 /** What stands for v_ij . r_ij by the diffusion of density: `strength` times V_j psi. */
-SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, const pair *p, const receiver *me,
+SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, const pair *p, const group_state *own,
                                         const sph2d__packed *f, size_t j)
 {
     if (form == FOURTAKAS)
-        return (me->density - f->excess[j]) * (strength * f->volume[j]);
+        return (own->density - f->excess[j]) * (strength * f->volume[j]);
     const sph2d__real half = 0.5;
     sph2d__lanes linear =
-        (me->density_grad_x + f->density_grad_x[j]) * p->dx + (me->density_grad_y + f->density_grad_y[j]) * p->dy;
-    return (me->density - f->density[j] - half * linear) * (strength * f->volume[j]);
+        (own->density_grad_x + f->density_grad_x[j]) * p->dx + (own->density_grad_y + f->density_grad_y[j]) * p->dy;
+    return (own->density - f->density[j] - half * linear) * (strength * f->volume[j]);
 }
 
 /** Adds velocity differences and crowding. */
-SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const receiver *me, const sph2d__packed *f, size_t j)
+SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const group_state *own, const sph2d__packed *f, size_t j)
 {
     sph2d__lanes vg = p->g * f->volume[j];
     sph2d__lanes gx = vg * p->dx, gy = vg * p->dy;
-    sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
+    sph2d__lanes dvx = own->vx - f->vx[j], dvy = own->vy - f->vy[j];
     sums->xx += gx * p->dx;
     sums->xy += gx * p->dy;
     sums->yy += gy * p->dy;
@@ -163,17 +163,17 @@ SPH2D__INLINE void finish_surface(sph2d__system *s, size_t i, const rate_sums *s
 }
 
 /** The receivers of a group. */
-SPH2D__INLINE receiver receiver_of(const sph2d__packed *f, size_t first, diffusion form)
+SPH2D__INLINE group_state group_state_of(const sph2d__packed *f, size_t first, diffusion form)
 {
-    receiver me = {.vx = sph2d__lanes_load(f->vx + first), .vy = sph2d__lanes_load(f->vy + first)};
+    group_state own = {.vx = sph2d__lanes_load(f->vx + first), .vy = sph2d__lanes_load(f->vy + first)};
     if (form == FOURTAKAS)
-        me.density = sph2d__lanes_load(f->excess + first);
+        own.density = sph2d__lanes_load(f->excess + first);
     if (form == ANTUONO) {
-        me.density = sph2d__lanes_load(f->density + first);
-        me.density_grad_x = sph2d__lanes_load(f->density_grad_x + first);
-        me.density_grad_y = sph2d__lanes_load(f->density_grad_y + first);
+        own.density = sph2d__lanes_load(f->density + first);
+        own.density_grad_x = sph2d__lanes_load(f->density_grad_x + first);
+        own.density_grad_y = sph2d__lanes_load(f->density_grad_y + first);
     }
-    return me;
+    return own;
 }
 
 /** The rate that the sums of a lane stand for. */

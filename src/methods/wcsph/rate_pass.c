@@ -5,7 +5,7 @@
 #include "methods/wcsph/rate_pair.h"
 
 SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
-                                  const sph2d__group *g, const receiver *me, const sph2d__packed *walls)
+                                  const sph2d__group *g, const group_state *own, const sph2d__packed *walls)
 {
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
     wall_sums sums = {0};
@@ -18,7 +18,7 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
         place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
-            sums.flux += approach_of(&p, me, walls, j) * p.g * walls->mass[j];
+            sums.flux += approach_of(&p, own, walls, j) * p.g * walls->mass[j];
             sums.filling += p.g * walls->mass[j];
             sums.returned += sph2d__kernel_value(kernel, p.q) * (walls->mass[j] * walls->wall_rate[j]);
         }
@@ -36,7 +36,7 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
     const sph2d__real strength = (sph2d__real)(s->method.density_diffusion * s->support * s->sound_speed / s->mass);
     sph2d__sieve sieve;
     SPH2D__FOR_GROUPS (&by, g, first, last) {
-        const receiver me = receiver_of(&liquid, g.first, form);
+        const group_state own = group_state_of(&liquid, g.first, form);
         rate_sums sums = {.nearest2 = sph2d__lanes_all(s->support * s->support)};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
@@ -46,19 +46,19 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
             place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
-                sph2d__lanes approach = approach_of(&p, &me, &liquid, j);
+                sph2d__lanes approach = approach_of(&p, &own, &liquid, j);
                 if (form != NO_DIFFUSION)
-                    approach += diffusion_of(form, strength, &p, &me, &liquid, j);
+                    approach += diffusion_of(form, strength, &p, &own, &liquid, j);
                 sums.flux += p.g * approach;
                 sums.filling += p.g;
                 if (detail >= SPH2D__DETAIL_SHIFT)
-                    add_strain(&sums, &p, &me, &liquid, j);
+                    add_strain(&sums, &p, &own, &liquid, j);
                 if (detail >= SPH2D__DETAIL_EIGENVALUE)
                     look_for_surface(&sums, &p, &liquid, j);
             }
         }
         const rate_sums done = sums; /* the sums themselves can then stay in registers */
-        const wall_sums beside = sum_walls(s, kernel, &by, &g, &me, &walls);
+        const wall_sums beside = sum_walls(s, kernel, &by, &g, &own, &walls);
         SPH2D__FOR_LANES (g, l) {
             const size_t i = g.first + (size_t)l;
             f->density_rate[i] = total_rate(s, i, &beside, &done, l);

@@ -111,7 +111,7 @@ SPH2D__INLINE walled walled_of(const sph2d__system *s, size_t first)
 
 /** Adds a candidate to the sums. */
 SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const sph2d__packed *f, size_t j,
-                                 sph2d_kernel kernel, wanted what, const pair *p, const walled *me)
+                                 sph2d_kernel kernel, wanted what, const pair *p, const walled *own)
 {
     sph2d__lanes weight = sph2d__kernel_value(kernel, p->q);
     const double filling = s->fluid.filling[j];
@@ -121,16 +121,17 @@ SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const 
     sums->vy += weight * f->vy[j];
     if (what == RATES) {
         sph2d__lanes gx = p->g * p->dx, gy = p->g * p->dy;
-        sph2d__lanes dvx = me->vx - f->vx[j], dvy = me->vy - f->vy[j];
+        sph2d__lanes dvx = own->vx - f->vx[j], dvy = own->vy - f->vy[j];
         sums->flux += dvx * gx + dvy * gy;
-        sums->along += (me->along_x * dvx + me->along_y * dvy) * (me->along_x * gx + me->along_y * gy);
+        sums->along += (own->along_x * dvx + own->along_y * dvy) * (own->along_x * gx + own->along_y * gy);
         return;
     }
     sph2d__lanes heavy = weight * ((sph2d__real)s->mass / f->volume[j] * (sph2d__real)sph2d__connection(filling));
     sums->pressure += weight * f->pressure[j];
     sums->weight_x += heavy * p->dx;
     sums->weight_y += heavy * p->dy;
-    sums->along += p->g * (f->pressure[j] * f->volume[j] * f->volume[j]) * (me->along_x * p->dx + me->along_y * p->dy);
+    sums->along +=
+        p->g * (f->pressure[j] * f->volume[j] * f->volume[j]) * (own->along_x * p->dx + own->along_y * p->dy);
 }
 
 #endif

@@ -13,14 +13,14 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
         wall_sums sums = {0};
         sph2d__sieve sieve;
         sph2d__ranges ranges = {0};
-        const walled me = walled_of(s, g.first);
+        const walled own = walled_of(s, g.first);
         sph2d__group_near(&by, &g, &ranges);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
             place at = place_of(&s->walls, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &f, j);
-                add_candidate(&sums, s, &f, j, kernel, what, &p, &me);
+                add_candidate(&sums, s, &f, j, kernel, what, &p, &own);
             }
         }
         const wall_sums done = sums; /* the sums themselves can then stay in registers */
