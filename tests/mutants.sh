@@ -11,7 +11,7 @@ files=("$@")
 [ $# -gt 0 ] || mapfile -t files < <(sed '/^#/d;/^$/d' "$root/tests/mutants/files")
 usual="kernels smoothing projection solvers wcsph wcsph_walls friction wcsph_surface muller muller_energy terms tension fitted fitted_walls
     cells periodic leapfrog layers walls invariance tunnelling conservation symmetry flows flows_channels
-    flows_free"
+    flows_free pose barrier"
 read -ra suites -d "" <<<"${SUITES:-$usual}" || true
 workers=${JOBS:-$(nproc)}
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/sph2d-mutants.XXXXXX")

@@ -48,6 +48,7 @@
     X(layers)                                                                                                          \
     X(sides)                                                                                                           \
     X(thin)                                                                                                            \
+    X(pose)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

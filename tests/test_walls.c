@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "methods/common/spring_wall.h"
+#include "boundary/spring_wall.h"
 
 static const double DX = 0.01, W = 1000; /* spacing; sound speed of test_scene(), 10 m/s, over spacing */
 

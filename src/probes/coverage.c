@@ -57,8 +57,8 @@ static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
         return true;
     for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
         const sph2d_obstacle *o = &sim->scene.obstacles[k];
-        sph2d_vec2 way = sph2d__sim_way_of(sim, o);
-        if (sph2d__outline_encloses(&o->outline, (sph2d_vec2){p.x - way.x, p.y - way.y}))
+        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
+        if (sph2d__outline_encloses(&o->outline, sph2d__pose_invert(&pose, p)))
             return true;
     }
     return false;

@@ -19,17 +19,6 @@ typedef struct flood {
     size_t queued;
 } flood;
 
-static bool is_crossed(const sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b)
-{
-    bool crossed = sph2d__barrier_crosses(&sim->barrier, a, b);
-    for (size_t k = 0; k < sim->moving_count && !crossed; ++k) {
-        sph2d_vec2 way = sim->moving[k].to;
-        crossed = sph2d__barrier_crosses(&sim->moving[k].barrier, (sph2d_vec2){a.x - way.x, a.y - way.y},
-                                         (sph2d_vec2){b.x - way.x, b.y - way.y});
-    }
-    return crossed;
-}
-
 /** Closes ways between the middles of cells that a wall crosses, and marks cells with liquid. */
 static void lay_out(flood *w)
 {
@@ -38,8 +27,8 @@ static void lay_out(flood *w)
     for (size_t j = 0; j < c->ny && c->sim->scene.obstacle_count > 0; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             sph2d_vec2 at = {c->origin.x + ((double)i + 0.5) * c->size_x, c->origin.y + ((double)j + 0.5) * c->size_y};
-            bool x = is_crossed(c->sim, at, (sph2d_vec2){at.x + c->size_x, at.y});
-            bool y = is_crossed(c->sim, at, (sph2d_vec2){at.x, at.y + c->size_y});
+            bool x = sph2d__sim_crosses_wall(c->sim, at, (sph2d_vec2){at.x + c->size_x, at.y});
+            bool y = sph2d__sim_crosses_wall(c->sim, at, (sph2d_vec2){at.x, at.y + c->size_y});
             w->closed[j * c->nx + i] = (unsigned char)((x ? TO_RIGHT : 0) | (y ? UPWARDS : 0));
         }
     for (size_t k = 0; k < f->count; ++k) {

@@ -135,15 +135,7 @@ static bool is_before_walls(const sph2d_sim *sim, double x, double y, const fill
         return true;
     sph2d_vec2 from = {x + nudge * sum->nearest.x, y + nudge * sum->nearest.y};
     sph2d_vec2 to = {x + sum->nearest.x, y + sum->nearest.y};
-    if (sph2d__barrier_crosses(&sim->barrier, from, to))
-        return false;
-    for (size_t k = 0; k < sim->moving_count; ++k) {
-        sph2d_vec2 off = sim->moving[k].to;
-        if (sph2d__barrier_crosses(&sim->moving[k].barrier, (sph2d_vec2){from.x - off.x, from.y - off.y},
-                                   (sph2d_vec2){to.x - off.x, to.y - off.y}))
-            return false;
-    }
-    return true;
+    return !sph2d__sim_crosses_wall(sim, from, to);
 }
 
 /** Whether a place is in liquid, and what fills it. */

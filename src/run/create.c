@@ -119,11 +119,12 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
-    sim->wall_ends = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof(uint64_t));
+    sim->obstacle_ids =
+        sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof *sim->obstacle_ids);
     sim->gauges = sph2d__arena_alloc(&sim->arena, &sim->memory, 2 * scene->probe_count + 1, sizeof(double));
     for (size_t i = 0; i < scene->probe_count; ++i)
         sim->gauges_lag |= scene->probes[i].kind == SPH2D_PROBE_PRESSURE && scene->probes[i].rise_time > 0;
-    bool ok = sim->gauges && sim->points && sim->moving && sim->wall_ends && sim->source_rows && sim->output_counts;
+    bool ok = sim->gauges && sim->points && sim->moving && sim->obstacle_ids && sim->source_rows && sim->output_counts;
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 

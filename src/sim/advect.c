@@ -39,21 +39,12 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     return true;
 }
 
-/** Holds a motion on its side of every obstacle that moves: swept where the obstacle is at rest. */
+/** Holds a motion on its side of every obstacle that moves. */
 static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     uint64_t hits = 0;
-    for (size_t k = 0; k < sim->moving_count; ++k) {
-        const sph2d__moving *m = &sim->moving[k];
-        sph2d_vec2 a = {from.x - m->from.x, from.y - m->from.y}, b = {to->x - m->to.x, to->y - m->to.y};
-        sph2d_vec2 relative = {v->x - m->velocity.x, v->y - m->velocity.y};
-        uint64_t met = (uint64_t)sph2d__barrier_sweep(&m->barrier, a, &b, &relative);
-        if (met == 0)
-            continue;
-        hits += met;
-        *to = (sph2d_vec2){b.x + m->to.x, b.y + m->to.y};
-        *v = (sph2d_vec2){relative.x + m->velocity.x, relative.y + m->velocity.y};
-    }
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        hits += (uint64_t)sph2d__moving_sweep(&sim->moving[k], from, to, v);
     return hits;
 }
 

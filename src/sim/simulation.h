@@ -4,19 +4,15 @@
 #ifndef SPH2D_SIM_SIMULATION_H
 #define SPH2D_SIM_SIMULATION_H
 
-#include "boundary/barrier.h"
+#include "boundary/moving.h"
 #include "methods/common/method.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
 
-/** An obstacle that moves: its boundary particles first_id to end_id - 1, and a backstop where the scene puts it. */
-typedef struct sph2d__moving {
-    const sph2d_motion *motion;
-    uint64_t first_id, end_id;
-    sph2d__barrier barrier;
-    sph2d_vec2 from, to; /**< displacements at the start and end of the drift that is being made [m] */
-    sph2d_vec2 velocity; /**< mean over that drift [m/s] */
-} sph2d__moving;
+/** Boundary particles of one obstacle: those with ids from `first` to `end` - 1. */
+typedef struct sph2d__ids {
+    uint64_t first, end;
+} sph2d__ids;
 
 struct sph2d_sim {
     sph2d_scene scene; /**< a deep copy, in `arena` */
@@ -29,7 +25,7 @@ struct sph2d_sim {
     sph2d__barrier barrier;
     sph2d__moving *moving; /**< room for every obstacle */
     size_t moving_count;
-    uint64_t *wall_ends;        /**< of each obstacle: one above the id of its last boundary particle */
+    sph2d__ids *obstacle_ids;   /**< of each obstacle: its boundary particles */
     sph2d__point_force *points; /**< room for every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has fed */
     uint64_t *output_counts;    /**< outputs taken: snapshots, frames, then each probe */
@@ -50,7 +46,7 @@ struct sph2d_sim {
 /** Puts the interactions and the pointer that act at `time` where the method looks for them, and moves obstacles to
  *  where they are then. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time);
-/** Tells moving obstacles over which time the next drift goes. */
+/** Sets over which time the next drift of moving obstacles goes [s]. */
 void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
 
 /** What a known flow needs to know of the scene. */
@@ -67,8 +63,10 @@ double sph2d__sim_energy_part(const sph2d_sim *sim);
 enum { SPH2D__WHERE_SIZE = 160 };
 const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 place, char text[SPH2D__WHERE_SIZE]);
 
-/** How far an obstacle of the scene has moved, at the end of the last step [m]. */
-sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
+/** The pose of an obstacle of the scene at the end of the last step. */
+sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
+/** Whether the straight way between two places crosses a wall where it is then. */
+bool sph2d__sim_crosses_wall(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to);
 
 /** Whether work and dissipation are looked at when so many steps are done. */
 bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps);

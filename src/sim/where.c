@@ -20,18 +20,27 @@ static void look_at(nearest *n, double distance, const char *list, size_t index)
     snprintf(n->name, sizeof n->name, "%s[%zu]", list, index);
 }
 
-sph2d_vec2 sph2d__sim_way_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
         if (sim->moving[k].motion == &obstacle->motion)
             return sim->moving[k].to;
-    return (sph2d_vec2){0, 0};
+    return (sph2d__pose){{0, 0}, {0, 0}, {0, 0}};
+}
+
+bool sph2d__sim_crosses_wall(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to)
+{
+    bool crossed = sph2d__barrier_crosses(&sim->barrier, from, to);
+    for (size_t k = 0; k < sim->moving_count && !crossed; ++k)
+        crossed = sph2d__moving_crosses(&sim->moving[k], from, to);
+    return crossed;
 }
 
 static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_vec2 p)
 {
     double least = INFINITY;
-    sph2d_vec2 way = sph2d__sim_way_of(sim, obstacle), q = {p.x - way.x, p.y - way.y};
+    sph2d__pose pose = sph2d__sim_pose_of(sim, obstacle);
+    sph2d_vec2 q = sph2d__pose_invert(&pose, p);
     size_t pieces = sph2d__outline_pieces(&obstacle->outline, sim->scene.spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(&obstacle->outline, sim->scene.spacing, k);

@@ -62,9 +62,6 @@ static inline void sph2d__packer_add_area(const sph2d__packer *p, double x, doub
 /** Spreads marks of cells, 1, over a number of cells around them. */
 void sph2d__packer_spread(const sph2d__packer *packer, unsigned char *marks, size_t reach);
 
-/** Whether the way between two places crosses a wall, where the walls are at the start. */
-bool sph2d__packer_crosses(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to);
-
 /** Turns the cover of each quarter of a cell into what is missing, where no boundary particle stands for it, and marks
  *  the cells near which something is. */
 void sph2d__packer_find_missing(sph2d__packer *packer);

@@ -135,7 +135,7 @@ static bool may_go(const sph2d__packer *p, sph2d_vec2 from, sph2d_vec2 to)
         return false;
     if (p->near_edge[sph2d__packer_cell(p, to)] && !sph2d__region_contains(p->region, to))
         return false;
-    return !sph2d__packer_crosses(p->sim, from, to);
+    return !sph2d__sim_crosses_wall(p->sim, from, to);
 }
 
 /** Moves all down their gradients. Inertia is lost where it leads up. */

@@ -18,16 +18,6 @@ static bool has_area(const sph2d__store *walls, size_t j)
     return walls->mass && walls->mass[j] > 0 && walls->bounce[j] < 0;
 }
 
-bool sph2d__packer_crosses(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to)
-{
-    bool crossed = !sph2d__barrier_far(&sim->barrier, from, to) && sph2d__barrier_crosses(&sim->barrier, from, to);
-    for (size_t k = 0; k < sim->moving_count && !crossed; ++k) {
-        const sph2d__barrier *b = &sim->moving[k].barrier;
-        crossed = !sph2d__barrier_far(b, from, to) && sph2d__barrier_crosses(b, from, to);
-    }
-    return crossed;
-}
-
 /** Whether a boundary particle is nearer to a place than a distance; `behind`: and on the same side of all surfaces, as
  *  it is not of a gap between the liquid and a wall. */
 static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance, bool behind)
@@ -41,7 +31,7 @@ static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance, boo
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         sph2d_vec2 image = {at.x + ranges.x[r], at.y + ranges.y[r]}, wall = {w->x[j], w->y[j]};
         if (has_area(w, j) && hypot(image.x - wall.x, image.y - wall.y) < distance * sim->scene.spacing &&
-            !(behind && sph2d__packer_crosses(sim, image, wall)))
+            !(behind && sph2d__sim_crosses_wall(sim, image, wall)))
             return true;
     }
     return false;

@@ -92,7 +92,8 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
 static size_t obstacle_of(const sph2d_sim *sim, uint64_t wall_id)
 {
     size_t i = 0;
-    while (i < sim->scene.obstacle_count && wall_id >= sim->wall_ends[i])
+    while (i < sim->scene.obstacle_count &&
+           (wall_id < sim->obstacle_ids[i].first || wall_id >= sim->obstacle_ids[i].end))
         ++i;
     return i;
 }

@@ -49,11 +49,6 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     return SPH2D_OK;
 }
 
-static bool is_moving(const sph2d_motion *m)
-{
-    return m->path.count > 0 || (m->frequency > 0 && (m->amplitude.x != 0 || m->amplitude.y != 0));
-}
-
 /** The boundary particles of an obstacle, and its pieces for a backstop. */
 static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                   sph2d_report *report)
@@ -84,16 +79,19 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
     const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
     sph2d__barrier *barrier = &sim->barrier;
     sph2d__moving *m = NULL;
-    if (is_moving(&obstacle->motion)) {
+    if (sph2d__motion_moves(&obstacle->motion)) {
         m = &sim->moving[sim->moving_count++];
-        m->motion = &obstacle->motion;
-        m->first_id = sim->system.walls.count;
         barrier = &m->barrier;
     }
+    sph2d__ids *ids = &sim->obstacle_ids[index];
+    ids->first = sim->system.walls.count;
     sph2d_status status = place_outline(sim, obstacle, barrier, report);
-    sim->wall_ends[index] = sim->system.walls.count;
-    if (m)
-        m->end_id = sim->system.walls.count;
+    ids->end = sim->system.walls.count;
+    if (m) {
+        m->motion = &obstacle->motion;
+        m->first_id = ids->first;
+        m->end_id = ids->end;
+    }
     return status;
 }
 

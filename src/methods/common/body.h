@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "methods/common/point_force.h"
-#include "methods/common/spring_wall.h"
+#include "boundary/spring_wall.h"
 
 typedef struct sph2d__body {
     double gravity_x, gravity_y; /**< [m/s^2] */

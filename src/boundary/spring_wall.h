@@ -6,8 +6,8 @@
  *  a_n = max(k d - 2 zeta sqrt(k) v_n, 0), d = range - distance > 0, range = half a spacing, so that a lattice that
  *  starts half a spacing from the wall starts at rest. With k = (c0/dx)^2 a liquid whose pressure compresses it by a
  *  fraction e goes e spacings in: p/(rho dx) = k d and p = c0^2 rho e. The clamp at 0 keeps damping from pulling. */
-#ifndef SPH2D_METHODS_COMMON_SPRING_WALL_H
-#define SPH2D_METHODS_COMMON_SPRING_WALL_H
+#ifndef SPH2D_BOUNDARY_SPRING_WALL_H
+#define SPH2D_BOUNDARY_SPRING_WALL_H
 
 /** The sides; an absent one lies at infinity. */
 typedef struct sph2d__spring_walls {
