@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file fields.c
  *  The field table: one row a field. */
-#include "sph2d/field.h"
+#include "run/fields.h"
 
 #include <string.h>
-
-#include "sim/simulation.h"
 
 /** Where a field's data is. */
 typedef enum source {
@@ -14,6 +12,9 @@ typedef enum source {
     SUPPORT     /**< one for all */
 } source;
 
+/** Which states have a field, bits. */
+enum { FLUID = 1, WALL = 2 };
+
 typedef struct row {
     const char *name, *description;
     signed char unit[3];
@@ -21,62 +22,122 @@ typedef struct row {
     unsigned components;
     source source;
     size_t offset[2];
+    unsigned in_state;
+    sph2d__set if_carried; /**< the array whose store has it; 0: every store */
 } row;
 
-#define IN_STORE(member) offsetof(sph2d__store, member)
+#define AT(member) offsetof(sph2d__store, member)
+#define F64_1(member)                                                                                                  \
+    SPH2D_F64, 1, FROM_STORE,                                                                                          \
+    {                                                                                                                  \
+        AT(member), 0                                                                                                  \
+    }
+#define F64_2(x, y)                                                                                                    \
+    SPH2D_F64, 2, FROM_STORE,                                                                                          \
+    {                                                                                                                  \
+        AT(x), AT(y)                                                                                                   \
+    }
+
+/* The public fields; walls lack the last. */
+enum { FIELDS = 8 };
 
 static const row rows[] = {
-    {"Coordinates", "position", {1, 0, 0}, SPH2D_F64, 2, FROM_STORE, {IN_STORE(x), IN_STORE(y)}},
-    {"Velocities", "velocity", {1, 0, -1}, SPH2D_F64, 2, FROM_STORE, {IN_STORE(vx), IN_STORE(vy)}},
-    {"Masses", "mass per metre of depth", {-1, 1, 0}, SPH2D_F64, 1, MASS, {0, 0}},
-    {"Densities", "mass density", {-3, 1, 0}, SPH2D_F64, 1, FROM_STORE, {IN_STORE(density), 0}},
-    {"Pressures", "pressure", {-1, 1, -2}, SPH2D_F64, 1, FROM_STORE, {IN_STORE(pressure), 0}},
+    {"Coordinates", "position", {1, 0, 0}, F64_2(x, y), FLUID | WALL, 0},
+    {"Velocities", "velocity", {1, 0, -1}, F64_2(vx, vy), FLUID, 0},
+    {"Masses", "mass per metre of depth", {-1, 1, 0}, SPH2D_F64, 1, MASS, {0, 0}, 0, 0},
+    {"Densities", "mass density", {-3, 1, 0}, F64_1(density), FLUID | WALL, 0},
+    {"Pressures", "pressure", {-1, 1, -2}, F64_1(pressure), FLUID | WALL, 0},
     {"SmoothingLengths",
      "support radius H of the kernels, which are zero beyond it",
      {1, 0, 0},
      SPH2D_F64,
      1,
      SUPPORT,
-     {0, 0}},
-    {"ParticleIDs", "a particle's number, for ever", {0, 0, 0}, SPH2D_U64, 1, FROM_STORE, {IN_STORE(id), 0}},
-    {"Accelerations", "acceleration", {1, 0, -2}, SPH2D_F64, 2, FROM_STORE, {IN_STORE(ax), IN_STORE(ay)}},
+     {0, 0},
+     0,
+     0},
+    {"ParticleIDs", "a particle's number, for ever", {0, 0, 0}, SPH2D_U64, 1, FROM_STORE, {AT(id), 0}, FLUID | WALL, 0},
+    {"Accelerations", "acceleration", {1, 0, -2}, F64_2(ax, ay), FLUID, 0},
+    /* What schemes remember. */
+    {"SurfaceDistances",
+     "distance to the free surface within the last step, up to H",
+     {1, 0, 0},
+     F64_1(surface_distance),
+     FLUID,
+     SPH2D__BIT(surface_distance)},
+    {"Fillings",
+     "by other liquid, of the room that walls leave, within the last step: 1 inside, 0 by itself",
+     {0, 0, 0},
+     F64_1(filling),
+     FLUID,
+     SPH2D__BIT(filling)},
+    {"StrainRates",
+     "half the difference of dvx/dx and dvy/dy, half the sum of dvx/dy and dvy/dx, within the last step",
+     {0, 0, -1},
+     F64_2(stretch, shear),
+     FLUID,
+     SPH2D__BIT(stretch)},
+    {"DensityRates",
+     "change of density in the last step",
+     {-3, 1, -1},
+     F64_1(density_rate),
+     FLUID,
+     SPH2D__BIT(density_rate)},
+    {"OldAccelerations", "acceleration one step before", {1, 0, -2}, F64_2(old_ax, old_ay), FLUID, SPH2D__BIT(old_ax)},
+    {"OldDensityRates",
+     "change of density one step before",
+     {-3, 1, -1},
+     F64_1(old_density_rate),
+     FLUID,
+     SPH2D__BIT(old_density_rate)},
 };
 
-enum { ROWS = sizeof rows / sizeof rows[0], WALL_ROWS = ROWS - 1 /* walls do not accelerate */ };
+enum { ROWS = sizeof rows / sizeof rows[0] };
+_Static_assert(ROWS + 4 <= SPH2D__FIELDS_OF_STATE, "room for all of the fluid, and four of walls");
 
 size_t sph2d_field_count(sph2d_group group)
 {
-    return group == SPH2D_GROUP_FLUID ? ROWS : group == SPH2D_GROUP_WALL ? WALL_ROWS : 0;
+    return group == SPH2D_GROUP_FLUID ? FIELDS : group == SPH2D_GROUP_WALL ? FIELDS - 1 : 0;
 }
 
-static const void *store_array(const sph2d__store *store, size_t offset)
+static sph2d_array describe(const row *r, sph2d_group group)
 {
-    const void *array;
+    sph2d_array array = {.group = group,
+                         .name = r->name,
+                         .description = r->description,
+                         .type = r->type,
+                         .components = r->components,
+                         .stride = 1};
+    memcpy(array.unit, r->unit, sizeof array.unit);
+    return array;
+}
+
+static void *store_array(const sph2d__store *store, size_t offset)
+{
+    void *array;
     memcpy(&array, (const char *)store + offset, sizeof array);
     return array;
 }
 
+static const sph2d__store *store_of(const sph2d_sim *sim, sph2d_group group)
+{
+    return group == SPH2D_GROUP_FLUID ? &sim->system.fluid : &sim->system.walls;
+}
+
 sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
 {
-    sph2d_array field = {.group = group};
     if (index >= sph2d_field_count(group))
-        return field;
+        return (sph2d_array){.group = group};
     const row *r = &rows[index];
-    field.name = r->name;
-    field.description = r->description;
-    memcpy(field.unit, r->unit, sizeof field.unit);
-    field.type = r->type;
-    field.components = r->components;
-    field.stride = 1;
+    sph2d_array field = describe(r, group);
     if (!sim)
         return field;
     const sph2d__system *s = &sim->system;
-    const sph2d__store *store = group == SPH2D_GROUP_FLUID ? &s->fluid : &s->walls;
-    field.count = store->count;
+    field.count = store_of(sim, group)->count;
     switch (r->source) {
     case FROM_STORE:
         for (unsigned c = 0; c < r->components; ++c)
-            field.data[c] = store_array(store, r->offset[c]);
+            field.data[c] = store_array(store_of(sim, group), r->offset[c]);
         break;
     case MASS:
         field.stride = group == SPH2D_GROUP_WALL;
@@ -88,4 +149,26 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
         break;
     }
     return field;
+}
+
+size_t sph2d__fields_of_state(sph2d_sim *sim, sph2d__lent out[SPH2D__FIELDS_OF_STATE])
+{
+    const struct {
+        sph2d_group group;
+        unsigned bit;
+    } groups[] = {{SPH2D_GROUP_FLUID, FLUID}, {SPH2D_GROUP_WALL, WALL}};
+    size_t n = 0;
+    for (size_t g = 0; g < 2; ++g) {
+        const sph2d__store *store = store_of(sim, groups[g].group);
+        for (const row *r = rows; r < rows + ROWS; ++r) {
+            if (!(r->in_state & groups[g].bit) || (store->carried & r->if_carried) != r->if_carried)
+                continue;
+            sph2d__lent *lent = &out[n++];
+            *lent = (sph2d__lent){.array = describe(r, groups[g].group)};
+            lent->array.count = store->count;
+            for (unsigned c = 0; c < r->components; ++c)
+                lent->array.data[c] = lent->data[c] = store_array(store, r->offset[c]);
+        }
+    }
+    return n;
 }

@@ -4,111 +4,38 @@
 #include <math.h>
 #include <string.h>
 
+#include "run/fields.h"
 #include "run/run.h"
 #include "simd/isa.h"
-#include "sph2d/field.h"
 
-/* Fields that a run needs to go on; the others follow from the scene. */
-static const char *const fluid_fields[] = {"Coordinates", "Velocities", "Accelerations",
-                                           "Densities",   "Pressures",  "ParticleIDs"};
-static const char *const wall_fields[] = {"Coordinates", "Densities", "Pressures", "ParticleIDs"};
-
-#define COUNT_OF(array) (sizeof(array) / sizeof((array)[0]))
 #define ONE_MORE(...) +1
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    PAST_ARRAYS = 6, /* of the fluid, beyond its fields */
-    STATE_ARRAYS = RECORD_ARRAYS + COUNT_OF(fluid_fields) + COUNT_OF(wall_fields) + PAST_ARRAYS + 3
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 3
 };
 
-static sph2d_array find_field(const sph2d_sim *sim, sph2d_group group, const char *name)
+static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
 {
-    for (size_t i = 0; i < sph2d_field_count(group); ++i) {
-        sph2d_array field = sph2d_field(sim, group, i);
-        if (strcmp(field.name, name) == 0)
-            return field;
-    }
-    return (sph2d_array){.group = group, .name = name};
-}
-
-static sph2d_array run_array(const char *name, const char *description, sph2d_type type, size_t count, const void *data)
-{
-    return (sph2d_array){.group = SPH2D_GROUP_RUN,
-                         .name = name,
-                         .description = description,
-                         .type = type,
-                         .components = 1,
-                         .count = count,
-                         .stride = 1,
+    return (sph2d__lent){.array = {.group = SPH2D_GROUP_RUN,
+                                   .name = name,
+                                   .description = description,
+                                   .type = type,
+                                   .components = 1,
+                                   .count = count,
+                                   .stride = 1,
+                                   .data = {data, NULL}},
                          .data = {data, NULL}};
 }
 
-/** What schemes remember of the fluid beyond its fields. Returns the number of arrays. */
-static size_t list_past(const sph2d__store *f, sph2d_array out[PAST_ARRAYS])
-{
-    const struct {
-        sph2d__set bit;
-        const char *name, *description;
-        signed char unit[3];
-        const double *data[2];
-    } known[PAST_ARRAYS] = {
-        {SPH2D__BIT(surface_distance),
-         "SurfaceDistances",
-         "distance to the free surface within the last step, up to H",
-         {1, 0, 0},
-         {f->surface_distance, NULL}},
-        {SPH2D__BIT(filling),
-         "Fillings",
-         "by other liquid, of the room that walls leave, within the last step: 1 inside, 0 by itself",
-         {0, 0, 0},
-         {f->filling, NULL}},
-        {SPH2D__BIT(stretch),
-         "StrainRates",
-         "half the difference of dvx/dx and dvy/dy, half the sum of dvx/dy and dvy/dx, within the last step",
-         {0, 0, -1},
-         {f->stretch, f->shear}},
-        {SPH2D__BIT(density_rate),
-         "DensityRates",
-         "change of density in the last step",
-         {-3, 1, -1},
-         {f->density_rate, NULL}},
-        {SPH2D__BIT(old_ax), "OldAccelerations", "acceleration one step before", {1, 0, -2}, {f->old_ax, f->old_ay}},
-        {SPH2D__BIT(old_density_rate),
-         "OldDensityRates",
-         "change of density one step before",
-         {-3, 1, -1},
-         {f->old_density_rate, NULL}}};
-    size_t n = 0;
-    for (size_t i = 0; i < PAST_ARRAYS; ++i) {
-        if (!(f->carried & known[i].bit))
-            continue;
-        out[n] = (sph2d_array){.group = SPH2D_GROUP_FLUID,
-                               .name = known[i].name,
-                               .description = known[i].description,
-                               .type = SPH2D_F64,
-                               .components = known[i].data[1] ? 2 : 1,
-                               .count = f->count,
-                               .stride = 1,
-                               .data = {known[i].data[0], known[i].data[1]}};
-        memcpy(out[n++].unit, known[i].unit, sizeof known[i].unit);
-    }
-    return n;
-}
-
 /** Writes all arrays of the state and returns their number. */
-static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
+static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 {
-    const sph2d__record *r = &sim->record;
-    size_t n = 0;
-    for (size_t i = 0; i < COUNT_OF(fluid_fields); ++i)
-        out[n++] = find_field(sim, SPH2D_GROUP_FLUID, fluid_fields[i]);
-    for (size_t i = 0; i < COUNT_OF(wall_fields); ++i)
-        out[n++] = find_field(sim, SPH2D_GROUP_WALL, wall_fields[i]);
-    n += list_past(&sim->system.fluid, out + n);
+    sph2d__record *r = &sim->record;
+    size_t n = sph2d__fields_of_state(sim, out);
 #define REAL(member, label, m, kg, s, text)                                                                            \
     out[n] = run_array(label, text, SPH2D_F64, 1, &r->member);                                                         \
-    memcpy(out[n++].unit, (signed char[3]){m, kg, s}, 3);
+    memcpy(out[n++].array.unit, (signed char[3]){m, kg, s}, 3);
     SPH2D__RECORD_REALS(REAL)
 #undef REAL
 #define COUNT(member, label, text) out[n++] = run_array(label, text, SPH2D_U64, 1, &r->member);
@@ -121,7 +48,7 @@ static size_t list_arrays(const sph2d_sim *sim, sph2d_array *out)
     if (sim->gauges_lag) {
         out[n] = run_array("GaugePressures", "of each probe: pressure on a gauge's face, and what it shows", SPH2D_F64,
                            2 * sim->scene.probe_count, sim->gauges);
-        memcpy(out[n++].unit, (signed char[3]){-1, 1, -2}, 3);
+        memcpy(out[n++].array.unit, (signed char[3]){-1, 1, -2}, 3);
     }
     return n;
 }
@@ -133,8 +60,12 @@ sph2d_state sph2d_sim_state(sph2d_sim *sim)
         sim->state_capacity = sim->state_arrays ? STATE_ARRAYS : 0;
     }
     sph2d_state state = {.version = SPH2D_STATE_VERSION, .arrays = sim->state_arrays};
-    if (sim->state_arrays)
-        state.array_count = list_arrays(sim, sim->state_arrays);
+    if (sim->state_arrays) {
+        sph2d__lent lent[STATE_ARRAYS];
+        state.array_count = list_arrays(sim, lent);
+        for (size_t i = 0; i < state.array_count; ++i)
+            sim->state_arrays[i] = lent[i].array;
+    }
     return state;
 }
 
@@ -175,13 +106,8 @@ static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_
     return NULL;
 }
 
-static void copy_values(loader *l, const sph2d_array *from, const void *to, unsigned component)
+static void copy_values(loader *l, const sph2d_array *from, void *to, unsigned component)
 {
-    /* `to` comes from the simulation's own list, whose arrays are const to everyone else. */
-    union {
-        const void *in;
-        void *out;
-    } target = {.in = to};
     const char *data = from->data[component];
     for (size_t i = 0; i < from->count; ++i) {
         const char *value = data + i * from->stride * 8;
@@ -193,14 +119,14 @@ static void copy_values(loader *l, const sph2d_array *from, const void *to, unsi
                 return;
             }
         }
-        memcpy((char *)target.out + 8 * i, value, 8);
+        memcpy((char *)to + 8 * i, value, 8);
     }
 }
 
 static bool walls_match(loader *l, const sph2d_sim *sim)
 {
     const sph2d__store *walls = &sim->system.walls;
-    sph2d_array wanted = find_field(sim, SPH2D_GROUP_WALL, "Coordinates");
+    const sph2d_array wanted = {.group = SPH2D_GROUP_WALL, .name = "Coordinates", .type = SPH2D_F64, .components = 2};
     const sph2d_array *a = find_array(l, &wanted, walls->count);
     if (!a)
         return false;
@@ -285,8 +211,8 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     if (count >= UINT32_MAX || !sph2d__store_reserve(fluid, &sim->memory, count > 0 ? count : 1))
         return SPH2D_NOMEM;
     fluid->count = count;
-    sph2d_array clock = run_array("Time", NULL, SPH2D_F64, 1, &sim->record.time);
-    const sph2d_array *time = find_array(&l, &clock, 1);
+    const sph2d__lent clock = run_array("Time", NULL, SPH2D_F64, 1, &sim->record.time);
+    const sph2d_array *time = find_array(&l, &clock.array, 1);
     if (!time)
         return SPH2D_FORMAT;
     copy_values(&l, time, &sim->record.time, 0);
@@ -296,10 +222,10 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
         return SPH2D_NOMEM;
     if (!walls_match(&l, sim))
         return SPH2D_FORMAT;
-    sph2d_array wanted[STATE_ARRAYS];
+    sph2d__lent wanted[STATE_ARRAYS];
     size_t n = list_arrays(sim, wanted);
     for (size_t i = 0; i < n; ++i) {
-        const sph2d_array *from = find_array(&l, &wanted[i], wanted[i].count);
+        const sph2d_array *from = find_array(&l, &wanted[i].array, wanted[i].array.count);
         for (unsigned c = 0; from && c < from->components; ++c)
             copy_values(&l, from, wanted[i].data[c], c);
     }
