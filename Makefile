@@ -21,7 +21,7 @@ PKG_CONFIG ?= pkg-config
 # also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
 
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
-PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev check=check $(if $(filter-out 0,$(RENDER)), \
+PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
     libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri)
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
@@ -88,10 +88,10 @@ WITH_RENDER := $(filter-out 0,$(RENDER))
 # Foreign headers are system headers: their warnings are not ours.
 pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
 pc_libs = $(if $(1),$(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null))
-FOUND := $(shell for p in hdf5 libfyaml libpng osmesa egl check; do \
+FOUND := $(shell for p in hdf5 libfyaml libxxhash libpng osmesa egl check; do \
     $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done)
 GL := $(if $(WITH_RENDER),$(filter osmesa egl,$(FOUND)))
-MISSING := $(filter-out $(FOUND),hdf5 libfyaml $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
+MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
 
 # ---- flags: the project's own, then whatever comes from outside ------------------------------------------------------
 # The command draws frames side by side by OpenMP. Without it they are drawn one by one: its pragmas vanish, and with
@@ -116,11 +116,11 @@ ISA_FLAGS_avx2 := -mavx2 -mfma
 ISA_FLAGS_avx512 := -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
 
 CORE_FLAGS := -Iinclude -Isrc $(if $(X86),-DSPH2D__ISA_X86)
-IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml)
+IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml libxxhash)
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
 CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
-TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 $(if $(WITH_RENDER),libpng)) \
+TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $(WITH_RENDER),libpng)) \
     $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
 
 CORE_LIBS := -lm

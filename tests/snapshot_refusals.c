@@ -10,6 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include "snapshot_fixture.h"
 
 static void drop_attribute(hid_t f, const char *group, const char *name)
@@ -259,6 +262,22 @@ START_TEST(a_single_bit_is_noticed)
 }
 END_TEST
 
+/* Eight letters, then XXH64 of all before them, which other programs can compute, lowest byte first. */
+START_TEST(the_seal_is_a_standard_checksum)
+{
+    write_snapshot("a.h5", 0);
+    ck_assert_uint_eq(XXH64("", 0, 0), UINT64_C(0xef46db3751d8e999)); /* as its specification says */
+    size_t size;
+    unsigned char *bytes = load_file("a.h5", &size);
+    uint64_t sum = 0;
+    for (size_t i = 0; i < 8; ++i)
+        sum |= (uint64_t)bytes[size - 8 + i] << 8 * i;
+    ck_assert_int_eq(memcmp(bytes + size - 16, "SPH2Dxxh", 8), 0);
+    ck_assert_uint_eq(sum, XXH64(bytes, size - 16, 0));
+    free(bytes);
+}
+END_TEST
+
 /** Reads b.h5 and makes a simulation of it if that is possible. Whether everything went as it should. */
 static bool survives(void)
 {
@@ -326,6 +345,7 @@ TCase *snapshot_refusals(void)
     tcase_add_test(refused, what_is_no_snapshot_is_refused);
     tcase_add_test(refused, cut_files_are_refused);
     tcase_add_test(refused, a_single_bit_is_noticed);
+    tcase_add_test(refused, the_seal_is_a_standard_checksum);
     tcase_add_loop_test(refused, damaged_files_do_no_harm, 0, DAMAGED_KINDS);
     return refused;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file seal.h
- *  A checksum behind the end of a file.
+ *  A checksum behind the end of a file: XXH64 (Collet) with seed 0, lowest byte first, of all bytes before the eight
+ *  letters in front of it, so that other programs can compare, too.
  *
  *  HDF5 ignores what comes behind its data, cuts it off when it changes a file, and is not made for damaged files. So
  *  the seal tells damage before HDF5 sees it, and a file that somebody changed on purpose has none and is taken as it
