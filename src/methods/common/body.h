@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-#include "methods/common/point_force.h"
 #include "boundary/spring_wall.h"
+#include "methods/common/point_force.h"
 
 typedef struct sph2d__body {
     double gravity_x, gravity_y; /**< [m/s^2] */

@@ -67,8 +67,8 @@ static inline double sph2d__sound_speed2_at(const sph2d__system *s, double densi
 
 static inline void sph2d__state_equation_some(void *system, size_t first, size_t last)
 {
-    const sph2d__system *s = system;
-    const sph2d__store *f = &s->fluid;
+    sph2d__system *s = system;
+    sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i)
         f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
 }

@@ -59,7 +59,7 @@ static void age_rates(sph2d__store *f)
 /** Ways, velocities and densities of a batch. */
 static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__store *f = &sim->system.fluid;
+    sph2d__store *f = &sim->system.fluid;
     const double now = dt * sim->weights[0], old = dt * sim->weights[1], older = dt * sim->weights[2];
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         double gain_x = now * f->ax[i] + old * f->old_ax[i] + older * f->older_ax[i];

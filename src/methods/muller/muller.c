@@ -101,8 +101,8 @@ static double pressure_of(const sph2d__system *s, double density)
 /** Pressures and volumes of particles. */
 static void set_pressures(void *system, size_t first, size_t last)
 {
-    const sph2d__system *s = system;
-    const sph2d__store *fluid = &s->fluid;
+    sph2d__system *s = system;
+    sph2d__store *fluid = &s->fluid;
     for (size_t i = first; i < last; ++i) {
         fluid->pressure[i] = pressure_of(s, fluid->density[i]);
         fluid->pair_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];

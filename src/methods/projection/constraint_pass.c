@@ -67,7 +67,7 @@ static void put_left(const left *from, sph2d__slab_sum *sum)
 
 static void apply(const sph2d__slab *slab, double soft, sph2d__slab_sum *sum)
 {
-    const sph2d__store *t = slab->rows;
+    sph2d__store *t = slab->rows;
     const sph2d__lanes none = {0};
     strands curve = {0}, across = {0}, length = {0};
     FOR_ROWS (slab, i, part) {
@@ -86,7 +86,7 @@ static void apply(const sph2d__slab *slab, double soft, sph2d__slab_sum *sum)
 
 static void begin(const sph2d__slab *slab, sph2d__slab_sum *sum)
 {
-    const sph2d__store *t = slab->rows;
+    sph2d__store *t = slab->rows;
     const sph2d__lanes none = {0};
     left over = {0};
     FOR_ROWS (slab, i, part) {
@@ -102,7 +102,7 @@ static void begin(const sph2d__slab *slab, sph2d__slab_sum *sum)
 
 static void advance(const sph2d__slab *slab, double length, double keep, sph2d__slab_sum *sum)
 {
-    const sph2d__store *t = slab->rows;
+    sph2d__store *t = slab->rows;
     const sph2d__lanes none = {0};
     left over = {0};
     FOR_ROWS (slab, i, part) {
@@ -120,7 +120,7 @@ static void advance(const sph2d__slab *slab, double length, double keep, sph2d__
 
 static void clamp(const sph2d__slab *slab, sph2d__slab_sum *sum)
 {
-    const sph2d__store *t = slab->rows;
+    sph2d__store *t = slab->rows;
     const sph2d__lanes none = {0};
     strands cut = {0};
     FOR_ROWS (slab, i, part) {

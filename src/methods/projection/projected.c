@@ -61,7 +61,7 @@ static void drift(sph2d_sim *sim, double dt, sph2d__batch *w)
 /** Kick and drift; the acceleration is that without pressure again, which old_ax and old_ay are. */
 static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__store *f = &sim->system.fluid;
+    sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         double kept_x = sim->split * (f->ax[i] - f->old_ax[i]), kept_y = sim->split * (f->ay[i] - f->old_ay[i]);
         w->vx[k] = f->vx[i] + dt * (f->ax[i] - kept_x);

@@ -52,7 +52,7 @@ SPH2D__INLINE sph2d__float2 gather_pair(slice *sum, const weights *w, sph2d_kern
 }
 
 /** Acceleration without pressure of the particle in lane l of a slice. */
-SPH2D__INLINE void finish_acceleration(const sph2d__system *s, size_t i, const slice *sum, int l)
+SPH2D__INLINE void finish_acceleration(sph2d__system *s, size_t i, const slice *sum, int l)
 {
     double drag = 2 * (s->viscosity / s->rest_density), ax = drag * sum->drag.x[l], ay = drag * sum->drag.y[l];
     sph2d__body_add(&s->body, sum->x[l], sum->y[l], sum->vx[l], sum->vy[l], &ax, &ay);
@@ -61,7 +61,7 @@ SPH2D__INLINE void finish_acceleration(const sph2d__system *s, size_t i, const s
 }
 
 /** Density and diagonal of D D' of the fluid particles `first` on of a slice. */
-SPH2D__INLINE void finish_fluid(const sph2d__system *s, size_t first, const slice *sum, sph2d_kernel kernel)
+SPH2D__INLINE void finish_fluid(sph2d__system *s, size_t first, const slice *sum, sph2d_kernel kernel)
 {
     double h2 = s->support * s->support, own = s->calibration * s->mass / s->rest_density;
     sph2d__lanes all = sum->value + own * sph2d__kernel_value_at(kernel, 0);
@@ -70,10 +70,9 @@ SPH2D__INLINE void finish_fluid(const sph2d__system *s, size_t first, const slic
 }
 
 /** What liquid adds at boundary particle b, g_b, as a density, and the diagonal: `near` of its neighbours are liquid. */
-SPH2D__INLINE void finish_wall(const sph2d__system *s, size_t b, const slice *sum, int l, sph2d_kernel kernel,
-                               bool near)
+SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const slice *sum, int l, sph2d_kernel kernel, bool near)
 {
-    const sph2d__store *w = &s->walls;
+    sph2d__store *w = &s->walls;
     double h2 = s->support * s->support;
     double added = sph2d__kernel_constant(kernel) / h2 * s->mass / w->mass[b] * sum->value[l];
     w->density[b] = s->rest_density * (1 + (near ? added - w->filled[b] : 0));

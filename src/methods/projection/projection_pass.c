@@ -47,7 +47,7 @@ static void apply_transpose(sph2d__system *s, size_t first, size_t last)
 
 static void remaining_motion(sph2d__system *s, double keep, double fall, size_t first, size_t last)
 {
-    const sph2d__store *f = &s->fluid;
+    sph2d__store *f = &s->fluid;
     FOR_SLICES (first, last, i) {
         sph2d__lanes x = keep * sph2d__lanes_load(f->vx + i) + fall * sph2d__lanes_load(f->ax + i);
         sph2d__lanes up = keep * sph2d__lanes_load(f->vy + i) + fall * sph2d__lanes_load(f->ay + i);
@@ -57,7 +57,7 @@ static void remaining_motion(sph2d__system *s, double keep, double fall, size_t 
 
 static void move(sph2d__system *s, size_t first, size_t last)
 {
-    const sph2d__store *f = &s->fluid;
+    sph2d__store *f = &s->fluid;
     double dt = s->step;
     FOR_SLICES (first, last, i) {
         sph2d__float2 push = transpose_slice(s, i);

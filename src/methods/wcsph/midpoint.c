@@ -31,7 +31,7 @@ static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
  *  nor does it remember that it was. */
 static void compress(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__store *f = &sim->system.fluid;
+    sph2d__store *f = &sim->system.fluid;
     const bool shifted = sim->system.method.shifting > 0;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         f->density[i] =
