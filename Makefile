@@ -391,6 +391,14 @@ report-docs: ## puts the table of the last report into docs/validation.md
 	$(hush)sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' \
 	    -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' docs/validation.md
 
+scene-docs: $(BUILD)/sph2d ## puts the keys of scenes into docs/scenes.md and cli/sph2d-scene.5
+	$(hush)$(BUILD)/sph2d help scene.md >$(BUILD)/scene.md
+	$(hush)sed -i -e '/^<!-- keys -->/,/^<!-- end of keys -->/{//!d}' \
+	    -e '/^<!-- keys -->/r $(BUILD)/scene.md' docs/scenes.md
+	$(hush)$(BUILD)/sph2d help scene.5 >$(BUILD)/scene.5
+	$(hush)sed -i -e '/^\.\\" keys/,/^\.\\" end of keys/{//!d}' \
+	    -e '/^\.\\" keys/r $(BUILD)/scene.5' cli/sph2d-scene.5
+
 # ---- checks ----------------------------------------------------------------------------------------------------------
 HEADERS := $(filter-out $(if $(WITH_RENDER),,%/render.h),$(sort $(wildcard include/sph2d/*.h)))
 HEADER_LANGUAGES := 'c -std=c11' 'c -std=c17' $(if $(shell command -v $(firstword $(CXX))),'c++ -std=c++17')
@@ -469,21 +477,24 @@ format: ## rewrite the C files with clang-format
 pc_dir = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
 pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
     s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|; s|@gl@|$(GL)|'
-MAN_PAGES := $(sort $(wildcard cli/*.1))
+MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
+man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
-	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(mandir)/man1'
+	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' \
+	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))')
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
 	$(INSTALL) -m 644 $(LIBRARIES:%=$(BUILD)/%.a) '$D$(libdir)'
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
 	cp -P $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so.$(SOMAJOR) $(BUILD)/$(l).so) '$D$(libdir)'
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
 	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in >'$D$(pkgconfigdir)/$(l).pc' &&) true
-	$(if $(MAN_PAGES),$(INSTALL) -m 644 $(MAN_PAGES) '$D$(mandir)/man1')
+	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 
 uninstall: ## the reverse of install, with the same settings
-	rm -f '$D$(bindir)/sph2d' $(MAN_PAGES:cli/%='$D$(mandir)/man1/%') $(foreach l,$(LIBRARIES),'$D$(libdir)/$(l).a' \
-	    '$D$(libdir)/$(l).so' '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
+	rm -f '$D$(bindir)/sph2d' $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))/$(notdir $(p))') \
+	    $(foreach l,$(LIBRARIES),'$D$(libdir)/$(l).a' '$D$(libdir)/$(l).so' \
+	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
 	rm -rf '$D$(includedir)/sph2d'
 
@@ -502,5 +513,6 @@ help: ## this list
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
     bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-docs \
-    check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
+    scene-docs check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean \
+    help FORCE
 endif

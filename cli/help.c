@@ -15,6 +15,7 @@
 #include "keys.h"
 #include "message.h"
 #include "options.h"
+#include "pages.h"
 #include "painter.h"
 #include "templates.h"
 #include "text.h"
@@ -189,18 +190,6 @@ static void print_materials(void)
     }
 }
 
-static void print_wall_forms(uint32_t forms)
-{
-    static const char *const words[] = {"default", "spring", "heavy", "reflect", "generalised"};
-    const char *between = "";
-    for (unsigned k = 1; k < sizeof words / sizeof *words; ++k)
-        if (forms >> k & 1) {
-            printf("%s%s", between, words[k]);
-            between = ", ";
-        }
-    printf("\n");
-}
-
 static void print_methods(void)
 {
     const sph2d_method_info *method;
@@ -210,9 +199,9 @@ static void print_methods(void)
         printf("  scheme    %s\n", method->scheme);
         printf("  source    %s\n", method->source);
         printf("  defaults  support_ratio %g, max_compression %g\n", method->support_ratio, method->max_compression);
-        printf("  walls     ");
-        print_wall_forms(method->wall_forms);
-        printf("\n");
+        char forms[80] = "";
+        keys_append_wall_forms(method->wall_forms, forms, sizeof forms);
+        printf("  walls     %s\n\n", forms);
     }
     printf("Not every method has:\n");
 #define FEATURE_ROW(name, key) SPH2D_FEATURE_##name,
@@ -232,7 +221,10 @@ static const struct {
               {"codes", print_codes},
               {"scene", keys_print_all},
               {"materials", print_materials},
-              {"methods", print_methods}};
+              {"methods", print_methods},
+              /* what `make scene-docs` puts into docs/scenes.md and sph2d-scene.5 */
+              {"scene.md", pages_print_markdown},
+              {"scene.5", pages_print_manual}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
 static void unknown_topic(const char *topic)

@@ -25,18 +25,20 @@ static bool is_number(sph2d_key_kind kind)
            kind == SPH2D_KEY_NUMBERS;
 }
 
-static void append_range(char *out, size_t size, const sph2d_key *key)
+void keys_append_range(const sph2d_key *key, char *out, size_t size)
 {
+    if (!is_number(key->kind))
+        return;
     const char *from = key->min_excluded ? "above" : "at least";
     bool below = isfinite(key->min), above = isfinite(key->max);
     if (below && above && !key->min_excluded)
-        append(out, size, "; %g to %g", key->min, key->max);
+        append(out, size, "%g to %g", key->min, key->max);
     else if (below && above)
-        append(out, size, "; above %g, at most %g", key->min, key->max);
+        append(out, size, "above %g, at most %g", key->min, key->max);
     else if (below)
-        append(out, size, "; %s %g", from, key->min);
+        append(out, size, "%s %g", from, key->min);
     else if (above)
-        append(out, size, "; at most %g", key->max);
+        append(out, size, "at most %g", key->max);
 }
 
 /* Whether all rows of a method have a feature. */
@@ -71,6 +73,17 @@ void keys_append_methods(sph2d_feature feature, char *out, size_t size)
     }
 }
 
+void keys_append_wall_forms(uint32_t forms, char *out, size_t size)
+{
+    static const char *const words[] = {"default", "spring", "heavy", "reflect", "generalised"};
+    const char *between = "";
+    for (unsigned k = 1; k < sizeof words / sizeof *words; ++k)
+        if (forms >> k & 1) {
+            append(out, size, "%s%s", between, words[k]);
+            between = ", ";
+        }
+}
+
 char *keys_describe(const sph2d_key *key, char *out, size_t size)
 {
     out[0] = '\0';
@@ -81,8 +94,10 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size)
     append(out, size, "%s", key->text);
     if (key->unit[0] != '\0')
         append(out, size, " [%s]", key->unit);
-    if (is_number(key->kind))
-        append_range(out, size, key);
+    char range[64] = "";
+    keys_append_range(key, range, sizeof range);
+    if (range[0] != '\0')
+        append(out, size, "; %s", range);
     for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
         append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
     if (key->required)

@@ -5,6 +5,7 @@
 #define SPH2D_CLI_KEYS_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include <sph2d/key.h>
 #include <sph2d/method.h>
@@ -14,6 +15,12 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size);
 
 /** Appends the methods that have a feature, "wcsph, muller". */
 void keys_append_methods(sph2d_feature feature, char *out, size_t size);
+
+/** Appends the range of a number, "0 to 1" or "above 0"; nothing for other kinds. */
+void keys_append_range(const sph2d_key *key, char *out, size_t size);
+
+/** Appends the forms of wall that a method has, "heavy, reflect", from their bits. */
+void keys_append_wall_forms(uint32_t forms, char *out, size_t size);
 
 /** Prints every key of a scene, indented as in a file, to stdout. */
 void keys_print_all(void);

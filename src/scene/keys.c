@@ -439,7 +439,7 @@ static const sph2d_key scene_items[] = {
      .text = "a CSV file of particles: x, y, and perhaps vx, vy, density"},
     LIST("sources", sources, source, "nozzles that feed liquid in"),
     LIST("drains", drains, drain, "areas where liquid vanishes"),
-    LIST("obstacles", obstacles, obstacle, "fixed walls of boundary particles"),
+    LIST("obstacles", obstacles, obstacle, "walls of boundary particles, at rest or moving"),
     LIST("interactions", interactions, interaction, "pull or push at a moving point"),
     LIST("probes", probes, probe, "time series"),
     {"run", SPH2D_KEY_GROUP, false, AT(sph2d_scene, run), .keys = &run_keys, .unit = "",

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The man page and the completions know every option, exit code and message code that the command itself tells.
+# The manual pages and the completions know every option, exit code, message code and key that the command itself does,
+# and the scenes of the pages run.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 page=$SPH2D_ROOT/cli/sph2d.1
@@ -30,8 +31,39 @@ while read -r template; do
         grep -q "\<$template\>" "$file" || fail "$file has no template $template"
     done
 done <templates
+
+# What is generated is what `make scene-docs` would write, and the rest of the pages has the known flows.
+scenes=$SPH2D_ROOT/docs/scenes.md
+scene_page=$SPH2D_ROOT/cli/sph2d-scene.5
+sed '1,/^<!-- keys -->$/d; /^<!-- end of keys -->$/,$d' "$scenes" >scenes.md
+"$SPH2D" help scene.md | diff scenes.md - >&2 || fail "docs/scenes.md: the keys have changed; make scene-docs"
+sed '1,/^\.\\" keys$/d; /^\.\\" end of keys$/,$d' "$scene_page" >scene.5
+"$SPH2D" help scene.5 | diff scene.5 - >&2 || fail "sph2d-scene.5: the keys have changed; make scene-docs"
+"$SPH2D" help scene | sed -n 's/.*which known flow; one of none, \(.*\); must be given$/\1/p' | tr -d , | tr ' ' '\n' >flows
+[ "$(wc -l <flows)" -gt 5 ] || fail 'no flows'
+while read -r flow; do
+    grep -q "^| \`$flow\` |" "$scenes" || fail "docs/scenes.md has no flow $flow"
+    grep -q "^\.It Cm $flow$" "$scene_page" || fail "sph2d-scene.5 has no flow $flow"
+done <flows
+
+# The first scene of each page is whole, six lines or less; what follows is added to it.
+scenes_of() { # FILE BEGIN END: its examples as 1.yaml, 2.yaml
+    rm -f ./*.yaml
+    awk -v from="$2" -v to="$3" '$0 ~ to { inside = 0 } inside { print >(n ".yaml") } $0 ~ from { ++n; inside = 1 }' "$1"
+    [ -s 1.yaml ] && [ -s 2.yaml ] && [ "$(wc -l <1.yaml)" -le 6 ] || fail "$1 has no two scenes"
+    expect 0 "$SPH2D" check 1.yaml
+    expect 0 "$SPH2D" run 1.yaml -o run --force --no-frames --quiet -s run.until=0.02
+    cat 2.yaml >>1.yaml
+    expect 0 "$SPH2D" check 1.yaml --json -s 'blocks[0].box.min=[0.4, 0.1]' -s 'blocks[0].box.max=[1.2, 0.6]'
+}
+scenes_of "$scenes" '^```yaml$' '^```$'
+scenes_of "$scene_page" '^\.Bd -literal' '^\.Ed$'
+
+# "referenced manual not found" is said of pages that are not installed.
 if command -v mandoc >/dev/null; then
-    mandoc -Tlint "$page" >lint || fail "mandoc: $(cat lint)"
-    mandoc -Tascii "$page" >/dev/null
+    for file in "$SPH2D_ROOT"/cli/*.[135]; do
+        mandoc -Tlint "$file" | grep -v 'referenced manual not found' >lint && fail "mandoc: $(cat lint)"
+        mandoc -Tascii "$file" >/dev/null
+    done
 fi
 bash -n "$bash"
