@@ -434,6 +434,9 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	        (cd $(STAGING)/run && timeout 300 ./example >log) || { echo "install: $$e fails $$static"; exit 1; }; \
 	    done; \
 	done; \
+	for p in $(MAN_PAGES); do \
+	    test -s "$(STAGING)/usr/share/man/man$${p##*.}/$${p##*/}" || { echo "install: $$p is missing"; exit 1; }; \
+	done; \
 	$(STAGING)/usr/bin/sph2d --version >/dev/null || exit 1
 	$(hush)$(MAKE) uninstall $(STAGE) >/dev/null
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \

@@ -59,6 +59,23 @@ scenes_of() { # FILE BEGIN END: its examples as 1.yaml, 2.yaml
 scenes_of "$scenes" '^```yaml$' '^```$'
 scenes_of "$scene_page" '^\.Bd -literal' '^\.Ed$'
 
+# The library's page names every header, has a whole program, which is the example, and a piece that compiles.
+library=$SPH2D_ROOT/cli/libsph2d.3
+for header in "$SPH2D_ROOT"/include/sph2d/*.h; do
+    name=sph2d/$(basename "$header")
+    [ "$name" = sph2d/export.h ] || grep -q "^\.It In $name$" "$library" || fail "libsph2d.3 has no $name"
+done
+awk '/^\.Sh EXAMPLES/ { on = 1 } on && /^\.Ed/ { inside = 0 } inside { gsub(/\\e/, "\\"); print >(n ".c") }
+    on && /^\.Bd/ { ++n; inside = 1 }' "$library"
+sed -n '/^#include/,$p' "$SPH2D_ROOT/examples/embed.c" | diff - 1.c >&2 ||
+    fail 'the program of libsph2d.3 is not examples/embed.c'
+{
+    printf '#include <sph2d/io.h>\nsph2d_status made(sph2d_report report, sph2d_sim *sim)\n{\nsph2d_status status;\n'
+    cat 2.c
+    printf 'return status;\n}\n'
+} >piece.c
+! command -v cc >/dev/null || cc -I"$SPH2D_ROOT/include" -Wall -Werror -fsyntax-only piece.c
+
 # "referenced manual not found" is said of pages that are not installed.
 if command -v mandoc >/dev/null; then
     for file in "$SPH2D_ROOT"/cli/*.[135]; do
