@@ -1,33 +1,67 @@
 /* SPDX-License-Identifier: MIT */
 /** @file array.h
- *  A borrowed, typed array: how fields and states leave the library and come back. */
+ *  A borrowed, typed array: how fields of particles and states of runs leave the library and come back.
+ *
+ *      sph2d_array a = sph2d_field(sim, SPH2D_GROUP_FLUID, 0);
+ *      const double *x = a.data[0], *y = a.data[1];
+ *      for (size_t i = 0; i < a.count; ++i)
+ *          printf("%s %g %g\n", a.name, x[i * a.stride], y[i * a.stride]); */
 #ifndef SPH2D_ARRAY_H
 #define SPH2D_ARRAY_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum sph2d_type { SPH2D_F64 = 0, SPH2D_U64 = 1 } sph2d_type;
+/** What the numbers of an array are. */
+typedef enum sph2d_type {
+    /** double */
+    SPH2D_F64 = 0,
+
+    /** uint64_t */
+    SPH2D_U64 = 1
+} sph2d_type;
 
 /** What an array belongs to. */
 typedef enum sph2d_group {
-    SPH2D_GROUP_FLUID = 0, /**< one value a fluid particle */
-    SPH2D_GROUP_WALL = 1,  /**< one value a boundary particle */
-    SPH2D_GROUP_RUN = 2    /**< the run itself: clock, counters, sources */
+    /** One value a fluid particle. */
+    SPH2D_GROUP_FLUID = 0,
+
+    /** One value a boundary particle. */
+    SPH2D_GROUP_WALL = 1,
+
+    /** The run itself: clock, counters, sources. */
+    SPH2D_GROUP_RUN = 2
 } sph2d_group;
 
 /** `count` values of `components` numbers each, one pointer a component (struct of arrays). The strings have static
  *  storage; the data is borrowed from whoever handed the array out. */
 typedef struct sph2d_array {
+    /** What it belongs to. */
     sph2d_group group;
-    const char *name;        /**< "Coordinates"; unique inside its group */
-    const char *description; /**< one sentence */
-    signed char unit[3];     /**< exponents of metre, kilogram and second */
+
+    /** Name, "Coordinates"; unique inside its group. */
+    const char *name;
+
+    /** What it is, in one sentence. */
+    const char *description;
+
+    /** Unit, as exponents of metre, kilogram and second: {1, 0, -1} is m/s. */
+    signed char unit[3];
+
+    /** Type of its numbers. */
     sph2d_type type;
-    unsigned components; /**< 1 or 2 */
-    size_t count;        /**< values; 1 for a scalar of the run */
-    size_t stride;       /**< 1, or 0 when all values are the one that data points at */
-    const void *data[2]; /**< double or uint64_t by `type`; data[1] is NULL for one component */
+
+    /** Numbers of a value: 1, or 2 for points. */
+    unsigned components;
+
+    /** Number of values; 1 for a scalar of the run. */
+    size_t count;
+
+    /** Distance of a value from the next one in `data`: 1, or 0 where all values are the same one. */
+    size_t stride;
+
+    /** A pointer a component, to double or uint64_t as `type` says; data[1] is NULL for one component. */
+    const void *data[2];
 } sph2d_array;
 
 #endif

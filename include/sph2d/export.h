@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file export.h
- *  Marks what the shared libraries export. Everything else is hidden. */
+ *  Marks what the shared libraries export; everything else is hidden. Programs need nothing of it: the other headers
+ *  include it. */
 #ifndef SPH2D_EXPORT_H
 #define SPH2D_EXPORT_H
 

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file field.h
- *  The field table: what each particle carries, with name, type, unit and meaning. Snapshots, `info`, colouring and the
- *  documentation all read it, so a new field is one new row. */
+ *  The field table: what each particle carries, with name, type, unit and meaning. Snapshots, `sph2d info` and colours
+ *  of pictures read it, so that a new field is one new row.
+ *
+ *      for (size_t k = 0; k < sph2d_field_count(SPH2D_GROUP_FLUID); ++k)
+ *          puts(sph2d_field(NULL, SPH2D_GROUP_FLUID, k).description); */
 #ifndef SPH2D_FIELD_H
 #define SPH2D_FIELD_H
 

@@ -26,17 +26,38 @@ extern "C" {
 
 /** Which flow. The values are part of the ABI. */
 typedef enum sph2d_flow_kind {
+    /** No flow. */
     SPH2D_FLOW_NONE = 0,
-    SPH2D_FLOW_STILL = 1,         /**< at rest under gravity, with a free surface across it */
-    SPH2D_FLOW_TAYLOR_GREEN = 2,  /**< vortices that viscosity slows, in a periodic square */
-    SPH2D_FLOW_GRESHO = 3,        /**< a steady vortex: turns rigidly inside, rests outside; inviscid */
-    SPH2D_FLOW_POISEUILLE = 4,    /**< gravity along x sets liquid between two resting walls in motion */
-    SPH2D_FLOW_COUETTE = 5,       /**< the upper of two walls sets liquid in motion */
-    SPH2D_FLOW_STANDING_WAVE = 6, /**< a small gravity wave that starts from a flat surface; inviscid */
-    SPH2D_FLOW_STRAIN = 7,   /**< a free disc that becomes an ellipse, and swings under a central force; inviscid */
-    SPH2D_FLOW_ROTATION = 8, /**< a free disc that turns rigidly; any viscosity */
-    SPH2D_FLOW_PATCH = 9,    /**< a free square, starting with the same velocity; inviscid, time 0 alone */
-    SPH2D_FLOW_DROP = 10     /**< a disc under surface tension, at rest or swinging a little; inviscid */
+
+    /** At rest under gravity, with a free surface across it. */
+    SPH2D_FLOW_STILL = 1,
+
+    /** Vortices that viscosity slows, in a periodic square. */
+    SPH2D_FLOW_TAYLOR_GREEN = 2,
+
+    /** A steady vortex: turns rigidly inside, rests outside; inviscid. */
+    SPH2D_FLOW_GRESHO = 3,
+
+    /** Gravity along x sets liquid between two resting walls in motion. */
+    SPH2D_FLOW_POISEUILLE = 4,
+
+    /** The upper of two walls sets liquid in motion. */
+    SPH2D_FLOW_COUETTE = 5,
+
+    /** A small gravity wave that starts from a flat surface; inviscid. */
+    SPH2D_FLOW_STANDING_WAVE = 6,
+
+    /** A free disc that becomes an ellipse, and swings under a central force; inviscid. */
+    SPH2D_FLOW_STRAIN = 7,
+
+    /** A free disc that turns rigidly; any viscosity. */
+    SPH2D_FLOW_ROTATION = 8,
+
+    /** A free square, starting with the same velocity; inviscid, time 0 alone. */
+    SPH2D_FLOW_PATCH = 9,
+
+    /** A disc under surface tension, at rest or swinging a little; inviscid. */
+    SPH2D_FLOW_DROP = 10
 } sph2d_flow_kind;
 
 /** A flow. What its numbers mean, and the forces under which it is a solution; "-" is not read:
@@ -68,20 +89,38 @@ typedef enum sph2d_flow_kind {
  *  The forces are the caller's business: a flow is evaluated whether or not they are those of this table. A central
  *  force must have the same centre as the flow. */
 typedef struct sph2d_flow {
-    sph2d_flow_kind kind; /**< default none */
-    double speed;         /**< U [m/s], any sign; default 0 */
-    double length;        /**< L [m], > 0; default 0: must be given where it is read */
-    double depth;     /**< standing_wave: of the liquid at rest [m], > 0, may be INFINITY; default 0: must be given */
-    double center[2]; /**< [m]; default (0, 0) */
+    /** Which flow; default none. */
+    sph2d_flow_kind kind;
+
+    /** Speed U [m/s], any sign; default 0. */
+    double speed;
+
+    /** Length L [m], > 0; default 0: must be given where it is read. */
+    double length;
+
+    /** standing_wave: depth of the liquid at rest [m], > 0, may be INFINITY; default 0: must be given. */
+    double depth;
+
+    /** Centre [m]; default (0, 0). */
+    double center[2];
 } sph2d_flow;
 
 /** What a flow needs to know of the scene. */
 typedef struct sph2d_flow_context {
-    double density;           /**< rest density rho0 [kg/m^3], > 0 */
-    double dynamic_viscosity; /**< rho0 nu [Pa s], >= 0; poiseuille and couette: > 0 */
-    double surface_tension;   /**< sigma [N/m], >= 0: drop */
-    double gravity[2];        /**< [m/s^2]: still and standing_wave, the latter (0, -g) with g > 0 */
-    double central_rate;      /**< B [1/s], >= 0: strain; the acceleration is -B^2 (x - center) */
+    /** Rest density rho0 [kg/m^3], > 0. */
+    double density;
+
+    /** Dynamic viscosity rho0 nu [Pa s], >= 0; poiseuille and couette: > 0. */
+    double dynamic_viscosity;
+
+    /** drop: surface tension [N/m], >= 0. */
+    double surface_tension;
+
+    /** still and standing_wave: gravity [m/s^2], for the latter (0, -g) with g > 0. */
+    double gravity[2];
+
+    /** strain: rate B of the central force [1/s], >= 0; its acceleration is -B^2 (x - center). */
+    double central_rate;
 } sph2d_flow_context;
 
 /** A flow with every default of this page. */

@@ -2,6 +2,13 @@
 /** @file io.h
  *  Files: scene files (YAML, so JSON too), snapshots (HDF5), time series and tables (CSV). Library libsph2d-io.
  *
+ *      sph2d_scene_file *file = NULL;
+ *      if (sph2d_scene_file_read("scene.yaml", NULL, 0, &file, &report) == SPH2D_OK)
+ *          status = sph2d_sim_create(sph2d_scene_file_scene(file), NULL, &sim, &report);
+ *      ...
+ *      status = sph2d_snapshot_write(sim, file, 0, "now.h5", &report);
+ *      sph2d_scene_file_destroy(file);
+ *
  *  Nothing under its final name is ever partial: a file is written beside, synced and renamed. HDF5 is not safe for
  *  several threads, so one thread at a time may be in this library. */
 #ifndef SPH2D_IO_H
@@ -39,6 +46,7 @@ SPH2D_API void sph2d_scene_file_destroy(sph2d_scene_file *file);
 
 /** The scene, valid as long as the file. */
 SPH2D_API const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file);
+
 /** The text as it was read, NUL-terminated, and the overrides on top of it; valid as long as the file. */
 SPH2D_API const char *sph2d_scene_file_text(const sph2d_scene_file *file);
 SPH2D_API const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_file *file, size_t *count);
@@ -65,18 +73,41 @@ typedef struct sph2d_snapshot sph2d_snapshot;
 
 /** What a snapshot says about itself. */
 typedef struct sph2d_snapshot_info {
+    /** Name of the scene. */
     const char *scene_name;
-    const char *code_version; /**< of the program that wrote it */
+
+    /** Version of the program that wrote it. */
+    const char *code_version;
+
+    /** Method, "wcsph". */
     const char *method;
+
+    /** Instruction set, "avx2". */
     const char *isa;
-    const char *scene_text; /**< NULL when it was built from structs */
-    double time;            /**< [s] */
-    double time_step;       /**< [s] */
+
+    /** The scene file as it was; NULL for a scene that was built from structs. */
+    const char *scene_text;
+
+    /** Simulated time [s]. */
+    double time;
+
+    /** Length of the step that comes next [s]. */
+    double time_step;
+
+    /** Steps taken. */
     uint64_t steps;
-    sph2d_box domain;      /**< [m] */
-    double spacing;        /**< [m] */
-    double support_radius; /**< [m] */
-    sph2d_frames frames;   /**< how the run draws itself; `color` is valid as long as the snapshot */
+
+    /** Domain [m]. */
+    sph2d_box domain;
+
+    /** Distance of particles, dx [m]. */
+    double spacing;
+
+    /** Support radius H [m]. */
+    double support_radius;
+
+    /** How the run draws itself; `color` is valid as long as the snapshot. */
+    sph2d_frames frames;
 } sph2d_snapshot_info;
 
 /** Reads a snapshot. Errors: SPH2D_NOINPUT, SPH2D_FORMAT (not HDF5, incomplete, a field missing or misshapen, another
@@ -86,11 +117,15 @@ SPH2D_API sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **sn
 /** Frees a snapshot; NULL is fine. */
 SPH2D_API void sph2d_snapshot_destroy(sph2d_snapshot *snapshot);
 
+/** What it says about itself; strings are valid as long as the snapshot. */
 SPH2D_API sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot);
+
 /** Everything in it, for sph2d_sim_restore; lent, valid as long as the snapshot. */
 SPH2D_API sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot);
+
 /** One array by group and name, lent; NULL when there is none. */
 SPH2D_API const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name);
+
 /** The scene it was written with, read again with its overrides and `more` on top. Errors: as sph2d_scene_file_parse,
  *  and SPH2D_FORMAT when it holds no scene text. */
 SPH2D_API sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_override *more,
@@ -105,9 +140,11 @@ typedef struct sph2d_series sph2d_series;
  *  with that header; it is cut to so many rows, and goes on. Errors: SPH2D_CANTCREAT, SPH2D_FORMAT, SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t keep_rows,
                                          sph2d_series **series, sph2d_report *report);
+
 /** Adds a row and flushes it. Errors: SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_append(sph2d_series *series, double time, const double *values, size_t count,
                                            sph2d_report *report);
+
 /** Closes; NULL is fine. Errors: SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *report);
 
@@ -118,9 +155,14 @@ typedef struct sph2d_table sph2d_table;
 
 /** A column that is asked for. */
 typedef struct sph2d_table_column {
-    const char *name; /**< its heading, with or without a unit: "x" finds "x [m]" */
-    const char *unit; /**< the only one that may stand there; NULL: any */
-    bool optional;    /**< the file need not have it */
+    /** Its heading, with or without a unit: "x" finds "x [m]". */
+    const char *name;
+
+    /** The only unit that may stand there; NULL: any. */
+    const char *unit;
+
+    /** Whether the file need not have it. */
+    bool optional;
 } sph2d_table_column;
 
 /** Reads columns of a CSV file, whatever others it has. Lines that start with # and empty ones do not count, the first
@@ -129,13 +171,18 @@ typedef struct sph2d_table_column {
 SPH2D_API sph2d_status sph2d_table_read(const char *path, const sph2d_table_column *columns, size_t column_count,
                                         sph2d_table **table, sph2d_report *report);
 
+/** Number of rows. */
 SPH2D_API size_t sph2d_table_rows(const sph2d_table *table);
+
 /** Whether the file has the column that was asked for as number `column`. */
 SPH2D_API bool sph2d_table_has(const sph2d_table *table, size_t column);
+
 /** A number; NaN where there is none. `row` and `column` count from 0 and must be in range. */
 SPH2D_API double sph2d_table_value(const sph2d_table *table, size_t row, size_t column);
+
 /** Completes a diagnostic with the file and the line of a row. NULL is fine. */
 SPH2D_API void sph2d_table_locate(const sph2d_table *table, size_t row, sph2d_diagnostic *diagnostic);
+
 /** Frees a table; NULL is fine. */
 SPH2D_API void sph2d_table_destroy(sph2d_table *table);
 

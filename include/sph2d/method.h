@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file method.h
  *  The table of methods: what each is for, its defaults, which keys and walls it has. The resolver of defaults, the
- *  checker, `sph2d help methods` and the guards read it, so a new method is one new row (and its forces). */
+ *  checker, `sph2d help methods` and the guards read it, so that a new method is one new row, and its forces.
+ *
+ *      const sph2d_method_info *method;
+ *      for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k)
+ *          printf("%s: %s\n", method->name, method->use); */
 #ifndef SPH2D_METHOD_H
 #define SPH2D_METHOD_H
 
@@ -34,8 +38,10 @@ extern "C" {
     X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
     X(FREE_SURFACE, "open sides, sources and drains")
 
+/** What not every method has. */
 typedef enum sph2d_feature {
-    SPH2D_FEATURE_NONE = 0, /**< of a key that all methods have */
+    /** For keys that all methods have. */
+    SPH2D_FEATURE_NONE = 0,
 #define SPH2D__FEATURE_ENUM(name, key) SPH2D_FEATURE_##name,
     SPH2D_FEATURE_MAP(SPH2D__FEATURE_ENUM)
 #undef SPH2D__FEATURE_ENUM
@@ -43,17 +49,38 @@ typedef enum sph2d_feature {
 
 /** A method. One with several operators has a row for each of them. */
 typedef struct sph2d_method_info {
+    /** As the scene names it. */
     sph2d_method method;
-    sph2d_operators operators; /**< that the row is for */
-    const char *word;          /**< of scene files: "wcsph" */
-    const char *name;          /**< "wcsph with fitted operators" */
-    const char *use;           /**< when to take it: one sentence */
-    const char *scheme;        /**< how density and pressure come about */
-    const char *source;        /**< papers */
-    double support_ratio;      /**< H/dx by default, of kernel wendland_c2 */
-    double max_compression;    /**< by default */
-    uint32_t features;         /**< bits 1 << sph2d_feature */
-    uint32_t wall_forms;       /**< bits 1 << sph2d_wall_form */
+
+    /** The operators that the row is for. */
+    sph2d_operators operators;
+
+    /** Word of scene files: "wcsph". */
+    const char *word;
+
+    /** Name for people: "wcsph with fitted operators". */
+    const char *name;
+
+    /** When to take it, in one sentence. */
+    const char *use;
+
+    /** How density and pressure come about. */
+    const char *scheme;
+
+    /** The papers that it is from. */
+    const char *source;
+
+    /** Support radius over spacing, H/dx, by default, with kernel wendland_c2. */
+    double support_ratio;
+
+    /** Wanted compression, rho/rho0 - 1, by default. */
+    double max_compression;
+
+    /** What it has: bits 1 << sph2d_feature. */
+    uint32_t features;
+
+    /** Forms of wall that it has: bits 1 << sph2d_wall_form. */
+    uint32_t wall_forms;
 } sph2d_method_info;
 
 /** Row `index` of the table, those to take first in front; NULL behind the last. Static storage. */

@@ -3,6 +3,17 @@
  *  Pictures without a window: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library
  *  libsph2d-render.
  *
+ *      sph2d_render_options options = sph2d_render_options_default();
+ *      sph2d_renderer *renderer = NULL;
+ *      if (sph2d_renderer_create(&options, &renderer, &report) == SPH2D_OK) {
+ *          sph2d_view fluid = sph2d_sim_fluid(sim);
+ *          sph2d_picture picture = {.view = scene.domain, .radius = 2 * scene.spacing,
+ *                                   .count = fluid.count, .x = fluid.x, .y = fluid.y};
+ *          if (sph2d_renderer_draw(renderer, &picture, &report) == SPH2D_OK)
+ *              sph2d_renderer_write_png(renderer, "frame.png", &report);
+ *      }
+ *      sph2d_renderer_destroy(renderer);
+ *
  *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program
  *  that draws with OpenGL itself makes its own current again afterwards.
  *
@@ -17,40 +28,75 @@
 extern "C" {
 #endif
 
+/** An OpenGL context and what it draws with. */
 typedef struct sph2d_renderer sph2d_renderer;
 
 /** How to draw. Make one with sph2d_render_options_default(). */
 typedef struct sph2d_render_options {
+    /** Set by sph2d_render_options_default(); tells versions and uninitialised structs apart. */
     size_t struct_size;
-    unsigned width, height; /**< pixels, 16 to 16384; default 1280 x 720 */
-    sph2d_style style;      /**< default metaballs */
-    const char *gl;         /**< "osmesa" or "egl"; default NULL: the first that this build has and that works */
-    const char *shader_dir; /**< reads the GLSL from this folder instead of the built-in text; default NULL */
+
+    /** Size of a picture [pixels], 16 to 16384 each; default 1280 x 720. */
+    unsigned width, height;
+
+    /** A liquid surface or dots; default metaballs. */
+    sph2d_style style;
+
+    /** Kind of OpenGL context, "osmesa" or "egl"; default NULL: the first that this build has and that works. */
+    const char *gl;
+
+    /** A folder to read the shaders from, instead of those that are built in; default NULL. */
+    const char *shader_dir;
 } sph2d_render_options;
 
+/** Options with every default of this page. */
 SPH2D_API sph2d_render_options sph2d_render_options_default(void);
 
 /** What to draw: borrowed arrays. Particles whose position is not finite are left out; particles beside the view
  *  are drawn where the image has room for them. With `values` the right side of an image that is wide enough
  *  belongs to a colour bar. Start it with `{0}`. */
 typedef struct sph2d_picture {
-    sph2d_box view; /**< the part of the plane to show [m]; fitted into the image with its aspect kept */
-    double radius;  /**< of a metaball (R, where its field would rise again; it ends at R/sqrt 2) or of a point [m] */
-    size_t count;   /**< fluid particles */
-    const double *x, *y;           /**< [m] */
-    const double *values;          /**< points: one number a particle to colour by, NaN is grey; NULL: one colour */
-    double value_min, value_max;   /**< ends of the colour bar; both 0: the smallest and largest value */
-    const char *value_label;       /**< text at the colour bar, "speed [m/s]"; NULL for none */
-    size_t wall_count;             /**< boundary particles */
-    const double *wall_x, *wall_y; /**< [m] */
-    double wall_radius;            /**< of a boundary particle's dot [m] */
+    /** The part of the plane to show [m]; fitted into the image with its aspect kept. */
+    sph2d_box view;
+
+    /** Radius of a metaball (R, where its field would rise again; it ends at R/sqrt 2) or of a point [m]. */
+    double radius;
+
+    /** Number of fluid particles. */
+    size_t count;
+
+    /** Their places [m]. */
+    const double *x, *y;
+
+    /** Points: one number a particle to colour by, NaN is grey; NULL: one colour. */
+    const double *values;
+
+    /** Values at the ends of the colour bar; both 0: the smallest and largest value. */
+    double value_min, value_max;
+
+    /** Text at the colour bar, "speed [m/s]"; NULL for none. */
+    const char *value_label;
+
+    /** Number of boundary particles. */
+    size_t wall_count;
+
+    /** Their places [m]. */
+    const double *wall_x, *wall_y;
+
+    /** Radius of a boundary particle's dot [m]. */
+    double wall_radius;
 } sph2d_picture;
 
 /** Where the time of a frame went, on the wall clock. */
 typedef struct sph2d_frame_times {
-    double draw;   /**< until OpenGL has drawn it [s] */
-    double read;   /**< bringing the pixels into memory [s] */
-    double encode; /**< making a PNG of them and writing it, the wait for the disk included [s]; 0: not written */
+    /** Drawing it, until OpenGL is done [s]. */
+    double draw;
+
+    /** Bringing the pixels into memory [s]. */
+    double read;
+
+    /** Making a PNG file of them, the wait for the disk included [s]; 0: not written. */
+    double encode;
 } sph2d_frame_times;
 
 /** Makes a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a sentence that names the missing library or the

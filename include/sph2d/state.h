@@ -2,6 +2,10 @@
 /** @file state.h
  *  Everything that a run needs to go on, out of a simulation and into a new one.
  *
+ *      sph2d_state state = sph2d_sim_state(sim);
+ *      sph2d_sim *other = NULL;
+ *      sph2d_status status = sph2d_sim_restore(&scene, NULL, &state, &other, &report);
+ *
  *  A simulation made with sph2d_sim_restore continues bit for bit like the one that gave the state, on the same binary
  *  and instruction set, for any number of threads. */
 #ifndef SPH2D_STATE_H
@@ -19,8 +23,13 @@ extern "C" {
 
 /** A list of arrays: fields of fluid and walls in their order, and the scalars of the run. */
 typedef struct sph2d_state {
+    /** SPH2D_STATE_VERSION of the library that made it. */
     uint64_t version;
+
+    /** The arrays, borrowed. */
     const sph2d_array *arrays;
+
+    /** Number of arrays. */
     size_t array_count;
 } sph2d_state;
 

@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-/** Name, value, sentence. The values are part of the ABI. */
+/** Kinds of errors: name, value, sentence. The values are part of the ABI. */
 #define SPH2D_STATUS_MAP(X)                                                                                            \
     X(OK, 0, "success")                                                                                                \
     X(INVALID, 1, "invalid argument")                                                                                  \
@@ -33,6 +33,7 @@ extern "C" {
     X(IO, 8, "reading or writing failed")                                                                              \
     X(RENDER, 9, "rendering unavailable")
 
+/** How a call ended: SPH2D_OK or a kind of error. */
 typedef enum sph2d_status {
 #define SPH2D__STATUS_ENUM(name, value, text) SPH2D_##name = (value),
     SPH2D_STATUS_MAP(SPH2D__STATUS_ENUM)
@@ -72,6 +73,7 @@ typedef enum sph2d_status {
     X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
     X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")
 
+/** The code of a diagnostic. */
 typedef enum sph2d_code {
 #define SPH2D__CODE_ENUM(name, code, text) SPH2D_CODE_##name,
     SPH2D_CODE_MAP(SPH2D__CODE_ENUM)
@@ -79,34 +81,60 @@ typedef enum sph2d_code {
         SPH2D_CODE_COUNT
 } sph2d_code;
 
+/** Whether a diagnostic made the call fail. */
 typedef enum sph2d_severity { SPH2D_ERROR = 0, SPH2D_WARNING = 1 } sph2d_severity;
 
 /** One diagnostic. All strings are NUL-terminated and may be empty; they are cut at their capacity. */
 typedef struct sph2d_diagnostic {
+    /** Error or warning. */
     sph2d_severity severity;
+
+    /** Kind of fault; sph2d_code_text() prints it. */
     sph2d_code code;
-    char path[96];     /**< Key path in the scene, `blocks[0].box.max`. Empty when no key is to blame. */
-    char file[256];    /**< File, where one is involved. */
-    int line, column;  /**< 1-based place in `file`; 0 where unknown. */
-    char excerpt[160]; /**< The source line, for a caret under `column`. */
-    char message[320]; /**< What is wrong: one sentence without a full stop. */
-    char hint[240];    /**< What to do about it. */
+
+    /** Key path in the scene, `blocks[0].box.max`. Empty when no key is to blame. */
+    char path[96];
+
+    /** File, where one is involved; else empty. */
+    char file[256];
+
+    /** Place in `file`, counted from 1; 0 where unknown. */
+    int line, column;
+
+    /** That line of the file, for a caret under `column`. */
+    char excerpt[160];
+
+    /** What is wrong: one sentence without a full stop. */
+    char message[320];
+
+    /** What to do about it. */
+    char hint[240];
 } sph2d_diagnostic;
 
+/** The most diagnostics that a report keeps. */
 #define SPH2D_REPORT_CAPACITY 20
 
 /** A caller-owned list of diagnostics. Start it with `{0}`. */
 typedef struct sph2d_report {
-    size_t count;   /**< Diagnostics kept in `items`, at most SPH2D_REPORT_CAPACITY. */
-    size_t dropped; /**< Diagnostics that found no room. */
-    size_t errors;  /**< Errors among all, kept or dropped; the rest are warnings. */
+    /** Number of diagnostics in `items`, at most SPH2D_REPORT_CAPACITY. */
+    size_t count;
+
+    /** Number of those that found no room. */
+    size_t dropped;
+
+    /** Number of errors among all, kept or dropped; the rest are warnings. */
+    size_t errors;
+
+    /** The diagnostics, in the order in which they were found. */
     sph2d_diagnostic items[SPH2D_REPORT_CAPACITY];
 } sph2d_report;
 
 /** The enumerator's name without prefix, "SCENE"; "UNKNOWN" for a value that is none. Static storage. */
 SPH2D_API const char *sph2d_status_name(sph2d_status status);
+
 /** One sentence for a status. Static storage. */
 SPH2D_API const char *sph2d_status_text(sph2d_status status);
+
 /** The printed code of a diagnostic, "S104"; "G000" for a value that is none. Static storage. */
 SPH2D_API const char *sph2d_code_text(sph2d_code code);
 
