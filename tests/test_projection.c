@@ -8,7 +8,6 @@
 
 #include "common.h"
 #include "kernels/kernel.h"
-#include "methods/projection/pcisph.h"
 #include "methods/projection/projection.h"
 #include "sim/stages.h"
 #include "simd/lanes.h"
@@ -85,7 +84,7 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
     scene.method.support_ratio = lattices[_i].ratio;
     start(1);
     const sph2d__store *f = &sim->system.fluid;
-    double c = sim->system.calibration, factor = sph2d__pcisph_prototype(&sim->system);
+    double c = sim->system.calibration, factor = sph2d__projection_prototype(&sim->system);
     ck_assert_double_eq_tol(factor * DX * DX / (c * c), lattices[_i].sum, 6e-6);
     for (size_t i = 0; i < f->count; ++i) {
         ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);

@@ -73,23 +73,27 @@ typedef enum sph2d_criterion {
     SPH2D_CRITERION_MEAN = 1
 } sph2d_criterion;
 
+/** Solvers that move the liquid, in the order of their values from 0 on: name, word of scene files.
+ *
+ *  muller      summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional
+ *              kernel constants
+ *  wcsph       weakly compressible with an error that is known: density by the continuity equation with diffusion,
+ *              physical viscosity, particle shifting, generalised walls
+ *  pcisph      predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids at large
+ *              steps (Solenthaler & Pajarola 2009)
+ *  constraint  Constraint Fluids: summation density kept by constraints, for stiff liquids at large steps (Bodin,
+ *              Lacoursiere & Servin 2011) */
+#define SPH2D_METHOD_MAP(X)                                                                                            \
+    X(MULLER, muller)                                                                                                  \
+    X(WCSPH, wcsph)                                                                                                    \
+    X(PCISPH, pcisph)                                                                                                  \
+    X(CONSTRAINT, constraint)
+
 /** Which solver moves the liquid. */
 typedef enum sph2d_method {
-    /** Summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional kernel
-     *  constants. */
-    SPH2D_METHOD_MULLER = 0,
-
-    /** Weakly compressible with an error that is known: density by the continuity equation with diffusion, physical
-     *  viscosity, particle shifting, generalised walls. */
-    SPH2D_METHOD_WCSPH = 1,
-
-    /** Predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids at large steps
-     *  (Solenthaler & Pajarola 2009). */
-    SPH2D_METHOD_PCISPH = 2,
-
-    /** Constraint Fluids: summation density kept by constraints, for stiff liquids at large steps (Bodin, Lacoursiere &
-     *  Servin 2011). */
-    SPH2D_METHOD_CONSTRAINT = 3
+#define SPH2D__METHOD_ENUM(name, word) SPH2D_METHOD_##name,
+    SPH2D_METHOD_MAP(SPH2D__METHOD_ENUM)
+#undef SPH2D__METHOD_ENUM
 } sph2d_method;
 
 /** What pair loops of method wcsph compute with. The state and the integration are always in doubles. */

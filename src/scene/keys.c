@@ -40,7 +40,8 @@ static const char *const slip_words[] = {"free", "none", "smooth", NULL};
 /* In the order of sph2d_flow_kind. */
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
                                          "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
-static const char *const method_words[] = {"muller", "wcsph", "pcisph", "constraint", NULL};
+#define METHOD_WORD(name, word) #word,
+static const char *const method_words[] = {SPH2D_METHOD_MAP(METHOD_WORD) NULL};
 static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};

@@ -53,6 +53,13 @@ typedef struct sph2d__method {
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;
 
+/** Each is defined in the folder of its method. */
+#define SPH2D__METHOD_DECLARE(name, word) extern const sph2d__method sph2d__##word;
+SPH2D_METHOD_MAP(SPH2D__METHOD_DECLARE)
+#undef SPH2D__METHOD_DECLARE
+/** Method `wcsph` with fitted operators. */
+extern const sph2d__method sph2d__wcsph_fitted;
+
 /** The entry for a scene's options; never NULL for a checked scene. */
 const sph2d__method *sph2d__method_find(const sph2d_method_options *options);
 

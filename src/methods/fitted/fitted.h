@@ -31,8 +31,6 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-extern const sph2d__method sph2d__wcsph_fitted;
-
 /** Its time scheme (adams_bashforth.c): method.h. */
 sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
 

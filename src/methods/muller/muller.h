@@ -31,8 +31,6 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-extern const sph2d__method sph2d__muller;
-
 /** Its time scheme (leapfrog.c): method.h. */
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
 

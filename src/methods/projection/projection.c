@@ -205,6 +205,13 @@ sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)
     return sum;
 }
 
+double sph2d__projection_prototype(const sph2d__system *s)
+{
+    double ratio = s->spacing / s->support;
+    double g = s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio / s->support;
+    return g * g * sph2d__projection_lattice(s).square;
+}
+
 /** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
  *  of layers have their mass by their area. */
 static void weigh_rows(sph2d__system *s, double lattice)

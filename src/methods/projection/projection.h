@@ -84,6 +84,9 @@ typedef struct sph2d__lattice {
 
 sph2d__lattice sph2d__projection_lattice(const sph2d__system *system);
 
+/** sum |G|^2 of a particle in that lattice [1/m^2]. */
+double sph2d__projection_prototype(const sph2d__system *system);
+
 /** Gives boundary particles of one row the mass with which the boundary alone has the rest density at them, and sets
  *  the calibration c. */
 void sph2d__projection_prepare(sph2d__system *system);

@@ -98,8 +98,6 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-extern const sph2d__method sph2d__wcsph;
-
 /** Its time scheme (midpoint.c): method.h. */
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
 
