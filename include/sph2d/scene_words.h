@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_words.h
- *  The words of a scene: every choice that has a name in a scene file, as an enum. scene.h includes this file; what a
- *  word does stands here, which fields take it there.
+ *  The words of a scene: every choice that has a name in a scene file, as an enum, with what it does. scene.h, which
+ *  includes this file, has the fields that take them.
  *
  *      scene.boundary.top = SPH2D_SIDE_WALL;           boundary: {top: wall}
  *      scene.method.name = SPH2D_METHOD_PCISPH;        method: pcisph
