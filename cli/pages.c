@@ -40,7 +40,7 @@ typedef struct form {
     void (*begin_keys)(void);
     void (*key)(const entry *e);
     void (*end_keys)(void);
-    void (*begin_table)(const char *const *heads, size_t count);
+    void (*begin_table)(const char *intro, const char *const *heads, size_t count);
     void (*row)(const char *const *cells, size_t count);
     void (*end_table)(void);
 } form;
@@ -134,8 +134,9 @@ static void markdown_row(const char *const *cells, size_t count)
     printf("|\n");
 }
 
-static void markdown_begin_table(const char *const *heads, size_t count)
+static void markdown_begin_table(const char *intro, const char *const *heads, size_t count)
 {
+    markdown_paragraph(intro);
     putchar('\n');
     markdown_row(heads, count);
     for (size_t i = 0; i < count; ++i)
@@ -166,25 +167,25 @@ static void manual_word(const char *word, size_t length)
     }
 }
 
-/* A paragraph in lines; what ends a sentence ends a line, as manual pages have it. */
+/* A paragraph in lines; what ends a sentence ends a line, as manual pages have it, and no other full stop does. */
 static void manual_text(const char *text)
 {
     size_t column = 0;
-    bool sentence_ended = false;
+    bool full_stop = false; /* before the word */
     while (*text != '\0') {
         size_t length = strcspn(text, " ");
+        bool sentence_ended = full_stop && isupper((unsigned char)*text);
         if (column > 0 && (sentence_ended || column + 1 + length > MAN_WIDTH - 8)) {
-            putchar('\n');
+            fputs(full_stop && !sentence_ended ? "\\&\n" : "\n", stdout);
             column = 0;
         }
         if (column > 0)
             putchar(' ');
         manual_word(text, length);
         column += length + (column > 0);
-        bool full_stop = text[length - 1] == '.';
+        full_stop = text[length - 1] == '.';
         text += length;
         text += strspn(text, " ");
-        sentence_ended = full_stop && isupper((unsigned char)*text);
     }
     putchar('\n');
 }
@@ -241,9 +242,11 @@ static void manual_end(void)
 
 static const char *const *manual_heads;
 
-static void manual_begin_table(const char *const *heads, size_t count)
+static void manual_begin_table(const char *intro, const char *const *heads, size_t count)
 {
     (void)count;
+    printf(".Pp\n");
+    manual_text(intro);
     manual_heads = heads;
     manual_begin();
 }
@@ -374,9 +377,9 @@ static void write_materials(const form *f)
                                         "surface tension against air [N/m]", "source"};
     size_t count;
     const sph2d_material_data *materials = sph2d_materials(&count);
-    f->paragraph("Materials, at 20 C and the pressure of the air. The surface tension of a scene is 0 unless "
-                 "surface_tension is given.");
-    f->begin_table(heads, 5);
+    f->begin_table("Materials, at 20 C and the pressure of the air. The surface tension of a scene is 0 unless "
+                   "surface_tension is given.",
+                   heads, 5);
     for (size_t i = 1; i < count; ++i) {
         char density[24], viscosity[24], tension[24] = "not known";
         snprintf(density, sizeof density, "%g", materials[i].density);
@@ -393,8 +396,8 @@ static void write_methods(const form *f)
 {
     static const char *const heads[] = {
         "method", "for", "scheme", "default support_ratio", "default max_compression", "forms of wall", "source"};
-    f->paragraph("Methods, those to take first in front. Keys for which no methods are named above are known to all.");
-    f->begin_table(heads, 7);
+    f->begin_table("Methods, those to take first in front. Keys for which no methods are named above are known to all.",
+                   heads, 7);
     const sph2d_method_info *method;
     for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
         char support[24], compression[24], forms[VALUES_SIZE] = "";
@@ -410,9 +413,9 @@ static void write_methods(const form *f)
 static void write_probes(const form *f, const sph2d_key *kinds)
 {
     static const char *const heads[] = {"kind", "columns"};
-    f->paragraph(
-        "What the kinds write, behind the time [s]. A value without meaning, as where there is no liquid, is nan.");
-    f->begin_table(heads, 2);
+    f->begin_table(
+        "What the kinds write, behind the time [s]. A value without meaning, as where there is no liquid, is nan.",
+        heads, 2);
     for (int kind = 0; kinds->words[kind] != NULL; ++kind) {
         char columns[VALUES_SIZE] = "";
         for (const char *c = sph2d_probe_columns((sph2d_probe_kind)kind); *c != '\0'; ++c)

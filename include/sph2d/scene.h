@@ -196,8 +196,8 @@ typedef struct sph2d_method_options {
     /** wcsph, symmetric operators: form of the diffusion of density; default antuono. */
     sph2d_diffusion_form diffusion_form;
 
-    /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8; default
-     *  0. muller: dynamic viscosity is alpha rho c0 H at least, H the support radius, since its force has no energy to
+    /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8, h
+     *  being H/2; default 0. muller: the dynamic viscosity is alpha rho c0 H at least, since its force has no energy to
      *  conserve; default 0 stands for 0.1, with which none is gained. */
     double artificial_viscosity;
 
@@ -233,15 +233,15 @@ typedef struct sph2d_method_options {
     double support_ratio;
 
     /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9; default 0: the
-     *  method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators, pcisph and constraint 0.4
-     *  dx/H. */
+     *  method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators, pcisph and constraint
+     *  0.4 dx/H. */
     double cfl;
 
     /** A fixed step [s], >= 0; default 0: adaptive. */
     double time_step;
 
-    /** constraint: steps within which a compression fades, n of SPOOK, >= 0; below 2 a rigid liquid rings; default
-     *  2. */
+    /** constraint: number of steps within which a compression fades, n of SPOOK, >= 0; below 2 a rigid liquid rings;
+     *  default 2. */
     double damping;
 
     /** constraint: mean compression, of either sign, that a step may leave to correct, 1e-12 to 0.1; default 0: a
