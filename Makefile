@@ -138,6 +138,7 @@ PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
 # Those that are compiled for floats, too.
 MIXED_SRC := $(filter src/methods/wcsph/% src/methods/fitted/%,$(PASS_SRC))
 IO_SRC := $(sort $(wildcard src/files/*.c))
+STUDY_SRC := $(sort $(wildcard src/study/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
 CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
@@ -151,6 +152,7 @@ STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 GOLDEN_SRC := tests/golden/golden.c
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
+TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
@@ -162,7 +164,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(VARIANTS_SRC) $(SHADERS))
+    $(STUDY_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
@@ -170,23 +172,22 @@ CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(PASS_OBJ)
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
 BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
+STUDY_OBJ := $(call objects,$(STUDY_SRC))
 RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
-CLI_OBJ := $(call objects,$(CLI_SRC))
+CLI_OBJ := $(call objects,$(CLI_SRC)) $(OBJ)/gen/study_templates.o
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 GOLDEN_OBJ := $(call objects,$(GOLDEN_SRC))
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
-# The parts of the command that depend on nothing else of it are tested like the libraries.
-TESTED_CLI_OBJ := $(call objects,cli/parse.c $(addprefix cli/study/study_,front.c order.c record.c \
-    reduce.c reference.c refine.c settings.c))
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
 EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
 
-LIBRARIES := libsph2d libsph2d-io $(if $(WITH_RENDER),libsph2d-render)
+LIBRARIES := libsph2d libsph2d-io libsph2d-study $(if $(WITH_RENDER),libsph2d-render)
 # From the one that uses to the one that is used, as the linker reads them.
-ARCHIVES := $(if $(WITH_RENDER),$(BUILD)/libsph2d-render.a) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a
+ARCHIVES := $(if $(WITH_RENDER),$(BUILD)/libsph2d-render.a) $(BUILD)/libsph2d-study.a $(BUILD)/libsph2d-io.a \
+    $(BUILD)/libsph2d.a
 ARCHIVE_LIBS := $(RENDER_LIBS) $(IO_LIBS) $(CORE_LIBS)
 
 # ---- build -----------------------------------------------------------------------------------------------------------
@@ -205,7 +206,7 @@ lib: $(foreach l,$(LIBRARIES),$(BUILD)/$(l).a $(BUILD)/$(l).so) ## the libraries
 cli: $(BUILD)/sph2d ## the command
 examples: $(EXAMPLE_BIN) ## the example programs, in BUILD/examples
 
-$(CORE_OBJ): PART = $(CORE_FLAGS)
+$(CORE_OBJ) $(STUDY_OBJ): PART = $(CORE_FLAGS)
 $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
@@ -247,16 +248,18 @@ $(BUILD)/$(1).so: $(BUILD)/$(1).so.$(VERSION)
 endef
 comma := ,
 IO_SO_LIBS = -L$(BUILD) -lsph2d $(IO_LIBS)
+STUDY_SO_LIBS = -L$(BUILD) -lsph2d-io -lsph2d -lm
 RENDER_SO_LIBS = -L$(BUILD) -lsph2d $(RENDER_LIBS)
 $(eval $(call library_rules,libsph2d,$(CORE_OBJ),CORE_LIBS))
 $(eval $(call library_rules,libsph2d-io,$(IO_OBJ) $(BASE_OBJ),IO_SO_LIBS,$(BUILD)/libsph2d.so))
+$(eval $(call library_rules,libsph2d-study,$(STUDY_OBJ) $(BASE_OBJ),STUDY_SO_LIBS,$(BUILD)/libsph2d-io.so))
 $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
 
 # What takes longest comes first, so that all processors have work to the end.
 $(BUILD)/sph2d: $(PASS_OBJ) $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS))
 $(BUILD)/sph2d: IN_ARCHIVES = $(PASS_OBJ)
-$(BUILD)/tests/check_all: $(TEST_OBJ) $(TESTED_CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
+$(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
@@ -284,7 +287,8 @@ $(BUILD)/gen/build_info.h: FORCE
 	    { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 $(OBJ)/cli/build.o: | $(BUILD)/gen/build_info.h
 
-# The shaders become arrays of numbers, since ISO C promises string literals of 4095 characters only.
+# Shaders and templates become arrays of numbers, since ISO C promises string literals of 4095 characters only.
+bytes_of = od -An -v -td1 $(1) | sed 's/ *\(-*[0-9][0-9]*\)/\1,/g'; echo '0};'
 $(BUILD)/gen/shaders.h: Makefile
 	$(call say,GEN,$@)mkdir -p $(@D) && printf '%s\n' '#include <stddef.h>' '' \
 	    'extern const struct sph2d__shader_source {' '    const char *name, *text;' '} sph2d__shader_sources[];' \
@@ -292,20 +296,24 @@ $(BUILD)/gen/shaders.h: Makefile
 $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/shaders.h
 	$(call say,GEN,$@){ printf '#include "shaders.h"\n\n'; \
 	for f in $(SHADERS); do \
-	    echo "static const char $$(basename $$f | tr . _)[] = {"; \
-	    od -An -v -td1 $$f | sed 's/ *\(-*[0-9][0-9]*\)/\1,/g'; echo '0};'; \
+	    echo "static const char $$(basename $$f | tr . _)[] = {"; $(call bytes_of,$$f); \
 	done; \
 	printf '\nconst struct sph2d__shader_source sph2d__shader_sources[] = {\n'; \
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
 	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
+$(BUILD)/gen/study_templates.c: $(TEMPLATES) Makefile
+	$(call say,GEN,$@)mkdir -p $(@D) && for f in $(TEMPLATES); do \
+	    echo "extern const char study_$$(basename $$f | tr . _)[];"; \
+	    echo "const char study_$$(basename $$f | tr . _)[] = {"; $(call bytes_of,$$f); \
+	done >$@
 
 MISSING_PACKAGES = $(subst +, ,$(foreach m,$(MISSING),$(patsubst $(m)=%,%,$(filter $(m)=%,$(PACKAGES)))))
 packages:
 	@printf '%s\n' 'sph2d: pkg-config does not find $(MISSING). "make demo" and "make test" install it; or run:' \
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
--include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) $(VARIANTS_OBJ) \
-    $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(EXAMPLE_OBJ))
+-include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) \
+    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -442,8 +450,8 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(CLI_SRC) \
-    $(wildcard src/render/*.c tests/*.c examples/*.c))
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(STUDY_SRC) \
+    $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
@@ -461,12 +469,13 @@ check-lint: check-walls $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h) ## clang-for
 	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(C_FILES) | \
 	    xargs -P "$$(nproc)" -I{} clang-tidy --quiet {} -- $(LINT_FLAGS) 2>$(BUILD)/clang-tidy.log; fi
 
-# Beside the order above: files and render use base alone, the command only the public headers.
+# Beside the order above: files, study and render use base alone, the command only the public headers.
 METHOD_DIRS := $(filter-out %/common %/terms,$(filter methods/%,$(CORE_DIRS)))
 check-walls: ## no folder includes what it must not know
 	$(hush)set -- $(CORE_DIRS); below=$$*; \
-	for d in files render $$*; do \
-	    case $$d in files|render) bad=$${below#base };; *) shift; bad="$$* files render";; esac; \
+	for d in files study render $$*; do \
+	    case $$d in files|study|render) bad="$${below#base } files study render";; \
+	        *) shift; bad="$$* files study render";; esac; \
 	    case $$d in methods/common|methods/terms) ;; methods/*) bad="$$bad $(METHOD_DIRS)";; esac; \
 	    for b in $$bad; do \
 	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.h" src/$$d/*.[ch] || exit 1; \

@@ -42,8 +42,9 @@ static bool ends_with(const char *name, const char *end)
 /* What a study writes anew each time. Its rows stay, and so does study.yaml, which people change. */
 static bool is_of_study(const char *name)
 {
-    static const char *const files[] = {"study.csv",      "study.html",     "plots.gp",        "cheapest.yaml",
-                                        "error_time.svg", "error_time.png", "error_along.svg", "error_along.png"};
+    static const char *const files[] = {"study.csv",      "study.html",      "plots.gp",
+                                        "plots.dat",      "cheapest.yaml",   "error_time.svg",
+                                        "error_time.png", "error_along.svg", "error_along.png"};
     for (size_t i = 0; i < sizeof files / sizeof *files; ++i)
         if (strcmp(name, files[i]) == 0)
             return true;

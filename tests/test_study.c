@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../cli/study/study_reference.h"
 #include "common.h"
+#include "study/curve.h"
 
 static sph2d_report report;
 
@@ -212,7 +212,7 @@ END_TEST
 /* ---- references -------------------------------------------------------------------------------------------------- */
 
 static char folder[] = "/tmp/sph2d-study-XXXXXX";
-static study_points points;
+static sph2d_study_curve points;
 
 static void set_up_folder(void)
 {
@@ -223,7 +223,7 @@ static void set_up_folder(void)
 
 static void tear_down_folder(void)
 {
-    study_points_free(&points);
+    sph2d__reference_free(&points);
     ck_assert_int_eq(chdir("/"), 0);
     char command[64];
     snprintf(command, sizeof command, "rm -rf %s", folder);
@@ -236,9 +236,9 @@ static sph2d_status read_points(const char *text, size_t length, bool along)
     ck_assert_ptr_nonnull(stream);
     ck_assert_uint_eq(fwrite(text, 1, length, stream), length);
     ck_assert_int_eq(fclose(stream), 0);
-    study_points_free(&points);
+    sph2d__reference_free(&points);
     sph2d_study_reference reference = {"r.csv", "t", "a", 0};
-    return study_points_read(&points, &reference, along, &report);
+    return sph2d__reference_read(&points, &reference, along, &report);
 }
 
 START_TEST(references_are_tables_with_comments_units_and_gaps)
@@ -247,7 +247,7 @@ START_TEST(references_are_tables_with_comments_units_and_gaps)
                                "7,1.5,2\r\n,nan,3\n1, ,4\n1,5,\n# a gap\nword,\t-2e-1 , .5\n1,3,0";
     sph2d_status status = read_points(text, sizeof text - 1, false);
     ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
-    study_curve c = study_points_curve(&points);
+    sph2d_study_curve c = points;
     ck_assert_uint_eq(c.count, 3);
     ck_assert(c.x[0] == 2 && c.y[0] == 1.5 && c.x[1] == 0.5 && c.y[1] == -0.2 && c.x[2] == 0 && c.y[2] == 3);
     char many[8000] = "t,a\n";
@@ -303,10 +303,10 @@ START_TEST(what_is_no_table_is_refused)
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);
     sph2d_study_reference reference = {"missing.csv", "t", "a", 0};
-    ck_assert_int_eq(study_points_read(&points, &reference, false, &report), SPH2D_NOINPUT);
+    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, &report), SPH2D_NOINPUT);
     reference.file = ".";
-    ck_assert_int_eq(study_points_read(&points, &reference, false, &report), SPH2D_NOINPUT);
-    ck_assert_int_eq(study_points_read(&points, &reference, false, NULL), SPH2D_NOINPUT);
+    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, &report), SPH2D_NOINPUT);
+    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, NULL), SPH2D_NOINPUT);
 }
 END_TEST
 

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../cli/study/study_front.h"
-#include "../cli/study/study_order.h"
-#include "../cli/study/study_refine.h"
-#include "../cli/study/study_settings.h"
 #include "common.h"
+#include "study/front.h"
+#include "study/order.h"
+#include "study/refine.h"
+#include "study/settings.h"
 
 enum { MOST = 8 };
 
@@ -18,7 +18,7 @@ static sph2d_study_measure measures[2];
 static sph2d_study study;
 static sph2d_override overrides[MOST][3];
 static const char *places[MOST][3];
-static cli_study s;
+static sph2d_study_results s;
 
 static void set_up(void)
 {
@@ -26,35 +26,29 @@ static void set_up(void)
     measures[0] = (sph2d_study_measure){.name = "mass", .expectation = SPH2D_EXPECT_NOTHING};
     measures[1] = (sph2d_study_measure){.name = "speed", .expectation = SPH2D_EXPECT_NUMBER, .order = 1};
     study = (sph2d_study){.scene = "scene.yaml", .measures = measures, .measure_count = 2, .along = "spacing"};
-    s = (cli_study){.study = &study, .judge = 1, .rows = calloc(MOST, sizeof *s.rows)};
+    s = (sph2d_study_results){.study = &study, .judge = 1, .rows = calloc(MOST, sizeof *s.rows)};
     ck_assert_ptr_nonnull(s.rows);
 }
 
 static void tear_down(void)
 {
-    for (size_t r = 0; r < s.row_count; ++r) {
-        if (s.rows[r].owned) {
-            free((void *)(uintptr_t)s.rows[r].run.name);
-            free((void *)(uintptr_t)s.rows[r].run.overrides);
-            free((void *)(uintptr_t)s.rows[r].run.places);
-        }
-        free(s.rows[r].values);
-    }
+    for (size_t r = 0; r < s.row_count; ++r)
+        sph2d__row_free(&s.rows[r]);
     free(s.rows);
 }
 
 /** Adds a row that finished: kernel and spacing as set, the error of "speed", and its CPU seconds. */
-static study_row *add(const char *name, const char *kernel, const char *spacing, double error, double cpu)
+static sph2d_study_row *add(const char *name, const char *kernel, const char *spacing, double error, double cpu)
 {
     size_t r = s.row_count++;
     ck_assert_uint_lt(r, MOST);
     overrides[r][0] = (sph2d_override){"kernel", kernel};
     overrides[r][1] = (sph2d_override){"spacing", spacing};
-    study_row *row = &s.rows[r];
-    *row = (study_row){.number = r + 1, .there = true, .wanted = true, .values = calloc(2, sizeof *row->values)};
+    sph2d_study_row *row = &s.rows[r];
+    *row = (sph2d_study_row){.number = r + 1, .there = true, .wanted = true, .values = calloc(2, sizeof *row->values)};
     ck_assert_ptr_nonnull(row->values);
     row->run = (sph2d_study_run){name, overrides[r], 2, places[r], 0};
-    row->record = (study_record){.end = STUDY_FINISHED, .spacing = strtod(spacing, NULL), .cpu = cpu};
+    row->record = (sph2d_study_record){.end = SPH2D_STUDY_FINISHED, .spacing = strtod(spacing, NULL), .cpu = cpu};
     row->values[1].error = error;
     return row;
 }
@@ -63,22 +57,22 @@ static study_row *add(const char *name, const char *kernel, const char *spacing,
 
 START_TEST(front_needs_less_time_or_a_smaller_error)
 {
-    study_row *cheap = add("a", "c2", "0.1", 0.1, 1);
-    study_row *good = add("b", "c2", "0.05", 0.01, 10);
-    study_row *between = add("c", "c4", "0.1", 0.05, 2);
-    study_row *needless = add("d", "c4", "0.05", 0.05, 3);
-    study_row *dear = add("e", "c6", "0.05", 0.02, 10);
-    study_front_mark(&s);
+    sph2d_study_row *cheap = add("a", "c2", "0.1", 0.1, 1);
+    sph2d_study_row *good = add("b", "c2", "0.05", 0.01, 10);
+    sph2d_study_row *between = add("c", "c4", "0.1", 0.05, 2);
+    sph2d_study_row *needless = add("d", "c4", "0.05", 0.05, 3);
+    sph2d_study_row *dear = add("e", "c6", "0.05", 0.02, 10);
+    sph2d__front_mark(&s);
     ck_assert(cheap->on_front && good->on_front && between->on_front);
     ck_assert(!needless->on_front && !dear->on_front);
-    ck_assert_ptr_eq(study_front_best(&s), good);
+    ck_assert_ptr_eq(sph2d_study_best(&s), good);
 }
 END_TEST
 
 START_TEST(of_equal_rows_the_first_is_on_the_front)
 {
-    study_row *first = add("a", "c2", "0.1", 0.1, 1), *second = add("b", "c4", "0.1", 0.1, 1);
-    study_front_mark(&s);
+    sph2d_study_row *first = add("a", "c2", "0.1", 0.1, 1), *second = add("b", "c4", "0.1", 0.1, 1);
+    sph2d__front_mark(&s);
     ck_assert(first->on_front && !second->on_front);
 }
 END_TEST
@@ -86,28 +80,28 @@ END_TEST
 START_TEST(cheapest_is_the_fastest_that_is_good_enough)
 {
     add("a", "c2", "0.1", 0.1, 1);
-    study_row *fast = add("b", "c4", "0.05", 0.01, 5);
+    sph2d_study_row *fast = add("b", "c4", "0.05", 0.01, 5);
     add("c", "c2", "0.05", 0.001, 10);
-    ck_assert_ptr_eq(study_front_cheapest(&s, 0.01), fast);
-    ck_assert_ptr_eq(study_front_cheapest(&s, 0.0099), &s.rows[2]);
-    ck_assert_ptr_null(study_front_cheapest(&s, 0.0009));
+    ck_assert_ptr_eq(sph2d_study_cheapest(&s, 0.01), fast);
+    ck_assert_ptr_eq(sph2d_study_cheapest(&s, 0.0099), &s.rows[2]);
+    ck_assert_ptr_null(sph2d_study_cheapest(&s, 0.0009));
 }
 END_TEST
 
 START_TEST(rows_that_did_not_finish_are_nowhere)
 {
-    study_row *row = add("a", "c2", "0.1", 0.001, 0.1);
-    row->record.end = STUDY_GUARD;
-    ck_assert(isnan(study_front_error(&s, row)));
-    study_row *missing = add("b", "c2", "0.05", 0.001, 0.1);
+    sph2d_study_row *row = add("a", "c2", "0.1", 0.001, 0.1);
+    row->record.end = SPH2D_STUDY_GUARD;
+    ck_assert(isnan(sph2d_study_row_error(&s, row)));
+    sph2d_study_row *missing = add("b", "c2", "0.05", 0.001, 0.1);
     missing->there = false;
-    ck_assert_uint_eq(study_finest(&s), s.row_count);
-    ck_assert_ptr_null(study_front_best(&s));
-    ck_assert_ptr_null(study_front_cheapest(&s, 1));
-    study_row *whole = add("c", "c2", "0.1", 0.5, 3);
-    study_front_mark(&s);
+    ck_assert_ptr_null(sph2d__finest(&s));
+    ck_assert_ptr_null(sph2d_study_best(&s));
+    ck_assert_ptr_null(sph2d_study_cheapest(&s, 1));
+    sph2d_study_row *whole = add("c", "c2", "0.1", 0.5, 3);
+    sph2d__front_mark(&s);
     ck_assert(whole->on_front && !row->on_front && !missing->on_front);
-    ck_assert_uint_eq(study_finest(&s), 2);
+    ck_assert_ptr_eq(sph2d__finest(&s), &s.rows[2]);
 }
 END_TEST
 
@@ -115,22 +109,22 @@ START_TEST(errors_without_a_number_are_not_good)
 {
     add("a", "c2", "0.1", NAN, 0.1);
     add("b", "c2", "0.1", INFINITY, 0.1);
-    study_front_mark(&s);
+    sph2d__front_mark(&s);
     ck_assert(!s.rows[0].on_front && !s.rows[1].on_front);
-    ck_assert_ptr_null(study_front_best(&s));
+    ck_assert_ptr_null(sph2d_study_best(&s));
 }
 END_TEST
 
 START_TEST(judge_is_the_named_measure_or_the_first_with_an_error)
 {
-    ck_assert_uint_eq(study_front_judge(&study), 1);
+    ck_assert_uint_eq(sph2d__judge(&study), 1);
     study.judge = "speed";
-    ck_assert_uint_eq(study_front_judge(&study), 1);
+    ck_assert_uint_eq(sph2d__judge(&study), 1);
     study.judge = "mass"; /* nothing is expected of it */
-    ck_assert_uint_eq(study_front_judge(&study), 2);
+    ck_assert_uint_eq(sph2d__judge(&study), 2);
     study.judge = NULL;
     measures[1].expectation = SPH2D_EXPECT_NOTHING;
-    ck_assert_uint_eq(study_front_judge(&study), 2);
+    ck_assert_uint_eq(sph2d__judge(&study), 2);
 }
 END_TEST
 
@@ -138,20 +132,17 @@ END_TEST
 
 START_TEST(order_is_the_slope_of_the_logarithms)
 {
-    size_t count;
     study.vary_count = 1;
     add("a", "c2", "0.4", 0.16, 1);
     add("b", "c4", "0.4", 0.4, 1);
     add("c", "c2", "0.2", 0.04, 1);
     add("d", "c4", "0.2", 0.2, 1);
-    study_row *last = add("e", "c2", "0.1", 0.01, 1);
-    ck_assert_double_eq_tol(study_order_fit(&s, last, &count), 2, 1e-12);
-    ck_assert_uint_eq(count, 3);
-    ck_assert_double_eq_tol(study_order_fit(&s, &s.rows[1], &count), 1, 1e-12);
-    ck_assert_uint_eq(count, 2);
+    sph2d_study_row *last = add("e", "c2", "0.1", 0.01, 1);
+    ck_assert_double_eq_tol(sph2d_study_row_order(&s, last), 2, 1e-12);
+    ck_assert_double_eq_tol(sph2d_study_row_order(&s, &s.rows[1]), 1, 1e-12);
     last->values[1].error = 0.02; /* least squares: slopes 2 and 1 at equal distances give 1.5 */
-    ck_assert_double_eq_tol(study_order_fit(&s, last, &count), 1.5, 1e-12);
-    study_order_all(&s);
+    ck_assert_double_eq_tol(sph2d_study_row_order(&s, last), 1.5, 1e-12);
+    sph2d__order_all(&s);
     ck_assert_double_eq_tol(last->values[1].order, 1, 1e-12);
     ck_assert_double_eq_tol(s.rows[2].values[1].order, 2, 1e-12);
     ck_assert_double_eq_tol(s.rows[3].values[1].order, 1, 1e-12);
@@ -160,13 +151,10 @@ END_TEST
 
 START_TEST(one_row_or_one_spacing_has_no_order)
 {
-    size_t count;
     add("a", "c2", "0.4", 0.16, 1);
-    ck_assert(isnan(study_order_fit(&s, &s.rows[0], &count)));
-    ck_assert_uint_eq(count, 1);
+    ck_assert(isnan(sph2d_study_row_order(&s, &s.rows[0])));
     add("b", "c2", "0.40", 0.08, 1); /* the same setting, written otherwise */
-    ck_assert(isnan(study_order_fit(&s, &s.rows[0], &count)));
-    ck_assert_uint_eq(count, 2);
+    ck_assert(isnan(sph2d_study_row_order(&s, &s.rows[0])));
 }
 END_TEST
 
@@ -175,12 +163,12 @@ START_TEST(along_another_key_rows_need_its_number)
     study.along = "kernel";
     add("a", "1.5", "0.1", 0.1, 1);
     add("b", "quintic", "0.1", 0.1, 1);
-    ck_assert_double_eq(study_order_along(&s, &s.rows[0]), 1.5);
-    ck_assert(isnan(study_order_along(&s, &s.rows[1])));
+    ck_assert_double_eq(sph2d_study_row_along(&s, &s.rows[0]), 1.5);
+    ck_assert(isnan(sph2d_study_row_along(&s, &s.rows[1])));
     study.along = "cfl";
-    ck_assert(isnan(study_order_along(&s, &s.rows[0])));
+    ck_assert(isnan(sph2d_study_row_along(&s, &s.rows[0])));
     study.along = "spacing";
-    ck_assert_double_eq(study_order_along(&s, &s.rows[0]), 0.1);
+    ck_assert_double_eq(sph2d_study_row_along(&s, &s.rows[0]), 0.1);
 }
 END_TEST
 
@@ -188,54 +176,65 @@ END_TEST
 
 START_TEST(the_last_override_of_a_key_counts)
 {
-    study_row *row = add("a", "c2", "0.1", 0, 1);
+    sph2d_study_row *row = add("a", "c2", "0.1", 0, 1);
     overrides[0][2] = (sph2d_override){"spacing", "0.05"};
     row->run.override_count = 3;
-    ck_assert_str_eq(study_setting(&row->run, "spacing"), "0.05");
-    ck_assert_str_eq(study_setting(&row->run, "kernel"), "c2");
-    ck_assert_ptr_null(study_setting(&row->run, "method.cfl"));
-    study_row *other = add("b", "c2", "0.050", 0, 1);
-    ck_assert(study_same_but("", &row->run, &other->run));
+    ck_assert_str_eq(sph2d__setting(&row->run, "spacing"), "0.05");
+    ck_assert_str_eq(sph2d__setting(&row->run, "kernel"), "c2");
+    ck_assert_ptr_null(sph2d__setting(&row->run, "method.cfl"));
+    sph2d_study_row *other = add("b", "c2", "0.050", 0, 1);
+    ck_assert(sph2d__same_settings(&row->run, &other->run, "", false));
     overrides[1][1].value = "0.051";
-    ck_assert(!study_same_but("", &row->run, &other->run));
-    ck_assert(study_same_but("spacing", &row->run, &other->run));
+    ck_assert(!sph2d__same_settings(&row->run, &other->run, "", false));
+    ck_assert(sph2d__same_settings(&row->run, &other->run, "spacing", false));
     overrides[1][0].value = "c4";
-    ck_assert(!study_same_but("spacing", &row->run, &other->run));
+    ck_assert(!sph2d__same_settings(&row->run, &other->run, "spacing", false));
 }
 END_TEST
 
 START_TEST(keys_are_told_by_their_last_step)
 {
-    ck_assert_str_eq(study_key("method.sound_speed"), "sound_speed");
-    ck_assert_str_eq(study_key("spacing"), "spacing");
-    ck_assert_str_eq(study_key("odd."), "odd.");
+    ck_assert_str_eq(sph2d__key_name("method.sound_speed"), "sound_speed");
+    ck_assert_str_eq(sph2d__key_name("spacing"), "spacing");
+    ck_assert_str_eq(sph2d__key_name("odd."), "odd.");
 }
 END_TEST
 
 START_TEST(names_list_settings_whole)
 {
     static const struct {
-        const char *name, *value, *without; /* NULL: the name does not list spacing=value and something else */
+        const char *name, *value, *label; /* "the scene": the name does not list spacing=value and something else */
     } cases[] = {
         {"kernel=c2, spacing=0.02", "0.02", "kernel=c2"},
         {"spacing=0.02, kernel=c2", "0.02", "kernel=c2"},
         {"a, spacing=0.02, b", "0.02", "a, b"},
-        {"kernel=c2, spacing=0.025", "0.02", NULL},
-        {"kernel=c2, min_spacing=0.02", "0.02", NULL},
+        {"kernel=c2, spacing=0.025", "0.02", "the scene"},
+        {"kernel=c2, min_spacing=0.02", "0.02", "the scene"},
         {"kernel=c2, spacing=0.025, spacing=0.02", "0.02", "kernel=c2, spacing=0.025"},
-        {"spacing=0.02", "0.02", NULL},
-        {"fine", "0.02", NULL},
+        {"spacing=0.02", "0.02", "the scene"},
+        {"fine", "0.02", "the scene"},
     };
+    study.vary_count = 1;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char out[64];
         sph2d_override override = {"spacing", cases[i].value};
-        sph2d_study_run run = {cases[i].name, &override, 1, NULL, 0};
-        char *without = study_name_without(&run, "spacing", out, sizeof out);
-        ck_assert_msg((without == NULL) == (cases[i].without == NULL), "%s", cases[i].name);
-        if (without != NULL)
-            ck_assert_str_eq(without, cases[i].without);
-        ck_assert_ptr_null(study_name_without(&run, "kernel", out, sizeof out));
+        sph2d_study_row row = {.run = {cases[i].name, &override, 1, NULL, 0}};
+        ck_assert_str_eq(sph2d_study_row_label(&s, &row, out, sizeof out), cases[i].label);
     }
+}
+END_TEST
+
+START_TEST(a_label_lists_what_lines_have_in_common)
+{
+    char out[64];
+    sph2d_study_row *row = add("fine", "c2", "0.1", 0, 1);
+    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "kernel=c2");
+    overrides[0][2] = (sph2d_override){"kernel", "c4"}; /* the last override of a key counts */
+    row->run.override_count = 3;
+    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "kernel=c4");
+    study.along = "kernel";
+    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "spacing=0.1");
+    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, 5), "spac");
 }
 END_TEST
 
@@ -253,13 +252,13 @@ START_TEST(refinements_take_the_front_of_the_finest)
     add("kernel=c2, spacing=0.1", "c2", "0.1", 0.3, 1);
     add("kernel=c4, spacing=0.1", "c4", "0.1", 0.4, 2);
     add("fine", "c6", "0.1", 0.1, 3);
-    ck_assert_int_eq(study_refine(&s, 0), SPH2D_OK);
+    ck_assert_int_eq(sph2d_study_results_refine(&s, 0), SPH2D_OK);
     ck_assert_uint_eq(s.row_count, 6);
     const sph2d_study_run *a = &s.rows[4].run, *b = &s.rows[5].run;
     ck_assert_str_eq(a->name, "kernel=c2, spacing=0.05");
     ck_assert_str_eq(b->name, "fine, spacing=0.05");
-    ck_assert_str_eq(study_setting(a, "spacing"), "0.05");
-    ck_assert_str_eq(study_setting(b, "kernel"), "c6");
+    ck_assert_str_eq(sph2d__setting(a, "spacing"), "0.05");
+    ck_assert_str_eq(sph2d__setting(b, "kernel"), "c6");
     ck_assert_str_eq(b->places[2], "refine[0].set.spacing");
     ck_assert_uint_eq(s.rows[4].number, 5);
     ck_assert(s.rows[4].owned && s.rows[4].wanted && !s.rows[4].there);
@@ -272,7 +271,7 @@ START_TEST(what_the_others_are_compared_with_goes_on_too)
     measures[1].expectation = SPH2D_EXPECT_FINEST;
     add("kernel=c2, spacing=0.2", "c2", "0.2", 0.1, 1);
     add("kernel=c2, spacing=0.1", "c2", "0.1", NAN, 5);
-    ck_assert_int_eq(study_refine(&s, 0), SPH2D_OK);
+    ck_assert_int_eq(sph2d_study_results_refine(&s, 0), SPH2D_OK);
     ck_assert_uint_eq(s.row_count, 3);
     ck_assert_str_eq(s.rows[2].run.name, "kernel=c2, spacing=0.05");
 }
@@ -295,6 +294,7 @@ Suite *suite_study_front(void)
     tcase_add_test(cases, the_last_override_of_a_key_counts);
     tcase_add_test(cases, keys_are_told_by_their_last_step);
     tcase_add_test(cases, names_list_settings_whole);
+    tcase_add_test(cases, a_label_lists_what_lines_have_in_common);
     tcase_add_test(cases, refinements_take_the_front_of_the_finest);
     tcase_add_test(cases, what_the_others_are_compared_with_goes_on_too);
     suite_add_tcase(suite, cases);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "files/suggest.h"
+#include "base/suggest.h"
 
 /** More keys than any struct has; a test holds the table to it. */
 enum { MOST_KEYS = 64 };

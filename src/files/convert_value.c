@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/number.h"
+#include "base/suggest.h"
 #include "files/convert.h"
-#include "files/number.h"
-#include "files/suggest.h"
 
 /** What is being converted, for messages. */
 typedef struct value {
@@ -156,7 +156,7 @@ static void read_word(const value *v, const sph2d__node *node, void *slot)
     sph2d__faults *faults = v->converter->faults;
     sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), v->path,
                                        "unknown value %s", sph2d__node_words(node, got, sizeof got));
-    sph2d__suggest_word(d, node->text, words);
+    sph2d__suggest_word(d, node->text, words, "one of");
     sph2d__faults_spoil(faults, v->path);
 }
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/c_locale.h"
+#include "base/c_locale.h"
 #include "files/convert.h"
 #include "files/overrides.h"
 #include "files/particles_file.h"

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
-#include "files/c_locale.h"
+#include "base/c_locale.h"
 #include "sph2d/io.h"
 
 #define TIME_COLUMN "time [s]"

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
-#include "files/c_locale.h"
+#include "base/c_locale.h"
 #include "files/seal.h"
 #include "files/snapshot_parts.h"
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/c_locale.h"
-#include "files/number.h"
+#include "base/c_locale.h"
+#include "base/number.h"
 #include "sph2d/io.h"
 
 /* A line is read up to its length, so that no file, whatever it is, fills the memory. */

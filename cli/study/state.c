@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/** @file state.c
+ *  What all parts of a study need: messages, and texts that become files. */
+#include "state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "../exit.h"
+#include "../message.h"
+#include "../text.h"
+
+int study_report(cli_study *s, sph2d_status status)
+{
+    message_report(status, &s->report, NULL);
+    return exit_of_status(status);
+}
+
+bool study_text_begin(study_text *t)
+{
+    *t = (study_text){NULL, NULL, 0};
+    t->out = open_memstream(&t->text, &t->size);
+    return t->out != NULL;
+}
+
+char *study_text_take(study_text *t)
+{
+    bool failed = ferror(t->out) != 0;
+    if (fclose(t->out) == 0 && !failed)
+        return t->text;
+    free(t->text);
+    return NULL;
+}
+
+int study_write(cli_study *s, const char *name, void (*put)(const void *what, FILE *out), const void *what)
+{
+    study_text t;
+    sph2d_status status = SPH2D_NOMEM;
+    if (study_text_begin(&t)) {
+        put(what, t.out);
+        char *text = study_text_take(&t);
+        const char *path = folder_file(&s->folder, "%s", name);
+        if (text != NULL && path != NULL)
+            status = sph2d_text_write(path, text, t.size, &s->report);
+        free(text);
+    }
+    return study_report(s, status);
+}
+
+void study_fill(FILE *out, const char *template, const study_slot *slots, const void *what)
+{
+    for (const char *at; (at = strstr(template, "{{")) != NULL; template = strstr(at, "}}") + 2) {
+        const study_slot *slot = slots;
+        fwrite(template, 1, (size_t)(at - template), out);
+        while (strncmp(slot->name, at + 2, strlen(slot->name)) != 0 || at[2 + strlen(slot->name)] != '}')
+            ++slot;
+        slot->put(what, out);
+    }
+    fputs(template, out);
+}
+
+void study_clean(char *text, const char *others, char by)
+{
+    text_whole(text);
+    for (char *c = strpbrk(text, others); c != NULL; c = strpbrk(c + 1, others))
+        *c = by;
+}

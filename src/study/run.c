@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: MIT */
+/** @file run.c
+ *  Runs one row of a study and collects what is measured. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "study/measure.h"
+#include "study/record.h"
+#include "study/row_scene.h"
+
+typedef struct runner {
+    const sph2d_study_results *results;
+    const sph2d_study_run *run;
+    const sph2d_study_run_options *options;
+    sph2d_study_record *record;
+    sph2d_sim *sim;
+    sph2d_report *report;
+} runner;
+
+static double seconds(clockid_t clock)
+{
+    struct timespec now;
+    return clock_gettime(clock, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0;
+}
+
+/* ---- what is collected ------------------------------------------------------------------------------------------- */
+
+/** A series for each probe of the scene. */
+static sph2d_status begin_series(runner *r)
+{
+    const sph2d_scene *scene = sph2d_sim_scene(r->sim);
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        const sph2d_probe *probe = &scene->probes[i];
+        size_t columns = 1;
+        for (const char *c = sph2d_probe_columns(probe->kind); *c; ++c)
+            columns += *c == ',';
+        sph2d_study_series *series = sph2d__record_add(r->record, columns, 0);
+        if (!series)
+            return SPH2D_NOMEM;
+        snprintf(series->probe, sizeof series->probe, "%s", probe->name);
+        series->kind = probe->kind;
+    }
+    return SPH2D_OK;
+}
+
+/** Takes every probe that is due now. */
+static sph2d_status take_due(runner *r)
+{
+    double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    for (size_t i = 0; i < r->record->series_count; ++i) {
+        if (!sph2d_sim_output_due(r->sim, SPH2D_OUTPUT_PROBE + i))
+            continue;
+        double values[SPH2D_PROBE_MAX_COLUMNS] = {0};
+        sph2d_sim_probe(r->sim, i, values);
+        sph2d_sim_output_done(r->sim, SPH2D_OUTPUT_PROBE + i);
+        if (!sph2d__series_add(&r->record->series[i], sph2d_sim_time(r->sim), values))
+            return SPH2D_NOMEM;
+    }
+    r->record->probes += seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
+    return SPH2D_OK;
+}
+
+static double quantity(const sph2d_sample *sample, sph2d_quantity what)
+{
+    switch (what) {
+    case SPH2D_QUANTITY_VX:
+        return sample->velocity[0];
+    case SPH2D_QUANTITY_VY:
+        return sample->velocity[1];
+    case SPH2D_QUANTITY_SPEED:
+        return hypot(sample->velocity[0], sample->velocity[1]);
+    case SPH2D_QUANTITY_PRESSURE:
+        return sample->pressure;
+    case SPH2D_QUANTITY_DENSITY:
+        return sample->density;
+    }
+    return NAN;
+}
+
+/** The liquid along the line of each profile that is measured. */
+static sph2d_status take_profiles(runner *r)
+{
+    for (size_t i = 0; i < r->results->study->measure_count; ++i) {
+        const sph2d_study_measure *m = &r->results->study->measures[i];
+        size_t count = sph2d__profile_places(r->results, i);
+        if (m->source != SPH2D_MEASURE_PROFILE)
+            continue;
+        sph2d_study_series *series = sph2d__record_add(r->record, 1, count);
+        if (!series)
+            return SPH2D_NOMEM;
+        series->quantity = m->profile.value;
+        const sph2d_vec2 *ends = memcpy(series->ends, m->profile.line.items, sizeof series->ends);
+        for (size_t k = 0; k < count; ++k) {
+            double part = sph2d__profile_place(r->results, i, k);
+            sph2d_vec2 at = {ends[0].x + part * (ends[1].x - ends[0].x), ends[0].y + part * (ends[1].y - ends[0].y)};
+            sph2d_sample sample;
+            double value = sph2d_sim_sample(r->sim, at, &sample) ? quantity(&sample, series->quantity) : NAN;
+            if (!sph2d__series_add(series, part, &value))
+                return SPH2D_NOMEM;
+        }
+    }
+    return SPH2D_OK;
+}
+
+/** A part of the scene's energy; NaN where there is none. */
+static double of_scale(double energy, const sph2d_summary *summary)
+{
+    return summary->energy_scale > 0 ? energy / summary->energy_scale : NAN;
+}
+
+static void take_summary(runner *r)
+{
+    sph2d_study_record *record = r->record;
+    sph2d_summary s = sph2d_sim_summary(r->sim);
+    sph2d_densities inside = sph2d_sim_densities(r->sim);
+    record->spacing = sph2d_sim_scene(r->sim)->spacing;
+    record->particles = s.particles;
+    record->steps = s.steps;
+    record->particle_steps = s.particle_steps;
+    record->time = s.time;
+    for (int side = 0; side < 4; ++side)
+        record->left += s.left_open[side];
+    double start = fabs(s.energy_start), steps = (double)s.steps;
+    double change = s.kinetic + s.potential + s.elastic - s.energy_start - s.energy_fed;
+    double *values = record->summary;
+    values[SPH2D_SUMMARY_COMPRESSION] = s.compression_p99;
+    values[SPH2D_SUMMARY_COMPRESSION_MEAN] = s.compression_mean;
+    values[SPH2D_SUMMARY_COMPRESSION_MAX] = s.compression_max;
+    values[SPH2D_SUMMARY_ENERGY_CHANGE] = change / (start > 0 ? start : 1);
+    values[SPH2D_SUMMARY_ENERGY_RISE] = of_scale(s.energy_rise, &s);
+    values[SPH2D_SUMMARY_ENERGY_ERROR] = of_scale(s.energy_error, &s);
+    values[SPH2D_SUMMARY_DENSITY_APART] = fmax(s.density_apart, fabs(inside.reported - inside.counted));
+    values[SPH2D_SUMMARY_LEFT] = (double)record->left;
+    values[SPH2D_SUMMARY_ITERATIONS] = steps > 0 ? (double)s.iterations / steps : 0;
+    snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
+}
+
+/* ---- one run ----------------------------------------------------------------------------------------------------- */
+
+/** Steps to the end of the scene, to a guard or until the caller asks to stop. */
+static sph2d_status advance(runner *r)
+{
+    /* A sum of many steps may miss the end by a rounding error, and should not take one more for it. */
+    const double until = sph2d_sim_scene(r->sim)->run.until;
+    sph2d_status status = take_due(r);
+    while (status == SPH2D_OK && sph2d_sim_time(r->sim) * (1 + 1e-12) < until) {
+        if (r->options->go_on && !r->options->go_on(r->options->user, r->run, r->sim)) {
+            r->record->end = SPH2D_STUDY_STOPPED;
+            return SPH2D_OK;
+        }
+        double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+        status = sph2d_sim_step(r->sim, r->report);
+        r->record->wall += seconds(CLOCK_MONOTONIC) - wall;
+        r->record->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+        if (status == SPH2D_OK)
+            status = take_due(r);
+    }
+    return status == SPH2D_OK ? take_profiles(r) : status;
+}
+
+static sph2d_status go(runner *r, const sph2d_scene *scene, double begun)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    if (r->options->threads > 0)
+        options.threads = r->options->threads;
+    options.isa = r->options->isa;
+    sph2d_status status = sph2d_sim_create(scene, &options, &r->sim, r->report);
+    r->record->start = seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
+    if (status == SPH2D_OK)
+        status = begin_series(r);
+    if (status != SPH2D_OK)
+        return status;
+    status = advance(r);
+    take_summary(r);
+    return status;
+}
+
+/** Diagnostics of the run itself get the name of the row, since rows may share a terminal; the first error is the
+ *  reason. */
+static void name_row(const runner *r, sph2d_status status, size_t first)
+{
+    sph2d_study_record *record = r->record;
+    for (size_t i = first; r->report && i < r->report->count; ++i) {
+        sph2d_diagnostic *d = &r->report->items[i];
+        char message[sizeof d->message];
+        memcpy(message, d->message, sizeof message);
+        if (d->severity == SPH2D_ERROR && record->reason[0] == '\0')
+            memcpy(record->reason, message, sizeof message);
+        snprintf(d->message, sizeof d->message, "row '%.60s': %.250s", r->run->name, message);
+    }
+    if (status != SPH2D_OK && record->reason[0] == '\0')
+        snprintf(record->reason, sizeof record->reason, "%s", sph2d_status_text(status));
+}
+
+/** Runs a row once. Returns how many threads shared a step at most. */
+static int run_once(const sph2d_study_results *results, const sph2d_study_run *run,
+                    const sph2d_study_run_options *options, sph2d_study_record *record, sph2d_report *report)
+{
+    runner r = {results, run, options, record, NULL, report};
+    size_t first = report ? report->count : 0;
+    double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    sph2d_scene_file *file;
+    sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
+    record->repeats = 1;
+    if (status != SPH2D_OK)
+        snprintf(record->reason, sizeof record->reason, "the scene was rejected");
+    else
+        status = go(&r, sph2d_scene_file_scene(file), begun);
+    if (file) {
+        name_row(&r, status, first);
+        sph2d__row_locate(results, run, file, report, first);
+    }
+    record->status = status;
+    if (status != SPH2D_OK)
+        record->end = status == SPH2D_GUARD ? SPH2D_STUDY_GUARD : SPH2D_STUDY_FAILED;
+    if (options->beside_others)
+        record->wall = NAN;
+    int threads = r.sim ? sph2d_sim_threads(r.sim) : 1;
+    sph2d_sim_destroy(r.sim);
+    sph2d_scene_file_destroy(file);
+    return threads;
+}
+
+/* ---- repeats ----------------------------------------------------------------------------------------------------- */
+
+/** Keeps the least times of both. What a second run says otherwise is the same bit for bit, unless it did not finish. */
+static void merge(sph2d_study_record *kept, const sph2d_study_record *more)
+{
+    if (more->end != SPH2D_STUDY_FINISHED) {
+        kept->end = more->end;
+        kept->status = more->status;
+        memcpy(kept->reason, more->reason, sizeof kept->reason);
+        return;
+    }
+    kept->cpu = fmin(kept->cpu, more->cpu);
+    kept->wall = fmin(kept->wall, more->wall);
+    kept->start = fmin(kept->start, more->start);
+    kept->probes = fmin(kept->probes, more->probes);
+    ++kept->repeats;
+}
+
+sph2d_status sph2d_study_row_run(const sph2d_study_results *results, sph2d_study_row *row,
+                                 const sph2d_study_run_options *options, sph2d_report *report)
+{
+    static const sph2d_study_run_options plain = {0};
+    options = options ? options : &plain;
+    sph2d_study_record *record = &row->record;
+    uint64_t repeat = options->repeat > 0 ? options->repeat : results->study->repeat;
+    int threads = run_once(results, &row->run, options, record, report);
+    bool brief = record->cpu < SPH2D_STUDY_REPEATED * (double)threads;
+    for (uint64_t i = 1; i < repeat && brief && record->end == SPH2D_STUDY_FINISHED; ++i) {
+        sph2d_study_record more = {0};
+        size_t told = report ? report->count : 0;
+        run_once(results, &row->run, options, &more, report);
+        if (more.status == SPH2D_OK && report) /* the same warnings again */
+            report->count = told;
+        merge(record, &more);
+        sph2d_study_record_free(&more);
+    }
+    row->there = true;
+    return record->status;
+}
