@@ -77,8 +77,11 @@ typedef struct sph2d_key {
     /** ... but the lower end where this is set. */
     bool min_excluded;
 
-    /** Whether 0 stands for a value that is not given, whatever the range. */
+    /** Whether 0 stands for a value that is not given, whatever the range ... */
     bool zero_is_unset;
+
+    /** ... or NaN does. */
+    bool nan_is_unset;
 
     /** Place of an int that tells which key of a choice is given [bytes] ... */
     size_t choice_offset;
@@ -133,6 +136,11 @@ typedef struct sph2d_keys {
 /** Whether a number may be the value of a NUMBER, a COUNT, or a coordinate of a POINT; otherwise `why` gets a sentence
  *  of at most `size` bytes: "-1 is out of range: must be above 0". */
 SPH2D_API bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size);
+
+/** Reports every number out of its range and every word that is none in a struct that the keys describe, and in those
+ *  below it, with key paths. Errors: SPH2D_SCENE when there is one, SPH2D_INVALID when a list has a count but no items.
+ */
+SPH2D_API sph2d_status sph2d_keys_check(const sph2d_keys *keys, const void *owner, sph2d_report *report);
 
 /** The keys of a scene. Static storage. */
 SPH2D_API const sph2d_keys *sph2d_scene_keys(void);

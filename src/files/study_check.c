@@ -43,39 +43,6 @@ static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *name, co
     return d;
 }
 
-/* ---- ranges ------------------------------------------------------------------------------------------------------ */
-
-/** A number or a count in the struct that owns the key. */
-static void check_range(checker *c, const sph2d_key *key, const void *owner)
-{
-    double value;
-    uint64_t count;
-    memcpy(&value, (const char *)owner + key->offset, sizeof value);
-    memcpy(&count, (const char *)owner + key->offset, sizeof count);
-    if (key->kind == SPH2D_KEY_COUNT)
-        value = (double)count;
-    char message[160];
-    if (isnan(value) || sph2d_key_accepts(key, value, message, sizeof message)) /* NaN: it is not given */
-        return;
-    sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, key->name, message), "%s: %s", key->name, key->text);
-}
-
-static void check_ranges(checker *c, const sph2d_keys *keys, const void *owner)
-{
-    for (size_t i = 0; i < keys->count; ++i)
-        if (keys->items[i].kind == SPH2D_KEY_NUMBER || keys->items[i].kind == SPH2D_KEY_COUNT)
-            check_range(c, &keys->items[i], owner);
-}
-
-static const sph2d_keys *keys_of_measures(void)
-{
-    const sph2d_keys *study = sph2d_study_keys();
-    size_t i = 0;
-    while (strcmp(study->items[i].name, "measures") != 0)
-        ++i;
-    return study->items[i].keys;
-}
-
 /* ---- keys beside each other -------------------------------------------------------------------------------------- */
 
 /** Reports a key that is given although it means nothing. */
@@ -165,7 +132,6 @@ static void check_expectation(checker *c, const sph2d_study_measure *m)
 
 static void check_measure(checker *c, const sph2d_study_measure *m)
 {
-    check_ranges(c, keys_of_measures(), m);
     if (m->source == SPH2D_MEASURE_PROBE)
         check_probe(c, m);
     else if (m->source == SPH2D_MEASURE_PROFILE)
@@ -282,10 +248,13 @@ static void check_along(checker *c, const sph2d_study *study)
                               "give a key that 'vary' or 'set' has, or leave it out for spacing");
 }
 
-void sph2d__study_check(const sph2d_study *study, const sph2d__node *root, sph2d__faults *faults)
+void sph2d__study_check(const sph2d_study *study, const sph2d__document *document, sph2d__faults *faults)
 {
+    const sph2d__node *root = document->root;
+    sph2d_report ranges = {0};
+    sph2d_keys_check(sph2d_study_keys(), study, &ranges);
+    sph2d__document_pass(document, &ranges, faults, NULL);
     checker c = {root, faults, ""};
-    check_ranges(&c, sph2d_study_keys(), study);
     check_vary(&c, study);
     check_target(&c, study);
     check_judge(&c, study);

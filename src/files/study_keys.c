@@ -10,6 +10,7 @@
 #define ANY .min = -INFINITY, .max = INFINITY
 #define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
 #define FROM_0 .min = 0, .max = INFINITY
+#define OR_NONE .nan_is_unset = true
 #define LIST_AT(type, member, counter) AT(type, member), .count_offset = offsetof(type, counter)
 #define CHOICE(type, member, value) .choice_offset = offsetof(type, member), .choice = (value)
 #define KEYS(name, type, fill)                                                                                         \
@@ -88,16 +89,17 @@ static const sph2d_key measure_items[] = {
      .text = "of the probe, without its unit"},
     {"take", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, take), .words = take_words, .unit = "",
      .default_text = "last, or all for a reference and for finest", .text = "how the series becomes a number"},
-    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, .unit = "", .default_text = "the mean",
-     .text = "what a crossing, period or decay refers to, in units of the column"},
-    {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, .unit = "s", .text = "value: the time"},
-    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, .unit = "s", .default_text = "the start",
-     .text = "where the part of the series that counts begins"},
-    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, to), FROM_0, .unit = "s", .default_text = "the end",
-     .text = "where it ends"},
+    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, level), ANY, OR_NONE, .unit = "",
+     .default_text = "the mean", .text = "what a crossing, period or decay refers to, in units of the column"},
+    {"at", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, at), FROM_0, OR_NONE, .unit = "s",
+     .text = "value: the time"},
+    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, from), FROM_0, OR_NONE, .unit = "s",
+     .default_text = "the start", .text = "where the part of the series that counts begins"},
+    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, to), FROM_0, OR_NONE, .unit = "s",
+     .default_text = "the end", .text = "where it ends"},
     {"scale", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, scale), ABOVE_0, .unit = "", .default_text = "1",
      .text = "divides what is taken; expect, reference and bound are in units of it"},
-    {"expect", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, expect), ANY,
+    {"expect", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, expect), ANY, OR_NONE,
      CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_NUMBER), .unit = "", .text = "the right value"},
     {"reference", SPH2D_KEY_GROUP, false, AT(sph2d_study_measure, reference),
      CHOICE(sph2d_study_measure, expectation, SPH2D_EXPECT_REFERENCE), .keys = &reference_keys, .unit = "",
@@ -110,8 +112,8 @@ static const sph2d_key measure_items[] = {
     {"relative", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, relative), .words = flag_words, .unit = "",
      .default_text = "false",
      .text = "makes the error |value/expect - 1|, or the norm over the largest value of the finest series"},
-    {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, .unit = "", .default_text = "none",
-     .text = "largest error; above it the study fails"},
+    {"bound", SPH2D_KEY_NUMBER, false, AT(sph2d_study_measure, bound), FROM_0, OR_NONE, .unit = "",
+     .default_text = "none", .text = "largest error; above it the study fails"},
     {"order", SPH2D_KEY_WORD, false, AT(sph2d_study_measure, order), .words = flag_words, .unit = "",
      .default_text = "false",
      .text = "reports the observed order of convergence between rows, listed from coarse to fine"},

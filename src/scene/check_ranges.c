@@ -10,11 +10,16 @@
 #include "sph2d/key.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
-typedef sph2d__checker checker;
+
+typedef struct checker {
+    sph2d_report *report;
+    bool faulty; /**< something was reported */
+    bool broken; /**< a list cannot be read */
+} checker;
 
 bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size)
 {
-    if (key->zero_is_unset && value == 0)
+    if ((key->zero_is_unset && value == 0) || (key->nan_is_unset && isnan(value)))
         return true;
     if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
         return true;
@@ -28,12 +33,18 @@ bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t siz
     return false;
 }
 
+static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *path, const char *message)
+{
+    c->faulty = true;
+    return sph2d_report_add(c->report, SPH2D_ERROR, code, path, "%s", message);
+}
+
 static void check_number(checker *c, const sph2d_key *key, const char *path, double value)
 {
     char message[160];
     if (sph2d_key_accepts(key, value, message, sizeof message))
         return;
-    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+    sph2d_diagnostic *d = fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
     sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
 }
 
@@ -49,7 +60,7 @@ static void check_word(checker *c, const sph2d_key *key, const char *path, int v
     while (key->words[count])
         ++count;
     if (value < 0 || value >= count)
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "unknown value");
+        fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "unknown value");
 }
 
 static void check_struct(checker *c, const sph2d_keys *keys, const char *base, const char *prefix);
@@ -62,7 +73,7 @@ static void check_key(checker *c, const sph2d_key *key, const char *base, const 
     if (key->count_offset)
         memcpy(&items, slot, sizeof items);
     if (count > 0 && !items) {
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
+        fault(c, SPH2D_CODE_CONFLICT, path, "a count above 0 with a NULL list");
         c->broken = true;
         return;
     }
@@ -118,7 +129,16 @@ static void check_struct(checker *c, const sph2d_keys *keys, const char *base, c
     }
 }
 
+sph2d_status sph2d_keys_check(const sph2d_keys *keys, const void *owner, sph2d_report *report)
+{
+    checker c = {report, false, false};
+    check_struct(&c, keys, owner, "");
+    return c.broken ? SPH2D_INVALID : c.faulty ? SPH2D_SCENE : SPH2D_OK;
+}
+
 void sph2d__check_ranges(sph2d__checker *c)
 {
-    check_struct(c, sph2d_scene_keys(), (const char *)c->scene, "");
+    sph2d_status status = sph2d_keys_check(sph2d_scene_keys(), c->scene, c->report);
+    c->errors += status != SPH2D_OK;
+    c->broken = status == SPH2D_INVALID;
 }
