@@ -85,6 +85,7 @@
     X(study_rows)                                                                                                      \
     X(study_front)                                                                                                     \
     X(study_record)                                                                                                    \
+    X(study_results)                                                                                                   \
     X(report)                                                                                                          \
     RENDER_SUITES(X)
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sph2d.h
  *  The solver: everything in libsph2d. Begin with a scene (sph2d/scene.h), make a simulation of it and step it
- *  (sph2d/sim.h); sph2d/status.h says how errors are told. Files are sph2d/io.h and sph2d/study.h (libsph2d-io),
- *  pictures sph2d/render.h (libsph2d-render); examples/embed.c is a whole program. */
+ *  (sph2d/sim.h); sph2d/status.h says how errors are reported. Files are sph2d/io.h and sph2d/study.h (libsph2d-io),
+ *  studies sph2d/study_results.h (libsph2d-study), pictures sph2d/render.h (libsph2d-render); examples/embed.c is a
+ *  whole program. */
 #ifndef SPH2D_SPH2D_H
 #define SPH2D_SPH2D_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study.h
  *  Studies: one scene that runs several times with overrides, what is measured of each run, and what is expected of it.
- *  Library libsph2d-io. Here is what a study file says; running it is up to the program, as `sph2d study` does.
+ *  Library libsph2d-io. Here is what a study file says; sph2d/study_results.h runs it.
  *
  *      scene: scene.yaml
  *      runs:

@@ -147,7 +147,7 @@ static bool measure_series(const sph2d_study_results *results, size_t measure, s
     sph2d_study_curve mine, best;
     double *room, *best_room = NULL;
     bool fine = take_curve(results, measure, &row->record, &mine, &room);
-    if (fine)
+    if (fine && sph2d_study_has_value(m))
         out->value = number(m, &row->record, mine);
     if (m->expectation == SPH2D_EXPECT_NUMBER)
         out->error = sph2d__error(out->value, m->expect, m->relative != 0);
