@@ -230,6 +230,14 @@ static void tear_down_folder(void)
     ck_assert_int_eq(system(command), 0);
 }
 
+static sph2d_status make_points(const char *name, bool along, sph2d_report *to)
+{
+    sph2d_study_measure measure = {.source = along ? SPH2D_MEASURE_PROFILE : SPH2D_MEASURE_PROBE,
+                                   .expectation = SPH2D_EXPECT_REFERENCE,
+                                   .reference = {name, "t", "a", 0}};
+    return sph2d__reference_make(&points, &measure, to);
+}
+
 static sph2d_status read_points(const char *text, size_t length, bool along)
 {
     FILE *stream = fopen("r.csv", "w");
@@ -237,8 +245,7 @@ static sph2d_status read_points(const char *text, size_t length, bool along)
     ck_assert_uint_eq(fwrite(text, 1, length, stream), length);
     ck_assert_int_eq(fclose(stream), 0);
     sph2d__reference_free(&points);
-    sph2d_study_reference reference = {"r.csv", "t", "a", 0};
-    return sph2d__reference_read(&points, &reference, along, &report);
+    return make_points("r.csv", along, &report);
 }
 
 START_TEST(references_are_tables_with_comments_units_and_gaps)
@@ -302,11 +309,9 @@ START_TEST(what_is_no_table_is_refused)
     memset(garbage, ',', sizeof garbage);
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);
-    sph2d_study_reference reference = {"missing.csv", "t", "a", 0};
-    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, &report), SPH2D_NOINPUT);
-    reference.file = ".";
-    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, &report), SPH2D_NOINPUT);
-    ck_assert_int_eq(sph2d__reference_read(&points, &reference, false, NULL), SPH2D_NOINPUT);
+    ck_assert_int_eq(make_points("missing.csv", false, &report), SPH2D_NOINPUT);
+    ck_assert_int_eq(make_points(".", false, &report), SPH2D_NOINPUT);
+    ck_assert_int_eq(make_points(".", false, NULL), SPH2D_NOINPUT);
 }
 END_TEST
 

@@ -7,10 +7,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "study/front.h"
-#include "study/order.h"
-#include "study/refine.h"
-#include "study/settings.h"
+#include "study/parts.h"
 
 enum { MOST = 8 };
 
@@ -47,7 +44,12 @@ static sph2d_study_row *add(const char *name, const char *kernel, const char *sp
     sph2d_study_row *row = &s.rows[r];
     *row = (sph2d_study_row){.number = r + 1, .there = true, .wanted = true, .values = calloc(2, sizeof *row->values)};
     ck_assert_ptr_nonnull(row->values);
-    row->run = (sph2d_study_run){name, overrides[r], 2, places[r], 0};
+    row->run = (sph2d_study_run){.name = name,
+                                 .overrides = overrides[r],
+                                 .override_count = 2,
+                                 .places = places[r],
+                                 .given = strchr(name, '=') ? NULL : name,
+                                 .given_count = strchr(name, '=') ? 0 : 2};
     row->record = (sph2d_study_record){.end = SPH2D_STUDY_FINISHED, .spacing = strtod(spacing, NULL), .cpu = cpu};
     row->values[1].error = error;
     return row;
@@ -192,49 +194,41 @@ START_TEST(the_last_override_of_a_key_counts)
 }
 END_TEST
 
-START_TEST(keys_are_told_by_their_last_step)
-{
-    ck_assert_str_eq(sph2d__key_name("method.sound_speed"), "sound_speed");
-    ck_assert_str_eq(sph2d__key_name("spacing"), "spacing");
-    ck_assert_str_eq(sph2d__key_name("odd."), "odd.");
-}
-END_TEST
-
-START_TEST(names_list_settings_whole)
+START_TEST(names_list_what_a_given_one_does_not_stand_for)
 {
     static const struct {
-        const char *name, *value, *label; /* "the scene": the name does not list spacing=value and something else */
+        const char *given, *paths[3], *but, *name;
+        size_t count, given_count;
     } cases[] = {
-        {"kernel=c2, spacing=0.02", "0.02", "kernel=c2"},
-        {"spacing=0.02, kernel=c2", "0.02", "kernel=c2"},
-        {"a, spacing=0.02, b", "0.02", "a, b"},
-        {"kernel=c2, spacing=0.025", "0.02", "the scene"},
-        {"kernel=c2, min_spacing=0.02", "0.02", "the scene"},
-        {"kernel=c2, spacing=0.025, spacing=0.02", "0.02", "kernel=c2, spacing=0.025"},
-        {"spacing=0.02", "0.02", "the scene"},
-        {"fine", "0.02", "the scene"},
+        {NULL, {NULL}, NULL, "scene", 0, 0},
+        {"", {NULL}, NULL, "scene", 0, 0},
+        {"fine", {NULL}, NULL, "fine", 0, 0},
+        {NULL, {"kernel", "method.spacing"}, NULL, "kernel=1, spacing=2", 2, 0},
+        {NULL, {"kernel", "odd."}, "kernel", "odd.=2", 2, 0},
+        {NULL, {"kernel"}, "kernel", "scene", 1, 0},
+        {"fine", {"kernel", "cfl"}, NULL, "fine, cfl=2", 2, 1},
+        {"fine", {"kernel", "cfl"}, "cfl", "fine", 2, 1},
+        {"fine", {"kernel", "cfl"}, "kernel", "cfl=2", 2, 1}, /* with its key goes the name */
+        {"fine", {"kernel", "cfl", "kernel"}, NULL, "fine, cfl=2, kernel=3", 3, 1},
+        {NULL, {"kernel", "cfl", "kernel"}, NULL, "kernel=3, cfl=2", 3, 0}, /* the last value, in the first place */
+        {"a\033b", {"cfl"}, NULL, "a?b, cfl=1", 1, 0},
     };
-    study.vary_count = 1;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        char out[64];
-        sph2d_override override = {"spacing", cases[i].value};
-        sph2d_study_row row = {.run = {cases[i].name, &override, 1, NULL, 0}};
-        ck_assert_str_eq(sph2d_study_row_label(&s, &row, out, sizeof out), cases[i].label);
+        static const char *const values[] = {"1", "2", "3"};
+        sph2d_override set[3];
+        for (size_t k = 0; k < cases[i].count; ++k)
+            set[k] = (sph2d_override){cases[i].paths[k], values[k]};
+        sph2d_study_run run = {.overrides = set,
+                               .override_count = cases[i].count,
+                               .given = cases[i].given,
+                               .given_count = cases[i].given_count};
+        char out[64], part[5];
+        ck_assert_uint_eq(sph2d_study_run_name(&run, cases[i].but, out, sizeof out), strlen(cases[i].name));
+        ck_assert_str_eq(out, cases[i].name);
+        ck_assert_uint_eq(sph2d_study_run_name(&run, cases[i].but, NULL, 0), strlen(cases[i].name));
+        sph2d_study_run_name(&run, cases[i].but, part, sizeof part);
+        ck_assert_msg(strncmp(part, out, 4) == 0 && strlen(part) <= 4, "%s", part);
     }
-}
-END_TEST
-
-START_TEST(a_label_lists_what_lines_have_in_common)
-{
-    char out[64];
-    sph2d_study_row *row = add("fine", "c2", "0.1", 0, 1);
-    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "kernel=c2");
-    overrides[0][2] = (sph2d_override){"kernel", "c4"}; /* the last override of a key counts */
-    row->run.override_count = 3;
-    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "kernel=c4");
-    study.along = "kernel";
-    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, sizeof out), "spacing=0.1");
-    ck_assert_str_eq(sph2d_study_row_label(&s, row, out, 5), "spac");
 }
 END_TEST
 
@@ -242,7 +236,8 @@ END_TEST
 
 static const sph2d_override finer[] = {{"spacing", "0.05"}};
 static const char *const finer_places[] = {"refine[0].set.spacing"};
-static const sph2d_study_run refinement = {"spacing=0.05", finer, 1, finer_places, 0};
+static const sph2d_study_run refinement = {
+    .name = "spacing=0.05", .overrides = finer, .override_count = 1, .places = finer_places};
 
 START_TEST(refinements_take_the_front_of_the_finest)
 {
@@ -262,6 +257,18 @@ START_TEST(refinements_take_the_front_of_the_finest)
     ck_assert_str_eq(b->places[2], "refine[0].set.spacing");
     ck_assert_uint_eq(s.rows[4].number, 5);
     ck_assert(s.rows[4].owned && s.rows[4].wanted && !s.rows[4].there);
+}
+END_TEST
+
+START_TEST(a_step_with_a_name_of_its_own_adds_it)
+{
+    sph2d_study_run step = refinement;
+    step.name = step.given = "best";
+    step.given_count = 1;
+    study.refinements = &step;
+    add("kernel=c2, spacing=0.1", "c2", "0.1", 0.3, 1);
+    ck_assert_int_eq(sph2d_study_results_refine(&s, 0), SPH2D_OK);
+    ck_assert_str_eq(s.rows[1].run.name, "kernel=c2, spacing=0.1, best");
 }
 END_TEST
 
@@ -292,11 +299,10 @@ Suite *suite_study_front(void)
     tcase_add_test(cases, one_row_or_one_spacing_has_no_order);
     tcase_add_test(cases, along_another_key_rows_need_its_number);
     tcase_add_test(cases, the_last_override_of_a_key_counts);
-    tcase_add_test(cases, keys_are_told_by_their_last_step);
-    tcase_add_test(cases, names_list_settings_whole);
-    tcase_add_test(cases, a_label_lists_what_lines_have_in_common);
+    tcase_add_test(cases, names_list_what_a_given_one_does_not_stand_for);
     tcase_add_test(cases, refinements_take_the_front_of_the_finest);
     tcase_add_test(cases, what_the_others_are_compared_with_goes_on_too);
+    tcase_add_test(cases, a_step_with_a_name_of_its_own_adds_it);
     suite_add_tcase(suite, cases);
     return suite;
 }

@@ -8,7 +8,7 @@
 
 #include "common.h"
 #include "study/hash.h"
-#include "study/record.h"
+#include "study/parts.h"
 
 static sph2d_study_record record, back;
 

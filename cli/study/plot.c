@@ -112,8 +112,11 @@ static void put_lines(const drawing *d, FILE *out)
         const point *p = &d->points[i];
         double order = p->leader != leader && p->named ? sph2d_study_row_order(results, p->row) : NAN;
         char label[LABEL_SIZE] = "", order_is[32] = "";
+        sph2d_study_run run = p->leader->run;
+        if (d->study->study->vary_count == 0) /* a name that was given says what the row differs in from its line */
+            run.given = NULL;
         if (p->named)
-            sph2d_study_row_label(results, p->leader, label, sizeof label);
+            sph2d_study_run_name(&run, d->study->study->along, label, sizeof label);
         study_clean(label, "\"\t", '\'');
         if (!isnan(order))
             snprintf(order_is, sizeof order_is, ": order %.2f", order);

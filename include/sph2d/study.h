@@ -30,6 +30,8 @@ typedef struct sph2d_study_run {
     const char *const *places; /**< of each override in the study, for sph2d_study_file_locate: `runs[0].set[2]`,
                                     `vary[1][0]` */
     int skip;                  /**< 1: runs on demand alone, because it takes long; default 0 */
+    const char *given;         /**< the name that a file gives it; NULL: none */
+    size_t given_count;        /**< how many of the first overrides that name stands for */
 } sph2d_study_run;
 
 /** Where a measure gets its numbers. */
@@ -187,6 +189,11 @@ SPH2D_API const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file
 /** Completes a diagnostic about a key path of the study with file, line, column and source line: `measures[1].column`,
  *  or a place of a run's override. */
 SPH2D_API void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *diagnostic);
+
+/** Writes a name of a run: the one that it was given, then the overrides that this does not stand for, "fine,
+ *  support_ratio=3"; "scene" where there are none. The key `but` (NULL: none) is left out of it, and with it a given name
+ *  that stands for it. At most `size` bytes go to `out`; returns the length of the whole name, like snprintf. */
+SPH2D_API size_t sph2d_study_run_name(const sph2d_study_run *run, const char *but, char *out, size_t size);
 
 /** The keys of a study file. Static storage. */
 SPH2D_API const sph2d_keys *sph2d_study_keys(void);

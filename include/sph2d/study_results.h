@@ -147,7 +147,7 @@ typedef struct sph2d_study_results {
     const sph2d_study *study;
     const sph2d_override *overrides;
     size_t override_count;
-    /** What each measure is compared with; empty where it has no reference. */
+    /** What each measure is compared with; for a profile of the finest run only the places; else empty. */
     sph2d_study_curve *references;
     sph2d_study_row *rows;
     size_t row_count;
@@ -256,11 +256,6 @@ SPH2D_API bool sph2d_study_rows_belong(const sph2d_study_results *results, const
 /** The order that the errors of the rows show which belong to `row`: the slope of log(error) over log(along), by least
  *  squares; NaN below two values of the key. */
 SPH2D_API double sph2d_study_row_order(const sph2d_study_results *results, const sph2d_study_row *row);
-
-/** What the rows that belong to `row` have in common, "kernel=quintic, support_ratio=3". Writes at most `size` bytes to
- *  `out` and returns it. */
-SPH2D_API char *sph2d_study_row_label(const sph2d_study_results *results, const sph2d_study_row *row, char *out,
-                                      size_t size);
 
 #ifdef __cplusplus
 }

@@ -32,24 +32,42 @@ static const char *last_step(const char *path)
     return point && point[1] ? point + 1 : path;
 }
 
-/** "NAME, spacing=0.02, sound_speed=10" from a name, or none, and the overrides from `first` on; NULL when memory is
- *  short. */
-static const char *made_name(const char *name, const sph2d_study_run *run, size_t first, sph2d__pool *pool)
+/** The first override of a key, from `first` on, and the last, which counts. */
+static const sph2d_override *first_of(const sph2d_study_run *run, size_t first, const char *path)
 {
-    bool named = name && name[0];
-    size_t size = (named ? strlen(name) : 0) + sizeof "scene", used = 0;
-    for (size_t i = first; i < run->override_count; ++i)
-        size += strlen(last_step(run->overrides[i].path)) + strlen(run->overrides[i].value) + strlen(", =");
-    char *text = sph2d__pool_alloc(pool, size, 1);
-    if (!text)
-        return NULL;
-    if (named || first == run->override_count)
-        used = (size_t)snprintf(text, size, "%s", named ? name : "scene");
-    for (size_t i = first; i < run->override_count; ++i)
-        used += (size_t)snprintf(text + used, size - used, "%s%s=%s", used > 0 ? ", " : "",
-                                 last_step(run->overrides[i].path), run->overrides[i].value);
-    sph2d__text_clean(text);
-    return text;
+    while (strcmp(run->overrides[first].path, path) != 0)
+        ++first;
+    return &run->overrides[first];
+}
+
+static const sph2d_override *last_of(const sph2d_study_run *run, const char *path)
+{
+    size_t last = run->override_count - 1;
+    while (strcmp(run->overrides[last].path, path) != 0)
+        --last;
+    return &run->overrides[last];
+}
+
+size_t sph2d_study_run_name(const sph2d_study_run *run, const char *but, char *out, size_t size)
+{
+    bool given = run->given && run->given[0];
+    for (size_t i = 0; but && i < run->given_count; ++i)
+        given = given && strcmp(run->overrides[i].path, but) != 0;
+    size_t first = given ? run->given_count : 0;
+    size_t used = given ? (size_t)snprintf(out, size, "%s", run->given) : 0;
+    for (size_t i = first; i < run->override_count; ++i) {
+        const char *path = run->overrides[i].path;
+        if ((but && strcmp(path, but) == 0) || first_of(run, first, path) != &run->overrides[i])
+            continue;
+        size_t room = used < size ? size - used : 0;
+        used += (size_t)snprintf(room > 0 ? out + used : NULL, room, "%s%s=%s", used > 0 ? ", " : "", last_step(path),
+                                 last_of(run, path)->value);
+    }
+    if (used == 0)
+        used = (size_t)snprintf(out, size, "scene");
+    if (size > 0)
+        sph2d__text_clean(out);
+    return used;
 }
 
 /* ---- rows -------------------------------------------------------------------------------------------------------- */
@@ -111,12 +129,17 @@ static bool end_row(const collection *c, sph2d_study_run *run, sph2d__pool *pool
 {
     if (!c->ok)
         return false;
-    size_t named = run->name && run->name[0] ? run->override_count : 0;
+    run->given = run->name;
+    run->given_count = run->override_count;
     run->overrides = c->overrides;
     run->places = c->places;
     run->override_count = c->count;
-    run->name = made_name(run->name, run, named, pool);
-    return run->name != NULL;
+    size_t size = sph2d_study_run_name(run, NULL, NULL, 0) + 1;
+    char *name = sph2d__pool_alloc(pool, size, 1);
+    if (name)
+        sph2d_study_run_name(run, NULL, name, size);
+    run->name = name;
+    return name != NULL;
 }
 
 static bool make_refinements(sph2d_study *study, sph2d__pool *pool)

@@ -33,11 +33,11 @@ double sph2d__error(double value, double expect, bool relative);
 /** The order that two errors show; NaN unless they and the spacings are above 0 and the spacings differ. */
 double sph2d__order(double error_coarse, double error_fine, double spacing_coarse, double spacing_fine);
 
-/** Reads the points that `reference` names: a row with an empty cell or nan in one of the two columns is no point. With
- *  `along` x must lie from 0 to 1. Errors, each with file, line and column: SPH2D_NOINPUT, SPH2D_FORMAT, SPH2D_NOMEM.
- *  The caller frees *points, which is empty after an error. */
-sph2d_status sph2d__reference_read(sph2d_study_curve *points, const sph2d_study_reference *reference, bool along,
-                                   sph2d_report *report);
+/** Makes the points that a measure is compared with: those of the file that it names, or for a profile the places where
+ *  that of the finest run is; none for other measures. A row of the file with an empty cell or nan in one of the two
+ *  columns is no point; for a profile x must lie from 0 to 1. Errors, each with file, line and column: SPH2D_NOINPUT,
+ *  SPH2D_FORMAT, SPH2D_NOMEM. The caller frees *points, which is empty after an error. */
+sph2d_status sph2d__reference_make(sph2d_study_curve *points, const sph2d_study_measure *measure, sph2d_report *report);
 
 /** Frees a reference's points and empties them. */
 void sph2d__reference_free(sph2d_study_curve *points);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file front.c
  *  Error against time. */
-#include "study/front.h"
+#include "study/parts.h"
 
 #include <math.h>
 #include <string.h>

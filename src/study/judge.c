@@ -3,7 +3,7 @@
  *  What is wrong with the numbers of a row: those that are not known, and errors above their bounds. */
 #include <math.h>
 
-#include "study/front.h"
+#include "study/parts.h"
 
 static const char *why_unknown(const sph2d_study_measure *m)
 {

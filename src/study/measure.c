@@ -1,42 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /** @file measure.c
  *  From records to values and errors. */
-#include "study/measure.h"
+#include "study/parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "study/curve.h"
-#include "study/front.h"
-#include "study/order.h"
-#include "study/row_scene.h"
-
-/** Places along the line of a profile that the finest run is compared at. */
-enum { PLACES = 101 };
 
 /* ---- what a record must hold ------------------------------------------------------------------------------------- */
-
-size_t sph2d__profile_places(const sph2d_study_results *results, size_t measure)
-{
-    bool given = results->study->measures[measure].expectation == SPH2D_EXPECT_REFERENCE;
-    return given ? results->references[measure].count : PLACES;
-}
-
-double sph2d__profile_place(const sph2d_study_results *results, size_t measure, size_t place)
-{
-    bool given = results->study->measures[measure].expectation == SPH2D_EXPECT_REFERENCE;
-    return given ? results->references[measure].x[place] : (double)place / (PLACES - 1);
-}
 
 static bool is_profile(const sph2d_study_results *results, size_t measure, const sph2d_study_series *series)
 {
     const sph2d_study_profile *profile = &results->study->measures[measure].profile;
-    bool same = series->probe[0] == '\0' && series->count == sph2d__profile_places(results, measure) &&
-                series->quantity == profile->value &&
+    const sph2d_study_curve *reference = &results->references[measure];
+    bool same = series->probe[0] == '\0' && series->count == reference->count && series->quantity == profile->value &&
                 memcmp(series->ends, profile->line.items, sizeof series->ends) == 0;
     for (size_t k = 0; same && k < series->count; ++k)
-        same = series->rows[2 * k] == sph2d__profile_place(results, measure, k);
+        same = series->rows[2 * k] == reference->x[k];
     return same;
 }
 

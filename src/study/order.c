@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file order.c
  *  Orders of convergence, between two rows and of all that belong together. */
-#include "study/order.h"
+#include "study/parts.h"
 
 #include <math.h>
 
 #include "study/curve.h"
-#include "study/front.h"
-#include "study/settings.h"
 
 /** The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings; among
  *  rows that are written one by one, else the nearest that is coarser and sets the same keys. */

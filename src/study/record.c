@@ -2,7 +2,7 @@
 /** @file record.c
  *  What a run of a row leaves behind, as a block of bytes and back: a head, the struct, then each series and its
  *  numbers, all as they are in memory. */
-#include "study/record.h"
+#include "study/parts.h"
 
 #include <stdlib.h>
 #include <string.h>

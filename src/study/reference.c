@@ -53,12 +53,27 @@ static sph2d_status copy_points(sph2d_study_curve *points, const sph2d_table *ta
     return SPH2D_FORMAT;
 }
 
-sph2d_status sph2d__reference_read(sph2d_study_curve *points, const sph2d_study_reference *reference, bool along,
-                                   sph2d_report *report)
+/** Places along the line of a profile that the finest run is compared at. */
+static sph2d_status make_places(sph2d_study_curve *points)
 {
+    enum { PLACES = 101 };
+    double *room = calloc(PLACES, sizeof *room);
+    for (size_t i = 0; room && i < PLACES; ++i)
+        room[i] = (double)i / (PLACES - 1);
+    if (room)
+        *points = (sph2d_study_curve){room, NULL, PLACES};
+    return room ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+sph2d_status sph2d__reference_make(sph2d_study_curve *points, const sph2d_study_measure *measure, sph2d_report *report)
+{
+    bool along = measure->source == SPH2D_MEASURE_PROFILE;
+    const sph2d_study_reference *reference = &measure->reference;
+    *points = (sph2d_study_curve){NULL, NULL, 0};
+    if (measure->expectation != SPH2D_EXPECT_REFERENCE)
+        return along ? make_places(points) : SPH2D_OK;
     const sph2d_table_column columns[2] = {{reference->x, NULL, false}, {reference->y, NULL, false}};
     sph2d_table *table;
-    *points = (sph2d_study_curve){NULL, NULL, 0};
     sph2d_status status = sph2d_table_read(reference->file, columns, 2, &table, report);
     if (status == SPH2D_OK)
         status = copy_points(points, table, along, report);

@@ -4,12 +4,10 @@
 #include <stdlib.h>
 
 #include "study/curve.h"
-#include "study/front.h"
-#include "study/refine.h"
-#include "study/row_scene.h"
+#include "study/parts.h"
 
 /** All references, so that every fault is told at once. */
-static sph2d_status read_references(sph2d_study_results *results, sph2d_report *report)
+static sph2d_status make_references(sph2d_study_results *results, sph2d_report *report)
 {
     const sph2d_study *study = results->study;
     sph2d_status status = SPH2D_OK;
@@ -17,11 +15,7 @@ static sph2d_status read_references(sph2d_study_results *results, sph2d_report *
     if (!results->references)
         return SPH2D_NOMEM;
     for (size_t i = 0; i < study->measure_count; ++i) {
-        const sph2d_study_measure *m = &study->measures[i];
-        if (m->expectation != SPH2D_EXPECT_REFERENCE)
-            continue;
-        bool along = m->source == SPH2D_MEASURE_PROFILE;
-        sph2d_status read = sph2d__reference_read(&results->references[i], &m->reference, along, report);
+        sph2d_status read = sph2d__reference_make(&results->references[i], &study->measures[i], report);
         status = status == SPH2D_OK ? read : status;
     }
     return status;
@@ -83,7 +77,7 @@ sph2d_status sph2d_study_results_create(const sph2d_study_file *file, const sph2
     made->overrides = overrides;
     made->override_count = override_count;
     made->judge = sph2d__judge(made->study);
-    sph2d_status status = read_references(made, report);
+    sph2d_status status = make_references(made, report);
     if (status == SPH2D_OK)
         status = check_rows(made, all, report);
     if (status == SPH2D_OK)

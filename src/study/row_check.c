@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "study/row_scene.h"
+#include "study/parts.h"
 
 enum { MOST_PROBES = 64 };
 

@@ -2,7 +2,7 @@
 /** @file row_scene.c
  *  The scene of a row, as structs and as text. */
 #define _XOPEN_SOURCE 700 /* realpath */
-#include "study/row_scene.h"
+#include "study/parts.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,9 +6,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "study/measure.h"
-#include "study/record.h"
-#include "study/row_scene.h"
+#include "study/parts.h"
 
 typedef struct runner {
     const sph2d_study_results *results;
@@ -84,16 +82,16 @@ static sph2d_status take_profiles(runner *r)
 {
     for (size_t i = 0; i < r->results->study->measure_count; ++i) {
         const sph2d_study_measure *m = &r->results->study->measures[i];
-        size_t count = sph2d__profile_places(r->results, i);
+        const sph2d_study_curve *places = &r->results->references[i];
         if (m->source != SPH2D_MEASURE_PROFILE)
             continue;
-        sph2d_study_series *series = sph2d__record_add(r->record, 1, count);
+        sph2d_study_series *series = sph2d__record_add(r->record, 1, places->count);
         if (!series)
             return SPH2D_NOMEM;
         series->quantity = m->profile.value;
         const sph2d_vec2 *ends = memcpy(series->ends, m->profile.line.items, sizeof series->ends);
-        for (size_t k = 0; k < count; ++k) {
-            double part = sph2d__profile_place(r->results, i, k);
+        for (size_t k = 0; k < places->count; ++k) {
+            double part = places->x[k];
             sph2d_vec2 at = {ends[0].x + part * (ends[1].x - ends[0].x), ends[0].y + part * (ends[1].y - ends[0].y)};
             sph2d_sample sample;
             double value = sph2d_sim_sample(r->sim, at, &sample) ? quantity(&sample, series->quantity) : NAN;

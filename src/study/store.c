@@ -7,8 +7,7 @@
 #include <string.h>
 
 #include "study/hash.h"
-#include "study/measure.h"
-#include "study/row_scene.h"
+#include "study/parts.h"
 
 enum { MOST_BYTES = 256 << 20 };
 
