@@ -141,40 +141,24 @@ static void write_end(const sph2d_study_record *record, char out[STUDY_CELL_SIZE
 
 void study_cell(const sph2d_study_row *row, const study_column *c, char out[STUDY_CELL_SIZE])
 {
+    static const char *const formats[] = {
+        [STUDY_NUMBER] = "%.5g", [STUDY_VALUE] = "%.5g", [STUDY_ERROR] = "%.3g", [STUDY_ORDER] = "%.2f"};
     const void *field = study_field(row, c);
     char rate[TEXT_SIZE];
-    switch (c->form) {
-    case STUDY_NAME:
-        snprintf(out, STUDY_CELL_SIZE, "%.200s", *(const char *const *)field);
-        text_whole(out);
-        break;
-    case STUDY_TEXT:
-        snprintf(out, STUDY_CELL_SIZE, "%.200s", (const char *)field);
-        break;
-    case STUDY_END:
+    if (c->form == STUDY_NAME || c->form == STUDY_TEXT)
+        snprintf(out, STUDY_CELL_SIZE, "%.200s",
+                 c->form == STUDY_NAME ? *(const char *const *)field : (const char *)field);
+    else if (c->form == STUDY_END)
         write_end(&row->record, out);
-        break;
-    case STUDY_FLAG:
+    else if (c->form == STUDY_FLAG)
         snprintf(out, STUDY_CELL_SIZE, "%s", *(const bool *)field ? "*" : "");
-        break;
-    case STUDY_COUNT:
+    else if (c->form == STUDY_COUNT)
         snprintf(out, STUDY_CELL_SIZE, "%" PRIu64, *(const uint64_t *)field);
-        break;
-    case STUDY_SECONDS:
+    else if (c->form == STUDY_SECONDS)
         study_seconds(out, study_number(row, c));
-        break;
-    case STUDY_RATE:
+    else if (c->form == STUDY_RATE)
         snprintf(out, STUDY_CELL_SIZE, "%s", isnan(row->rate) ? "-" : text_count(rate, row->rate));
-        break;
-    case STUDY_NUMBER:
-    case STUDY_VALUE:
-        write_number(out, "%.5g", study_number(row, c));
-        break;
-    case STUDY_ERROR:
-        write_number(out, "%.3g", study_number(row, c));
-        break;
-    case STUDY_ORDER:
-        write_number(out, "%.2f", study_number(row, c));
-        break;
-    }
+    else
+        write_number(out, formats[c->form], study_number(row, c));
+    text_whole(out);
 }

@@ -7,7 +7,7 @@
 
 #include "../exit.h"
 #include "columns.h"
-#include "outputs.h"
+#include "parts.h"
 
 /* NaN has no sign, whatever its bits say. */
 static void put_number(FILE *out, double value)

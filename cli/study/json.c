@@ -7,7 +7,7 @@
 
 #include "../build.h"
 #include "columns.h"
-#include "outputs.h"
+#include "parts.h"
 
 static void add_measure(cli_json *line, const sph2d_study_measure *m, const sph2d_study_value *v)
 {

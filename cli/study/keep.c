@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keep.c
  *  The folder of a study, and the rows in it. */
-#include "keep.h"
+#include "parts.h"
 
 #include <inttypes.h>
 

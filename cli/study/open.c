@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file open.c
  *  The study to be done, and the scenes that come out of it. */
-#include "open.h"
+#include "parts.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "../exit.h"
 #include "../message.h"
-#include "outputs.h"
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 

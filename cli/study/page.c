@@ -7,7 +7,7 @@
 
 #include "../build.h"
 #include "columns.h"
-#include "outputs.h"
+#include "parts.h"
 #include "templates.h"
 
 static void put(FILE *out, const char *text)

@@ -9,7 +9,7 @@
 
 #include "../exit.h"
 #include "../message.h"
-#include "outputs.h"
+#include "parts.h"
 #include "templates.h"
 
 /* With more settings than this only those that reach the front have a colour and a name. */
@@ -103,28 +103,20 @@ static void put_front(const drawing *d, FILE *out)
             put_point(out, &d->points[i]);
 }
 
-/* A block a line, with its titles in the two pictures above the columns of times and of keys; "" is none. */
-static void put_lines(const drawing *d, FILE *out)
+/* The titles of a line in the two pictures, above the columns of times and of keys; "" is none. */
+static void put_titles(const cli_study *s, const point *p, FILE *out)
 {
-    const sph2d_study_results *results = d->study->results;
-    const sph2d_study_row *leader = NULL;
-    for (size_t i = 0; i < d->count; ++i) {
-        const point *p = &d->points[i];
-        double order = p->leader != leader && p->named ? sph2d_study_row_order(results, p->row) : NAN;
-        char label[LABEL_SIZE] = "", order_is[32] = "";
-        sph2d_study_run run = p->leader->run;
-        if (d->study->study->vary_count == 0) /* a name that was given says what the row differs in from its line */
-            run.given = NULL;
-        if (p->named)
-            sph2d_study_run_name(&run, d->study->study->along, label, sizeof label);
-        study_clean(label, "\"\t", '\'');
-        if (!isnan(order))
-            snprintf(order_is, sizeof order_is, ": order %.2f", order);
-        if (p->leader != leader)
-            fprintf(out, "\n\n\"%s\"\t\"\"\t\"%s%s\"\n", label, label, order_is);
-        leader = p->leader;
-        put_point(out, p);
-    }
+    char label[LABEL_SIZE] = "", order_is[32] = "";
+    sph2d_study_run run = p->row->run;
+    if (s->study->vary_count == 0) /* a name that was given says what the row differs in from its line */
+        run.given = NULL;
+    if (p->named)
+        sph2d_study_run_name(&run, s->study->along, label, sizeof label);
+    study_clean(label, "\"\t", '\'');
+    double order = p->named ? sph2d_study_row_order(s->results, p->row) : NAN;
+    if (!isnan(order))
+        snprintf(order_is, sizeof order_is, ": order %.2f", order);
+    fprintf(out, "\n\n\"%s\"\t\"\"\t\"%s%s\"\n", label, label, order_is);
 }
 
 static void put_data(const void *drawing_, FILE *out)
@@ -133,7 +125,11 @@ static void put_data(const void *drawing_, FILE *out)
     qsort(d->points, d->count, sizeof *d->points, by_time);
     put_front(d, out);
     qsort(d->points, d->count, sizeof *d->points, by_line);
-    put_lines(d, out);
+    for (size_t i = 0; i < d->count; ++i) {
+        if (i == 0 || d->points[i].leader != d->points[i - 1].leader)
+            put_titles(d->study, &d->points[i], out);
+        put_point(out, &d->points[i]);
+    }
 }
 
 /* ---- the script -------------------------------------------------------------------------------------------------- */
@@ -207,7 +203,7 @@ static int draw(cli_study *s, int pictures)
     bool kept = true;
     if (!run_gnuplot(s))
         return CLI_EXIT_SUCCESS;
-    for (int i = 0; i < pictures; ++i)
+    for (int i = 0; i < pictures && i < 2; ++i)
         kept = keep_picture(s, names[i], "svg") && keep_picture(s, names[i], "png") && kept;
     if (!kept)
         message_error(SPH2D_CODE_FILE_WRITE, NULL, "gnuplot did not write all pictures to '%s'", s->folder.path);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file pool.c
  *  Rows in processes of their own. Each sends its record through a pipe when it is done. */
-#include "pool.h"
+#include "parts.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -19,8 +19,6 @@
 #include "../message.h"
 #include "../signals.h"
 #include "../text.h"
-#include "keep.h"
-#include "worker.h"
 
 /* A process that runs a row. */
 typedef struct worker {

@@ -9,10 +9,7 @@
 #include "../exit.h"
 #include "../message.h"
 #include "../signals.h"
-#include "keep.h"
-#include "open.h"
-#include "outputs.h"
-#include "pool.h"
+#include "parts.h"
 
 /* ---- before anything runs ---------------------------------------------------------------------------------------- */
 

@@ -10,7 +10,7 @@
 #include "../message.h"
 #include "../text.h"
 #include "columns.h"
-#include "outputs.h"
+#include "parts.h"
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 

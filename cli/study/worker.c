@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file worker.c
  *  The process of a row. */
-#include "worker.h"
+#include "parts.h"
 
 #include <errno.h>
 #include <inttypes.h>

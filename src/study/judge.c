@@ -13,18 +13,15 @@ static const char *why_unknown(const sph2d_study_measure *m)
         return "not known for this run";
     if (m->expectation == SPH2D_EXPECT_REFERENCE)
         return "no point of the reference lies inside the series";
-    switch (m->take) {
-    case SPH2D_TAKE_PERIOD:
+    if (m->take == SPH2D_TAKE_PERIOD)
         return "the series comes up to its level less than twice";
-    case SPH2D_TAKE_DECAY:
+    if (m->take == SPH2D_TAKE_DECAY)
         return "the series swings to the sides of its level less than twice";
-    case SPH2D_TAKE_CROSSING:
+    if (m->take == SPH2D_TAKE_CROSSING)
         return "the series does not come to its level";
-    case SPH2D_TAKE_VALUE:
+    if (m->take == SPH2D_TAKE_VALUE)
         return "the series has no sample before or after that time";
-    default:
-        return "the series has no sample with a value there";
-    }
+    return "the series has no sample with a value there";
 }
 
 static void judge_one(const char *row, const sph2d_study_measure *m, const sph2d_study_value *v, bool own,

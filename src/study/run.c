@@ -62,19 +62,9 @@ static sph2d_status take_due(runner *r)
 
 static double quantity(const sph2d_sample *sample, sph2d_quantity what)
 {
-    switch (what) {
-    case SPH2D_QUANTITY_VX:
-        return sample->velocity[0];
-    case SPH2D_QUANTITY_VY:
-        return sample->velocity[1];
-    case SPH2D_QUANTITY_SPEED:
-        return hypot(sample->velocity[0], sample->velocity[1]);
-    case SPH2D_QUANTITY_PRESSURE:
-        return sample->pressure;
-    case SPH2D_QUANTITY_DENSITY:
-        return sample->density;
-    }
-    return NAN;
+    const double *v = sample->velocity;
+    const double values[] = {v[0], v[1], hypot(v[0], v[1]), sample->pressure, sample->density}; /* as in the enum */
+    return values[what];
 }
 
 /** The liquid along the line of each profile that is measured. */
