@@ -480,7 +480,8 @@ check-walls: ## no folder includes what it must not know
 	    for b in $$bad; do \
 	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.h" src/$$d/*.[ch] || exit 1; \
 	    done; \
-	done; ! grep -rn '#include ".*\.\./\(src\|include\)/' cli || exit 1; echo 'walls: ok'
+	done; ! grep -rn '#include ".*\.\./\(src\|include\)/' cli || exit 1; \
+	! grep -n '#include "study/' cli/*.[ch] || exit 1; echo 'walls: ok'
 
 format: ## rewrite the C files with clang-format
 	clang-format -i $(ALL_C)

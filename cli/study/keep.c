@@ -45,7 +45,7 @@ int study_find(cli_study *s, sph2d_study_row *row)
 {
     if (s->options->output == NULL)
         return CLI_EXIT_SUCCESS;
-    char program[2048];
+    char program[8192];
     write_program(s, program, sizeof program);
     sph2d_status status = sph2d_study_row_key(s->results, row, program, &s->report);
     const char *rows = folder_file(&s->folder, "rows");

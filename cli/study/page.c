@@ -52,7 +52,7 @@ static void put_first_comment(FILE *out, const char *text)
 /* What the study's own first comment says of its rows. */
 static void put_study_comment(const cli_study *s, FILE *out)
 {
-    char text[8192] = "";
+    char text[32768] = "";
     FILE *in = s->made == NULL ? fopen(s->path, "r") : NULL;
     if (in == NULL)
         return;

@@ -210,12 +210,13 @@ SPH2D_API sph2d_status sph2d_study_row_run(const sph2d_study_results *results, s
 SPH2D_API sph2d_status sph2d_study_row_key(const sph2d_study_results *results, sph2d_study_row *row,
                                            const char *program, sph2d_report *report);
 
-/** Fills a row with the record that sph2d_study_row_keep() left in `folder` under the row's key. False where there is
- *  none, where it is damaged or lacks what the study measures now: then the record is empty. */
+/** Fills a row, whose record must be empty, with what sph2d_study_row_keep() left in `folder` under the row's key. False
+ *  where there is no key or no file, and where the file is damaged or lacks what the study measures now: then the record
+ *  is empty. */
 SPH2D_API bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *row, const char *folder);
 
 /** Keeps the record of a row that finished or that a guard stopped in `folder`, as a file named after its key. Errors:
- *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
+ *  SPH2D_INVALID without a key, SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_study_row_keep(const sph2d_study_row *row, const char *folder, sph2d_report *report);
 
 /* ---- what came out ----------------------------------------------------------------------------------------------- */

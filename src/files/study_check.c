@@ -5,6 +5,7 @@
 #include "files/study_rows.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,9 +33,13 @@ static bool is_sound(const checker *c, const char *name)
 }
 
 /** Reports a fault of a key of what is checked, or with "" of all of it. */
-static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *name, const char *message)
+static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *name, const char *format, ...)
 {
-    char path[PATH_SIZE];
+    char path[PATH_SIZE], message[160];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
     snprintf(path, sizeof path, "%.60s%s%.30s", c->above, name[0] && c->above[0] ? "." : "", name);
     sph2d__place nowhere = {c->root->place.source, SPH2D__NOWHERE};
     sph2d_diagnostic *d = sph2d__fault(c->faults, code, nowhere, path, "%s", message);
@@ -48,10 +53,8 @@ static sph2d_diagnostic *fault(checker *c, sph2d_code code, const char *name, co
 /** Reports a key that is given although it means nothing. */
 static void refuse(checker *c, const char *name, const char *reason)
 {
-    char message[160];
-    snprintf(message, sizeof message, "'%s' has no meaning %s", name, reason);
     if (is_given(c, name))
-        fault(c, SPH2D_CODE_CONFLICT, name, message);
+        fault(c, SPH2D_CODE_CONFLICT, name, "'%s' has no meaning %s", name, reason);
 }
 
 static void refuse_all(checker *c, const char *const *names, const char *reason)
@@ -62,10 +65,8 @@ static void refuse_all(checker *c, const char *const *names, const char *reason)
 
 static void demand(checker *c, const char *name, const char *reason)
 {
-    char message[160];
-    snprintf(message, sizeof message, "'%s' must be given %s", name, reason);
     if (!is_given(c, name))
-        fault(c, SPH2D_CODE_MISSING_KEY, "", message);
+        fault(c, SPH2D_CODE_MISSING_KEY, "", "'%s' must be given %s", name, reason);
 }
 
 static void check_probe(checker *c, const sph2d_study_measure *m)
@@ -186,7 +187,6 @@ static void check_target(checker *c, const sph2d_study *study)
 
 static void check_judge(checker *c, const sph2d_study *study)
 {
-    char message[120];
     bool named = false;
     for (size_t i = 0; study->judge && i < study->measure_count; ++i) {
         const sph2d_study_measure *m = &study->measures[i];
@@ -197,9 +197,8 @@ static void check_judge(checker *c, const sph2d_study *study)
     }
     if (named)
         fault(c, SPH2D_CODE_CONFLICT, "judge", "that measure has no error: nothing is expected of it");
-    snprintf(message, sizeof message, "no measure is called '%.60s'", study->judge ? study->judge : "");
-    if (!named && study->judge && is_sound(c, "judge"))
-        fault(c, SPH2D_CODE_WRONG_TYPE, "judge", message);
+    else if (study->judge && is_sound(c, "judge"))
+        fault(c, SPH2D_CODE_WRONG_TYPE, "judge", "no measure is called '%.60s'", study->judge);
 }
 
 /** Two columns of one name cannot be distinguished. */

@@ -47,10 +47,11 @@ static void judge_one(const char *row, const sph2d_study_measure *m, const sph2d
 
 void sph2d_study_row_judge(const sph2d_study_results *results, const sph2d_study_row *row, sph2d_report *report)
 {
+    const sph2d_study_row *finest = sph2d__finest(results);
     for (size_t i = 0; sph2d__row_counts(row) && i < results->study->measure_count; ++i) {
         const sph2d_study_measure *m = &results->study->measures[i];
         /* What is expected of the finest run is what it gives. */
-        bool own = m->expectation == SPH2D_EXPECT_FINEST && row == sph2d__finest(results);
+        bool own = m->expectation == SPH2D_EXPECT_FINEST && row == finest;
         judge_one(row->run.name, m, &row->values[i], own, report);
     }
 }

@@ -64,6 +64,8 @@ static char *read_file(const char *path, size_t *size)
 
 bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *row, const char *folder)
 {
+    if (!row->key)
+        return false;
     size_t size = 0, length = strlen(row->key);
     char *path = path_of(row->key, folder), *bytes = read_file(path, &size);
     row->there = bytes && size > length && memcmp(bytes, row->key, length) == 0 &&
@@ -79,6 +81,8 @@ bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *r
 
 sph2d_status sph2d_study_row_keep(const sph2d_study_row *row, const char *folder, sph2d_report *report)
 {
+    if (!row->key)
+        return SPH2D_INVALID;
     size_t length = strlen(row->key), size = length + sph2d_study_record_pack(&row->record, NULL, 0);
     char *path = path_of(row->key, folder), *bytes = malloc(size);
     sph2d_status status = SPH2D_NOMEM;
