@@ -13,7 +13,7 @@
 #include "../signals.h"
 
 typedef struct work {
-    const cli_study *study;
+    cli_study *study;
     pid_t parent;
     cli_progress progress;
 } work;
@@ -24,6 +24,7 @@ static bool go_on(void *user, const sph2d_study_run *run, const sph2d_sim *sim)
     work *w = user;
     double time = sph2d_sim_time(sim), until = sph2d_sim_scene(sim)->run.until;
     if (sph2d_sim_steps(sim) == 0) {
+        study_report(w->study, SPH2D_OK); /* warnings do not wait for the end */
         w->progress = progress_begin(w->study->options, 0, until);
         w->progress.printed_tenth = 10; /* rows are printed anyway: lines come only where one takes long */
     }

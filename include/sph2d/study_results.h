@@ -185,7 +185,8 @@ typedef struct sph2d_study_run_options {
     uint64_t repeat;
     /** Other rows run beside it, so that wall time means nothing; default false. */
     bool beside_others;
-    /** Asked before every step; false ends the row as SPH2D_STUDY_STOPPED. Default NULL: runs to the end. */
+    /** Asked before every step; false ends the row as SPH2D_STUDY_STOPPED. It may print the report so far and clear it.
+     *  Default NULL: runs to the end. */
     bool (*go_on)(void *user, const sph2d_study_run *run, const sph2d_sim *sim);
     void *user;
 } sph2d_study_run_options;

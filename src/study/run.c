@@ -13,8 +13,11 @@ typedef struct runner {
     const sph2d_study_run *run;
     const sph2d_study_run_options *options;
     sph2d_study_record *record;
+    const sph2d_scene_file *file;
     sph2d_sim *sim;
-    sph2d_report *report;
+    sph2d_report said;    /* by the simulation, to be passed on ... */
+    sph2d_report *report; /* ... to here */
+    bool again;           /* a repeat, which gives the same warnings again */
 } runner;
 
 static double seconds(clockid_t clock)
@@ -139,7 +142,7 @@ static sph2d_status advance(runner *r)
             return SPH2D_OK;
         }
         double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
-        status = sph2d_sim_step(r->sim, r->report);
+        status = sph2d_sim_step(r->sim, &r->said);
         r->record->wall += seconds(CLOCK_MONOTONIC) - wall;
         r->record->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
         if (status == SPH2D_OK)
@@ -148,61 +151,68 @@ static sph2d_status advance(runner *r)
     return status == SPH2D_OK ? take_profiles(r) : status;
 }
 
-static sph2d_status go(runner *r, const sph2d_scene *scene, double begun)
+/** Passes on what the simulation said, with the name of the row, since rows may share a terminal. The first error is the
+ *  reason. */
+static void pass_on(runner *r)
+{
+    sph2d__row_locate(r->results, r->run, r->file, &r->said, 0);
+    for (size_t i = 0; i < r->said.count; ++i) {
+        const sph2d_diagnostic *d = &r->said.items[i];
+        if (d->severity == SPH2D_ERROR && r->record->reason[0] == '\0')
+            memcpy(r->record->reason, d->message, sizeof d->message);
+        if (r->again && d->severity == SPH2D_WARNING)
+            continue;
+        sph2d_diagnostic named = *d;
+        snprintf(named.message, sizeof named.message, "row '%.60s': %.250s", r->run->name, d->message);
+        sph2d_diagnostic *copy = sph2d_report_add(r->report, d->severity, d->code, NULL, "%s", named.message);
+        if (copy)
+            *copy = named;
+    }
+    if (r->report)
+        r->report->dropped += r->said.dropped;
+    sph2d_report_clear(&r->said);
+}
+
+static sph2d_status go(runner *r, double begun)
 {
     sph2d_sim_options options = sph2d_sim_options_default();
     if (r->options->threads > 0)
         options.threads = r->options->threads;
     options.isa = r->options->isa;
-    sph2d_status status = sph2d_sim_create(scene, &options, &r->sim, r->report);
+    sph2d_status status = sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->said);
     r->record->start = seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
+    pass_on(r);
     if (status == SPH2D_OK)
         status = begin_series(r);
     if (status != SPH2D_OK)
         return status;
     status = advance(r);
+    pass_on(r);
     take_summary(r);
     return status;
 }
 
-/** Diagnostics of the run itself get the name of the row, since rows may share a terminal; the first error is the
- *  reason. */
-static void name_row(const runner *r, sph2d_status status, size_t first)
-{
-    sph2d_study_record *record = r->record;
-    for (size_t i = first; r->report && i < r->report->count; ++i) {
-        sph2d_diagnostic *d = &r->report->items[i];
-        char message[sizeof d->message];
-        memcpy(message, d->message, sizeof message);
-        if (d->severity == SPH2D_ERROR && record->reason[0] == '\0')
-            memcpy(record->reason, message, sizeof message);
-        snprintf(d->message, sizeof d->message, "row '%.60s': %.250s", r->run->name, message);
-    }
-    if (status != SPH2D_OK && record->reason[0] == '\0')
-        snprintf(record->reason, sizeof record->reason, "%s", sph2d_status_text(status));
-}
-
 /** Runs a row once. Returns how many threads shared a step at most. */
 static int run_once(const sph2d_study_results *results, const sph2d_study_run *run,
-                    const sph2d_study_run_options *options, sph2d_study_record *record, sph2d_report *report)
+                    const sph2d_study_run_options *options, bool again, sph2d_study_record *record,
+                    sph2d_report *report)
 {
-    runner r = {results, run, options, record, NULL, report};
-    size_t first = report ? report->count : 0;
+    runner r = {.results = results, .run = run, .options = options, .record = record, .report = report, .again = again};
     double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
     sph2d_scene_file *file;
     sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
     record->repeats = 1;
-    if (status != SPH2D_OK)
+    if (status != SPH2D_OK) {
         snprintf(record->reason, sizeof record->reason, "the scene was rejected");
-    else
-        status = go(&r, sph2d_scene_file_scene(file), begun);
-    if (file) {
-        name_row(&r, status, first);
-        sph2d__row_locate(results, run, file, report, first);
+    } else {
+        r.file = file;
+        status = go(&r, begun);
     }
     record->status = status;
     if (status != SPH2D_OK)
         record->end = status == SPH2D_GUARD ? SPH2D_STUDY_GUARD : SPH2D_STUDY_FAILED;
+    if (status != SPH2D_OK && record->reason[0] == '\0')
+        snprintf(record->reason, sizeof record->reason, "%s", sph2d_status_text(status));
     if (options->beside_others)
         record->wall = NAN;
     int threads = r.sim ? sph2d_sim_threads(r.sim) : 1;
@@ -236,14 +246,11 @@ sph2d_status sph2d_study_row_run(const sph2d_study_results *results, sph2d_study
     options = options ? options : &plain;
     sph2d_study_record *record = &row->record;
     uint64_t repeat = options->repeat > 0 ? options->repeat : results->study->repeat;
-    int threads = run_once(results, &row->run, options, record, report);
+    int threads = run_once(results, &row->run, options, false, record, report);
     bool brief = record->cpu < SPH2D_STUDY_REPEATED * (double)threads;
     for (uint64_t i = 1; i < repeat && brief && record->end == SPH2D_STUDY_FINISHED; ++i) {
         sph2d_study_record more = {0};
-        size_t told = report ? report->count : 0;
-        run_once(results, &row->run, options, &more, report);
-        if (more.status == SPH2D_OK && report) /* the same warnings again */
-            report->count = told;
+        run_once(results, &row->run, options, true, &more, report);
         merge(record, &more);
         sph2d_study_record_free(&more);
     }
