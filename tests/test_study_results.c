@@ -180,6 +180,10 @@ START_TEST(a_guard_stops_its_row_with_a_reason)
     const sph2d_study_record *record = &results->rows[0].record;
     ck_assert(record->end == SPH2D_STUDY_GUARD && record->status == SPH2D_GUARD && record->reason[0] != '\0');
     ck_assert(report.errors == 1 && strncmp(report.items[report.count - 1].message, "row 'bad': ", 11) == 0);
+    sph2d_study_record_free(&results->rows[0].record);
+    ck_assert_int_eq(sph2d_study_row_run(results, &results->rows[0], NULL, NULL), SPH2D_GUARD);
+    ck_assert(
+        strstr(report.items[report.count - 1].message, results->rows[0].record.reason)); /* without a report too */
 }
 END_TEST
 
