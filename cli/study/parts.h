@@ -14,8 +14,8 @@
 /** Reads s->path into s->file and s->study. Where it is a scene, the study is made for it. */
 int study_open(cli_study *s);
 
-/** Writes what the study leaves for people to go on with: study.yaml where it was made here, and cheapest.yaml, the scene
- *  of the row that is the cheapest for the wanted error, when there is one. */
+/** Writes what the study leaves for people to go on with: study.yaml where it was made here, and cheapest.yaml, the
+ *  scene of the row that is the cheapest for the wanted error, when there is one. */
 int study_open_write(cli_study *s);
 
 /* ---- rows in processes of their own (pool.c, worker.c) ----------------------------------------------------------- */
@@ -52,9 +52,9 @@ void study_table_print(const cli_study *s);
 /** Prints the rows as one JSON object. `end` is a word for how the study ended, `passed` whether nothing failed. */
 void study_json_print(const cli_study *s, const char *end, bool passed);
 
-/** The line that a study is run for: which row is the cheapest for the wanted error, or the one with the smallest error;
- *  "" when no row has one. What the times were taken with: threads, instruction set, repeats; "" without a row. Both
- *  return `out`, cut at `size`. */
+/** The line that a study is run for: which row is the cheapest for the wanted error, or the one with the smallest
+ *  error; "" when no row has one. What the times were taken with: threads, instruction set, repeats; "" without a row.
+ *  Both return `out`, cut at `size`. */
 char *study_verdict(const cli_study *s, char *out, size_t size);
 char *study_conditions(const cli_study *s, char *out, size_t size);
 

@@ -45,13 +45,13 @@ do for [p = 1:pictures] {
         if (kind eq 'png') { set terminal pngcairo size 1140,840 enhanced font 'sans-serif,13' fontscale 1.1 }
         set output before.word('error_time error_along', p).'.'.kind.after
         if (p == 1) {
-            plot for [i = 1:lines] 'plots.dat' index i using 1:2 with linespoints pt 7 ps size(i) lw width(i) lc colour(i) \
-                    title columnheader(1), \
+            plot for [i = 1:lines] 'plots.dat' index i using 1:2 with linespoints \
+                    pt 7 ps size(i) lw width(i) lc colour(i) title columnheader(1), \
                 'plots.dat' index 0 using 1:2 with steps lw 2 lc rgb '#222222' title 'front', \
                 target with lines dt 2 lc rgb '#888888' title wanted
         } else {
-            plot for [i = 1:lines] 'plots.dat' index i using 3:2 with linespoints pt 7 ps size(i) lw width(i) lc colour(i) \
-                    title columnheader(3), \
+            plot for [i = 1:lines] 'plots.dat' index i using 3:2 with linespoints \
+                    pt 7 ps size(i) lw width(i) lc colour(i) title columnheader(3), \
                 target with lines dt 2 lc rgb '#888888' title wanted
         }
         unset output

@@ -57,7 +57,8 @@ bool study_text_begin(study_text *t);
 /** Ends it and hands it over, to be freed by the caller; NULL when memory was short. */
 char *study_text_take(study_text *t);
 
-/** Writes a file of the folder, whole or not at all: `put` prints it. Tells what goes wrong and returns an exit code. */
+/** Writes a file of the folder, whole or not at all: `put` prints it. Tells what goes wrong and returns an exit code.
+ */
 int study_write(cli_study *s, const char *name, void (*put)(const void *what, FILE *out), const void *what);
 
 /** What stands in a template for {{name}}. */

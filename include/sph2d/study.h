@@ -191,8 +191,8 @@ SPH2D_API const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file
 SPH2D_API void sph2d_study_file_locate(const sph2d_study_file *file, sph2d_diagnostic *diagnostic);
 
 /** Writes a name of a run: the one that it was given, then the overrides that this does not stand for, "fine,
- *  support_ratio=3"; "scene" where there are none. The key `but` (NULL: none) is left out of it, and with it a given name
- *  that stands for it. At most `size` bytes go to `out`; returns the length of the whole name, like snprintf. */
+ *  support_ratio=3"; "scene" where there are none. The key `but` (NULL: none) is left out of it, and with it a given
+ *  name that stands for it. At most `size` bytes go to `out`; returns the length of the whole name, like snprintf. */
 SPH2D_API size_t sph2d_study_run_name(const sph2d_study_run *run, const char *but, char *out, size_t size);
 
 /** The keys of a study file. Static storage. */

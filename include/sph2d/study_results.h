@@ -157,8 +157,8 @@ typedef struct sph2d_study_results {
 
 /** Takes a study that was read: reads the references, reads the scene of every row, places the particles of those that
  *  are wanted and checks that the measures fit the scene, so that nothing is found out after hours. `overrides` are
- *  those on top of every row; with `all` the rows that the study skips are wanted too. File and overrides are lent until
- *  the results are destroyed. Errors, in the report with their places: SPH2D_NOINPUT, SPH2D_FORMAT, SPH2D_SCENE,
+ *  those on top of every row; with `all` the rows that the study skips are wanted too. File and overrides are lent
+ *  until the results are destroyed. Errors, in the report with their places: SPH2D_NOINPUT, SPH2D_FORMAT, SPH2D_SCENE,
  *  SPH2D_NOMEM. The caller owns *results, which is NULL after a failure. */
 SPH2D_API sph2d_status sph2d_study_results_create(const sph2d_study_file *file, const sph2d_override *overrides,
                                                   size_t override_count, bool all, sph2d_study_results **results,
@@ -168,8 +168,8 @@ SPH2D_API sph2d_status sph2d_study_results_create(const sph2d_study_file *file, 
 SPH2D_API void sph2d_study_results_destroy(sph2d_study_results *results);
 
 /** The text of a study that asks what the spacing and the stiffness of a scene cost and bring: three spacings with two
- *  stiffnesses each, then the best of the finest at a smaller spacing, which all are compared with. The overrides become
- *  part of it. Errors: as sph2d_scene_file_read(). The caller frees *text with free(). */
+ *  stiffnesses each, then the best of the finest at a smaller spacing, which all are compared with. The overrides
+ *  become part of it. Errors: as sph2d_scene_file_read(). The caller frees *text with free(). */
 SPH2D_API sph2d_status sph2d_study_text_for_scene(const char *path, const sph2d_override *overrides,
                                                   size_t override_count, char **text, sph2d_report *report);
 
@@ -191,8 +191,9 @@ typedef struct sph2d_study_run_options {
     void *user;
 } sph2d_study_run_options;
 
-/** Reads the scene of a run, with its overrides and those on top of every row. Faults of overrides are reported at their
- *  places in the study. Errors: as sph2d_scene_file_read(). The caller owns *file, which is NULL after a failure. */
+/** Reads the scene of a run, with its overrides and those on top of every row. Faults of overrides are reported at
+ *  their places in the study. Errors: as sph2d_scene_file_read(). The caller owns *file, which is NULL after a
+ *  failure. */
 SPH2D_API sph2d_status sph2d_study_run_scene(const sph2d_study_results *results, const sph2d_study_run *run,
                                              sph2d_scene_file **file, sph2d_report *report);
 
@@ -211,9 +212,9 @@ SPH2D_API sph2d_status sph2d_study_row_run(const sph2d_study_results *results, s
 SPH2D_API sph2d_status sph2d_study_row_key(const sph2d_study_results *results, sph2d_study_row *row,
                                            const char *program, sph2d_report *report);
 
-/** Fills a row, whose record must be empty, with what sph2d_study_row_keep() left in `folder` under the row's key. False
- *  where there is no key or no file, and where the file is damaged or lacks what the study measures now: then the record
- *  is empty. */
+/** Fills a row, whose record must be empty, with what sph2d_study_row_keep() left in `folder` under the row's key.
+ *  False where there is no key or no file, and where the file is damaged or lacks what the study measures now: then
+ *  the record is empty. */
 SPH2D_API bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *row, const char *folder);
 
 /** Keeps the record of a row that finished or that a guard stopped in `folder`, as a file named after its key. Errors:

@@ -20,8 +20,8 @@ typedef struct sph2d__document_kind {
     sph2d_status (*read)(void *owner, sph2d__faults *faults);
 } sph2d__document_kind;
 
-/** Copies the text, makes a tree of it and lets the kind read that into `owner`, in the C locale. Faults are reported in
- *  the order of the file. Errors: SPH2D_SCENE, SPH2D_NOMEM, and what `read` returns. */
+/** Copies the text, makes a tree of it and lets the kind read that into `owner`, in the C locale. Faults are reported
+ *  in the order of the file. Errors: SPH2D_SCENE, SPH2D_NOMEM, and what `read` returns. */
 sph2d_status sph2d__document_parse(sph2d__document *document, const sph2d__document_kind *kind, const char *text,
                                    size_t length, const char *name, void *owner, sph2d_report *report);
 

@@ -7,8 +7,8 @@
 
 #include "sph2d/study_results.h"
 
-/** The x (number 0) and y (number `column`) of those of `count` rows, each of `width` numbers, that have a value and lie
- *  from `from` to `to` (NaN: no limit). The curve is made in `room`, which holds 2 * count numbers. */
+/** The x (number 0) and y (number `column`) of those of `count` rows, each of `width` numbers, that have a value and
+ *  lie from `from` to `to` (NaN: no limit). The curve is made in `room`, which holds 2 * count numbers. */
 sph2d_study_curve sph2d__curve_select(const double *rows, size_t width, size_t column, size_t count, double from,
                                       double to, double *room);
 

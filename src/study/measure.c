@@ -89,8 +89,8 @@ static bool measure_profile(const sph2d_study_results *results, size_t measure, 
 
 /* ---- series and summaries ---------------------------------------------------------------------------------------- */
 
-/** The part of a series that a measure looks at; empty where there is none. False when memory is short. The caller frees
- *  *room, which holds it. */
+/** The part of a series that a measure looks at; empty where there is none. False when memory is short. The caller
+ *  frees *room, which holds it. */
 static bool take_curve(const sph2d_study_results *results, size_t measure, const sph2d_study_record *record,
                        sph2d_study_curve *curve, double **room)
 {

@@ -7,8 +7,8 @@
 
 #include "study/curve.h"
 
-/** The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings; among
- *  rows that are written one by one, else the nearest that is coarser and sets the same keys. */
+/** The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
+ *  among rows that are written one by one, else the nearest that is coarser and sets the same keys. */
 static const sph2d_study_row *coarser(const sph2d_study_results *results, const sph2d_study_row *fine)
 {
     const sph2d_study_row *same = NULL, *alike = NULL;

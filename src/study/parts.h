@@ -26,8 +26,8 @@ bool sph2d__record_serves(const sph2d_study_results *results, const sph2d_study_
 
 /* ---- scenes (row_scene.c, row_check.c) --------------------------------------------------------------------------- */
 
-/** Gives the diagnostics from number `first` on their places: those of key paths in the scene's file (NULL: none), those
- *  of overrides that the study makes in the study's. */
+/** Gives the diagnostics from number `first` on their places: those of key paths in the scene's file (NULL: none),
+ *  those of overrides that the study makes in the study's. */
 void sph2d__row_locate(const sph2d_study_results *results, const sph2d_study_run *run, const sph2d_scene_file *scene,
                        sph2d_report *report, size_t first);
 

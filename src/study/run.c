@@ -151,8 +151,8 @@ static sph2d_status advance(runner *r)
     return status == SPH2D_OK ? take_profiles(r) : status;
 }
 
-/** Passes on what the simulation said, with the name of the row, since rows may share a terminal. The first error is the
- *  reason. */
+/** Passes on what the simulation said, with the name of the row, since rows may share a terminal. The first error is
+ *  the reason. */
 static void pass_on(runner *r)
 {
     sph2d__row_locate(r->results, r->run, r->file, &r->said, 0);
@@ -223,7 +223,8 @@ static int run_once(const sph2d_study_results *results, const sph2d_study_run *r
 
 /* ---- repeats ----------------------------------------------------------------------------------------------------- */
 
-/** Keeps the least times of both. What a second run says otherwise is the same bit for bit, unless it did not finish. */
+/** Keeps the least times of both. What a second run says otherwise is the same bit for bit, unless it did not finish.
+ */
 static void merge(sph2d_study_record *kept, const sph2d_study_record *more)
 {
     if (more->end != SPH2D_STUDY_FINISHED) {
