@@ -44,7 +44,7 @@ typedef enum sph2d_study_end {
 /** Rows of numbers that a run gave: the series of a probe over time, or at the end the liquid at places along the line
  *  of a profile. */
 typedef struct sph2d_study_series {
-    /** Name of the probe; "" for a profile. */
+    /** Name of the probe, which has 64 letters at most; "" for a profile. */
     char probe[72];
     /** Of the probe: sph2d_probe_columns() names its columns. */
     sph2d_probe_kind kind;
