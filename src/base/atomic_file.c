@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file atomic_file.c
- *  Files that appear whole or not at all. The order is write, sync, rename, sync the folder: without the first sync a
+ *  Files written atomically. The order is write, sync, rename, sync the folder: without the first sync a
  *  crash may leave the new name on an empty file, without the second it may bring the old file back. */
 #include "base/atomic_file.h"
 
@@ -32,7 +32,7 @@ static size_t folder_length(const char *path)
     return slash ? (size_t)(slash - path) + 1 : 0;
 }
 
-/** Whether a file can be put under the name: renaming onto a device would replace the device by a file. */
+/** Whether a regular file can have this name: renaming onto a device would replace the device by a file. */
 static bool name_is_free(const char *path, sph2d_report *report)
 {
     if (path[folder_length(path)] == '\0') {
@@ -56,15 +56,15 @@ sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph
     if (!name_is_free(path, report))
         return SPH2D_CANTCREAT;
     size_t folder = folder_length(path);
-    size_t room = strlen(path) + 32; /* ".", ".tmp." and a process id */
-    file->final_path = malloc(room);
-    file->temp_path = malloc(room);
+    size_t size = strlen(path) + 32; /* ".", ".tmp." and a process id */
+    file->final_path = malloc(size);
+    file->temp_path = malloc(size);
     if (!file->final_path || !file->temp_path) {
         sph2d__atomic_abort(file);
         return SPH2D_NOMEM;
     }
-    snprintf(file->final_path, room, "%s", path);
-    snprintf(file->temp_path, room, "%.*s.%s.tmp.%ld", (int)folder, path, path + folder, (long)getpid());
+    snprintf(file->final_path, size, "%s", path);
+    snprintf(file->temp_path, size, "%.*s.%s.tmp.%ld", (int)folder, path, path + folder, (long)getpid());
     return SPH2D_OK;
 }
 
@@ -73,18 +73,18 @@ static bool sync_file(const char *path)
     int fd = open(path, O_WRONLY | O_CLOEXEC);
     if (fd < 0)
         return false;
-    bool fine = fsync(fd) == 0;
+    bool ok = fsync(fd) == 0;
     int error = errno;
-    if (close(fd) != 0 && fine) {
-        fine = false;
+    if (close(fd) != 0 && ok) {
+        ok = false;
         error = errno;
     }
     errno = error;
-    return fine;
+    return ok;
 }
 
 /** Syncs the folder of a file. Folders that cannot be opened for reading, and file systems that cannot sync one
- *  (EINVAL), are left to themselves. */
+ *  (EINVAL, ENOTSUP), are not an error. */
 static bool sync_folder(const char *path)
 {
     size_t length = folder_length(path);
@@ -98,16 +98,16 @@ static bool sync_folder(const char *path)
     free(folder);
     if (fd < 0)
         return true;
-    bool fine = fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP;
+    bool ok = fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP;
     int error = errno;
     close(fd);
     errno = error;
-    return fine;
+    return ok;
 }
 
 sph2d_status sph2d__atomic_commit(sph2d__atomic_file *file, sph2d_report *report)
 {
-    const char *failed = NULL; /* what was being done when it failed */
+    const char *failed = NULL; /* the operation that failed */
     if (!sync_file(file->temp_path))
         failed = "write";
     else if (rename(file->temp_path, file->final_path) != 0)
@@ -116,7 +116,7 @@ sph2d_status sph2d__atomic_commit(sph2d__atomic_file *file, sph2d_report *report
         failed = "sync the folder of";
     if (failed)
         sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, failed, file->final_path, errno);
-    sph2d__atomic_abort(file); /* after the rename there is nothing left to remove */
+    sph2d__atomic_abort(file); /* after the rename there is no temporary file to remove */
     return failed ? SPH2D_IO : SPH2D_OK;
 }
 

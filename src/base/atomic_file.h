@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file atomic_file.h
- *  A file that appears under its final name whole or not at all: written beside as `DIR/.NAME.tmp.PID`, synced,
- *  renamed, the folder synced. */
+ *  A file that appears under its final name complete or not at all: it is written as `DIR/.NAME.tmp.PID`, synced and
+ *  renamed, and then the folder is synced. */
 #ifndef SPH2D_BASE_ATOMIC_FILE_H
 #define SPH2D_BASE_ATOMIC_FILE_H
 
@@ -11,7 +11,7 @@
 
 typedef struct sph2d__atomic_file {
     char *final_path;
-    char *temp_path; /**< what to write to */
+    char *temp_path; /**< the file to write */
 } sph2d__atomic_file;
 
 /** Names the temporary file beside `path`. Nothing is created. Errors: SPH2D_CANTCREAT where `path` names a folder, a
@@ -22,7 +22,7 @@ sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph
  *  after a failure the temporary file is gone and the final name as it was. Errors: SPH2D_IO. */
 sph2d_status sph2d__atomic_commit(sph2d__atomic_file *file, sph2d_report *report);
 
-/** Removes the temporary file and frees `file`. A `file` of zeros is fine. */
+/** Removes the temporary file and frees `file`, which may be zeroed. */
 void sph2d__atomic_abort(sph2d__atomic_file *file);
 
 /** Reports a failed system call: "cannot WHAT 'PATH': strerror(error)". */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file memory.c
- *  Counted memory and arenas. */
+ *  Allocation that counts its bytes, and arenas. */
 #include "base/memory.h"
 
 #include <stdint.h>
@@ -82,9 +82,9 @@ static void *load_pointer(const void *slot)
 bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
                      size_t new_count)
 {
-    enum { MOST = 80 }; /* more than a store with every array has */
-    void *fresh[MOST] = {0};
-    if (count > MOST)
+    enum { MAX_BLOCKS = 80 }; /* more than a store with every array has */
+    void *fresh[MAX_BLOCKS] = {0};
+    if (count > MAX_BLOCKS)
         return false;
     for (size_t i = 0; i < count; ++i) {
         fresh[i] = sph2d__alloc(memory, new_count, blocks[i].size);
@@ -106,19 +106,19 @@ bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t 
 
 struct sph2d__arena_chunk {
     struct sph2d__arena_chunk *next;
-    size_t size; /**< of the whole chunk, this header included */
+    size_t size; /**< of the chunk with this header */
 };
 
 void *sph2d__arena_alloc(sph2d__arena *arena, sph2d__memory *memory, size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX - ALIGNMENT) / size)
         return NULL;
-    size_t whole = ALIGNMENT + count * size;
-    struct sph2d__arena_chunk *chunk = sph2d__alloc(memory, whole, 1);
+    size_t bytes = ALIGNMENT + count * size;
+    struct sph2d__arena_chunk *chunk = sph2d__alloc(memory, bytes, 1);
     if (!chunk)
         return NULL;
     chunk->next = arena->first;
-    chunk->size = whole;
+    chunk->size = bytes;
     arena->first = chunk;
     return (char *)chunk + ALIGNMENT;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file memory.h
- *  Memory that is counted, aligned to 64 bytes, and taken from the host's allocator. */
+ *  Allocation by the host's allocator, aligned to 64 bytes, with a count of the bytes in use. */
 #ifndef SPH2D_BASE_MEMORY_H
 #define SPH2D_BASE_MEMORY_H
 
@@ -12,7 +12,7 @@
 typedef struct sph2d__memory {
     sph2d_allocator allocator;
     size_t bytes; /**< allocated now */
-    /** Zeroes a new part of a block with the help of several threads (team.h); NULL: this one does it alone. */
+    /** Zeroes a new part of a block by several threads (team.h); NULL: the calling thread does it alone. */
     void (*clear)(void *helper, char *block, size_t size);
     void *helper;
 } sph2d__memory;
@@ -20,10 +20,11 @@ typedef struct sph2d__memory {
 /** The C library's allocator where `allocator` is {NULL, NULL}. */
 sph2d__memory sph2d__memory_from(sph2d_allocator allocator);
 
-/** `count` zeroed items of `size` bytes; NULL when memory is short or the product overflows. count 0 gives NULL too. */
+/** `count` zeroed items of `size` bytes; NULL when memory is short or the product overflows. NULL for a count of 0,
+ *  too. */
 void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size);
 
-/** Resizes *block from `old_count` to `new_count` items, zeroing what is new. On failure *block stays as it was. */
+/** Resizes *block from `old_count` to `new_count` items, zeroing the new ones. *block is unchanged on failure. */
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size);
 
 /** One of several blocks that grow together. */
@@ -32,14 +33,14 @@ typedef struct sph2d__growth {
     size_t size; /**< of an item */
 } sph2d__growth;
 
-/** Grows all blocks from `old_count` to `new_count` items, zeroing what is new, or, when memory is short, none. */
+/** Grows all blocks from `old_count` to `new_count` items, zeroing the new ones; none when memory is short. */
 bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
                      size_t new_count);
 
 /** Frees *block of `count` items and sets it to NULL. */
 void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t size);
 
-/** Many small blocks with one life. Start it with {0}. */
+/** Many small blocks that are freed together. Initialise with {0}. */
 typedef struct sph2d__arena {
     struct sph2d__arena_chunk *first;
 } sph2d__arena;

@@ -1,49 +1,52 @@
 /* SPDX-License-Identifier: MIT */
 /** @file pace.c
- *  Comparing numbers of threads. */
+ *  Choosing the number of threads by measured throughput. */
 #include "base/pace.h"
 
 #include <math.h>
 
-/* A turn's length, about that of a time slice, and one step at least [s]. */
+/* Length of a turn, about one time slice, and at least one step [s]. */
 static const double TURN = 0.005;
-/* From a change to the next comparison, and so many times longer each time that it changes nothing [s]. */
-static const double FIRST = 0.03, LONGER = 3, LONGEST = 3;
-/* A comparison that changes nothing may take no more than this part of all time. */
-static const double SHARE = 0.04;
-/* More threads must bring that much, fewer may lose it: threads cost processor time. */
-static const double WORTH = 1.05;
-/* What gets less than this done, and is the rival or has more threads, loses after one pair of turns that takes so long
- * that slices of time do not matter [s]. */
-static const double POOR = 0.8, LONG = 0.1;
-/* Beside several jobs that take slices of the same processors one turn in three may get nothing done. A comparison goes
- * on until what it found is so many standard errors off what it asks, or for so many pairs of turns; where pairs
- * scattered by more than the last (of a logarithm) before, for so many at least. */
+/* Time from a change to the next comparison [s]; each comparison that changes nothing multiplies it, up to a limit. */
+static const double MIN_INTERVAL = 0.03, INTERVAL_GROWTH = 3, MAX_INTERVAL = 3;
+/* Comparisons that change nothing take at most this fraction of the time. */
+static const double MAX_OVERHEAD = 0.04;
+/* More threads are chosen when they are faster by this factor; fewer when they are slower by less: threads cost
+ * processor time. */
+static const double MIN_GAIN = 1.05;
+/* A rival, or the choice with more threads, whose throughput is below this fraction of the other's loses after one pair
+ * of turns, if the pair took so long that time slices do not matter [s]. */
+static const double CLEAR_LOSS = 0.8, LONG_PAIR = 0.1;
+/* Beside other jobs on the same processors one turn in three may get nothing done. A comparison goes on until its
+ * result is so many standard errors from the threshold, or up to a number of pairs of turns; at least MIN_PAIRS, or
+ * MIN_NOISY_PAIRS when the pairs of the last comparison (the logarithm of their ratio) scattered by more than
+ * SCATTER. */
 static const double ERRORS = 2, SCATTER = 0.2;
-enum { LEAST_PAIRS = 2, LEAST_DOUBTFUL = 5, MOST_PAIRS = 16 };
-/* What is slower than this times its usual pace is compared sooner: after this part of the time. */
-static const double DROP = 0.8, SOONER = 0.25;
+enum { MIN_PAIRS = 2, MIN_NOISY_PAIRS = 5, MAX_PAIRS = 16 };
+/* Below this fraction of the usual throughput the next comparison comes earlier: after this fraction of the
+ * interval. */
+static const double DROP = 0.8, DROP_INTERVAL = 0.25;
 
 sph2d__pace sph2d__pace_start(int limit)
 {
     return (sph2d__pace){.limit = limit, .chosen = limit};
 }
 
-/** Whether there are numbers of threads further on that way. */
-static bool goes_on(const sph2d__pace *p, bool upwards)
+/** Whether the number of threads can go up, or down. */
+static bool can_change(const sph2d__pace *p, bool upwards)
 {
     return upwards ? p->chosen < p->limit : p->chosen > 1;
 }
 
-/** Twice or half as many, on the way that is open. */
+/** Twice or half as many threads, in the preferred direction if that is possible. */
 static int rival_of(const sph2d__pace *p)
 {
-    bool upwards = goes_on(p, p->upwards) ? p->upwards : !p->upwards;
+    bool upwards = can_change(p, p->upwards) ? p->upwards : !p->upwards;
     int twice = 2 * p->chosen < p->limit ? 2 * p->chosen : p->limit;
     return upwards ? twice : p->chosen / 2;
 }
 
-/** Ends a comparison that took a time. */
+/** Ends a comparison that took `spent` seconds. */
 static void decide(sph2d__pace *p, bool better, double spent)
 {
     bool upwards = p->rival > p->chosen;
@@ -51,9 +54,9 @@ static void decide(sph2d__pace *p, bool better, double spent)
         p->chosen = p->rival;
     p->rival = 0;
     p->age = 0;
-    p->upwards = better ? upwards : !upwards; /* on, or the other way next time */
-    double longer = fmin(fmax(LONGER * p->interval, FIRST), LONGEST);
-    p->interval = better ? FIRST : fmax(longer, spent / SHARE);
+    p->upwards = better ? upwards : !upwards; /* go on, or try the other direction next */
+    double longer = fmin(fmax(INTERVAL_GROWTH * p->interval, MIN_INTERVAL), MAX_INTERVAL);
+    p->interval = better ? MIN_INTERVAL : fmax(longer, spent / MAX_OVERHEAD);
 }
 
 /** Standard deviation of the logarithm of pairs of turns. */
@@ -63,21 +66,21 @@ static double scatter_of(const sph2d__pace *p)
     return sqrt(fmax(p->squares / pairs - mean * mean, 0) * pairs / (pairs - 1));
 }
 
-/** Whether what the pairs of turns found is beyond doubt, or has taken long enough. */
-static bool is_sure(const sph2d__pace *p, double found, double asked)
+/** Whether the mean of the pairs of turns is significantly off a threshold, or there are enough pairs. */
+static bool is_decided(const sph2d__pace *p, double measured, double threshold)
 {
     int pairs = p->turn / 2;
-    return pairs >= (p->doubtful ? LEAST_DOUBTFUL : LEAST_PAIRS) &&
-           (fabs(found - asked) * sqrt(pairs) > ERRORS * scatter_of(p) || pairs == MOST_PAIRS);
+    return pairs >= (p->noisy ? MIN_NOISY_PAIRS : MIN_PAIRS) &&
+           (fabs(measured - threshold) * sqrt(pairs) > ERRORS * scatter_of(p) || pairs == MAX_PAIRS);
 }
 
-/** Ends a turn of a comparison. */
-static void take_turn(sph2d__pace *p)
+/** Ends a turn of a comparison: the rival's or the choice's. */
+static void end_turn(sph2d__pace *p)
 {
-    sph2d__stint now = p->now, *whole = p->turn % 2 == 0 ? &p->of_rival : &p->of_choice;
+    sph2d__stint now = p->now, *total = p->turn % 2 == 0 ? &p->of_rival : &p->of_choice;
     p->now = (sph2d__stint){0, 0};
-    whole->work += now.work;
-    whole->spent += now.spent;
+    total->work += now.work;
+    total->spent += now.spent;
     if (p->turn++ % 2 == 0) {
         p->last = now;
         return;
@@ -89,22 +92,22 @@ static void take_turn(sph2d__pace *p)
     p->usual = choice->work / choice->spent;
     p->sum += pair;
     p->squares += pair * pair;
-    double asked = more ? log(WORTH) : -log(WORTH);
+    double threshold = more ? log(MIN_GAIN) : -log(MIN_GAIN);
     if (p->turn == 2) {
-        if (spent > LONG && (ratio < POOR || (!more && ratio * POOR > 1)))
+        if (spent > LONG_PAIR && (ratio < CLEAR_LOSS || (!more && ratio * CLEAR_LOSS > 1)))
             decide(p, ratio > 1, spent);
-    } else if (is_sure(p, log(ratio), asked)) {
-        p->doubtful = scatter_of(p) > SCATTER;
-        decide(p, log(ratio) > asked, spent);
+    } else if (is_decided(p, log(ratio), threshold)) {
+        p->noisy = scatter_of(p) > SCATTER;
+        decide(p, log(ratio) > threshold, spent);
     }
 }
 
-/** Begins a comparison when it is time. */
-static void question(sph2d__pace *p)
+/** Begins a comparison when it is due. */
+static void start_comparison(sph2d__pace *p)
 {
     bool dropped = p->now.work < DROP * p->usual * p->now.spent;
     p->now = (sph2d__stint){0, 0};
-    if (p->age < (dropped ? SOONER : 1) * p->interval)
+    if (p->age < (dropped ? DROP_INTERVAL : 1) * p->interval)
         return;
     p->rival = rival_of(p);
     p->turn = 0;
@@ -121,9 +124,9 @@ int sph2d__pace_note(sph2d__pace *p, double work, double seconds)
     p->now.spent += seconds;
     if (p->now.spent >= TURN) {
         if (p->rival > 0)
-            take_turn(p);
+            end_turn(p);
         else
-            question(p);
+            start_comparison(p);
     }
     return p->rival > 0 && p->turn % 2 == 0 ? p->rival : p->chosen;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file pi.h
- *  The circle's number: standard C has no name for it. */
+ *  Pi, which standard C does not define. */
 #ifndef SPH2D_BASE_PI_H
 #define SPH2D_BASE_PI_H
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file random.h
- *  Random numbers that are a function of what they are for, so that no generator has a state to keep. */
+ *  Counter-based random numbers: functions of what they are used for, so that no generator has a state to store. */
 #ifndef SPH2D_BASE_RANDOM_H
 #define SPH2D_BASE_RANDOM_H
 
 #include <stdint.h>
 
-/** splitmix64 (Steele, Lea & Flood 2014): a number from a counter, so that no generator has a state to keep. */
+/** splitmix64 (Steele, Lea & Flood 2014): a random number from a counter. */
 static inline uint64_t sph2d__mix(uint64_t z)
 {
     z += 0x9e3779b97f4a7c15u;

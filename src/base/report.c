@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file report.c
- *  Statuses, codes and the report that collects diagnostics. Nothing here allocates, so it works when memory is gone.
- */
+ *  Statuses, codes and the report that collects diagnostics. Nothing here allocates, so it works when memory is
+ *  short. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -84,13 +84,13 @@ void sph2d_diagnostic_hint(sph2d_diagnostic *diagnostic, const char *format, ...
     va_end(arguments);
 }
 
-/** snprintf that goes on at `*used` and keeps counting when the buffer is full. */
+/** snprintf at `*used`, which keeps counting when the buffer is full. */
 static void append(char *buffer, size_t size, size_t *used, const char *format, ...)
 {
-    size_t room = *used < size ? size - *used : 0;
+    size_t left = *used < size ? size - *used : 0;
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(room ? buffer + *used : NULL, room, format, arguments);
+    int length = vsnprintf(left ? buffer + *used : NULL, left, format, arguments);
     va_end(arguments);
     if (length > 0)
         *used += (size_t)length;

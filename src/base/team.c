@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file team.c
- *  Helpers, their seats, and the sharing of a loop.
+ *  Worker threads, their slots, and parallel loops.
  *
- *  Each helper has a seat: what it is about, and the parts that are its own, in one cache line. The caller opens a seat
- *  with its parts in it; the helper takes the seat, works, and leaves it. A seat that nobody took when all is done is
- *  closed again. Parts are taken by adding to `next`, from the own seat first.
+ *  Each worker has a slot, one cache line: its state, and the chunks of the loop that are its own. The caller opens a
+ *  slot with chunks in it; the worker takes the slot, works, and leaves it. A slot that no worker has taken when all
+ *  chunks are done is closed again. A chunk is taken by incrementing `next`, from the own slot first (work stealing).
  *
- *  Where another job has a processor, two things cost milliseconds, a time slice, where they could cost microseconds: a
- *  helper that is on the caller's processor, and one that does not get on with a part in hand. The first goes to
- *  another processor, the second is brought to the caller's, which waits. Neither is bound there. */
-#define _GNU_SOURCE /* sched_getaffinity and its like */
+ *  Where another job has a processor, two things cost a time slice, milliseconds, where they could cost microseconds: a
+ *  worker on the caller's processor, and a worker that is preempted in the middle of a chunk. The first moves to
+ *  another processor; the second is moved to the caller's, which waits. Neither stays bound to it. */
+#define _GNU_SOURCE /* sched_getaffinity, pthread_setaffinity_np */
 #include "base/team.h"
 
 #include <pthread.h>
@@ -23,25 +23,25 @@
 
 #include "base/pace.h"
 
-/* How long a thread spins before it sleeps [ns]: longer than what a step does between two loops, and than waking takes;
- * shorter than anybody misses. */
+/* How long a thread spins before it sleeps [ns]: longer than the serial code between two loops of a step, and than
+ * waking a thread takes; short enough not to waste processor time. */
 static const int64_t SPIN = 100000;
-/* How long the caller waits for a part in hand at least [ns]. */
-static const int64_t PATIENCE = 60000;
+/* How long the caller waits at least for a chunk that is being worked on [ns]. */
+static const int64_t MIN_WAIT = 60000;
 
-/** Of a seat. Its helper turns IDLE into ASLEEP, OPEN into TAKEN and leaves with IDLE; the caller does all else. */
+/** States of a slot. Its worker sets ASLEEP from IDLE, TAKEN from OPEN, and IDLE when done; the caller the others. */
 enum { IDLE, ASLEEP, OPEN, TAKEN, AWAITED, ENDED };
 
-typedef struct seat {
+typedef struct slot {
     alignas(64) atomic_int state;
-    atomic_size_t next; /**< part that comes next */
-    size_t end;         /**< behind the last */
+    atomic_size_t next; /**< next chunk */
+    size_t end;         /**< one past the last chunk */
     sph2d__team *team;
     pthread_t thread;
-    cpu_set_t may; /**< where the helper may run, while it is held at the caller's place */
-} seat;
+    cpu_set_t may; /**< affinity to restore, while the worker is moved to the caller's processor */
+} slot;
 
-/** The loop that is being shared. */
+/** The loop that is being run. */
 typedef struct loop {
     sph2d__share_work *work;
     void *with;
@@ -51,18 +51,18 @@ typedef struct loop {
 
 struct sph2d__team {
     loop loop;
-    bool sharing;
-    int limit, now; /**< most threads, and those that share loops now */
-    int started;    /**< threads that there are: 1 at first; fewer than `limit` where the system gives no more */
-    pid_t process;  /**< in which they are */
+    bool running;
+    int limit, now; /**< maximum number of threads, and the number in use */
+    int started;    /**< threads that exist: 1 at first; fewer than `limit` if the system refuses more */
+    pid_t process;  /**< that started them */
     sph2d__pace pace;
-    double parts;           /**< worked on since the pace was looked at */
-    int64_t begun;          /**< when that was [ns] */
-    atomic_int place;       /**< the processor that the caller was on */
-    pthread_mutex_t common; /**< of sph2d__team_lock */
+    double chunks;          /**< since sph2d__team_begin */
+    int64_t begun;          /**< time of sph2d__team_begin [ns] */
+    atomic_int caller_cpu;  /**< the processor of the caller at the start of the loop */
+    pthread_mutex_t common; /**< for sph2d__team_lock */
     pthread_mutex_t sleep;
-    pthread_cond_t opened, left; /**< some seat was: helpers wait for one, the caller for the other */
-    seat *seats;                 /**< `limit`, the caller's first */
+    pthread_cond_t opened, left; /**< a slot was opened (workers wait), or left (the caller waits) */
+    slot *slots;                 /**< `limit` slots, the caller's first */
 };
 
 int sph2d__team_processors(void)
@@ -70,7 +70,7 @@ int sph2d__team_processors(void)
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0)
         return CPU_COUNT(&set);
-    long online = sysconf(_SC_NPROCESSORS_ONLN); /* more than the set has bits */
+    long online = sysconf(_SC_NPROCESSORS_ONLN); /* more processors than the set has bits */
     return online < 1 ? 1 : online < 1024 ? (int)online : 1024;
 }
 
@@ -90,59 +90,59 @@ static inline void pause_briefly(void)
 #endif
 }
 
-/** Moves the calling thread to another of the processors that it may use. */
-static void go_elsewhere(const cpu_set_t *may)
+/** Moves the calling thread to another processor of its affinity mask. */
+static void move_away(const cpu_set_t *may)
 {
     cpu_set_t other = *may;
     int here = sched_getcpu();
     if (here >= 0)
         CPU_CLR((size_t)here, &other);
-    sched_setaffinity(0, sizeof other, &other); /* fails where there is no other */
+    sched_setaffinity(0, sizeof other, &other); /* fails if there is no other */
     sched_setaffinity(0, sizeof *may, may);
 }
 
-/** Leaves the caller's processor. A helper is woken there when all seem busy, and would be in the way of the one that
- *  it should help: who is not running now. */
-static void step_aside(const sph2d__team *team)
+/** Leaves the caller's processor. The system may wake a worker there when all processors seem busy, and then it keeps
+ *  the caller from running. */
+static void leave_caller_cpu(const sph2d__team *team)
 {
     cpu_set_t may;
-    if (sched_getcpu() == atomic_load_explicit(&team->place, memory_order_relaxed) &&
+    if (sched_getcpu() == atomic_load_explicit(&team->caller_cpu, memory_order_relaxed) &&
         sched_getaffinity(0, sizeof may, &may) == 0)
-        go_elsewhere(&may);
+        move_away(&may);
 }
 
-/** Brings a helper, which another job keeps from running, to this processor, which its caller is about to leave idle.
- *  The helper goes elsewhere when it has left its seat. */
-static void fetch(seat *s)
+/** Moves a worker that another job has preempted to this processor, which the caller is about to leave idle. The worker
+ *  moves away again when it has left its slot. */
+static void move_here(slot *s)
 {
     cpu_set_t here;
-    int place = sched_getcpu();
-    if (pthread_getaffinity_np(s->thread, sizeof s->may, &s->may) != 0 || place < 0)
+    int cpu = sched_getcpu();
+    if (pthread_getaffinity_np(s->thread, sizeof s->may, &s->may) != 0 || cpu < 0)
         return;
     CPU_ZERO(&here);
-    CPU_SET((size_t)place, &here);
+    CPU_SET((size_t)cpu, &here);
     pthread_setaffinity_np(s->thread, sizeof here, &here);
 }
 
-/** Spins while a seat is in a state; false when that takes longer than some time [ns]. */
-static bool spin_while(seat *s, int state, int64_t most)
+/** Spins while a slot is in a state; false if it still is after a time [ns]. */
+static bool spin_while(slot *s, int state, int64_t timeout)
 {
-    enum { LOOKS = 32 }; /* between looks at the clock */
-    for (int64_t end = now() + most; now() < end;) {
-        for (int k = 0; k < LOOKS; ++k) {
+    enum { CHECKS = 32 }; /* of the state between two readings of the clock */
+    for (int64_t end = now() + timeout; now() < end;) {
+        for (int k = 0; k < CHECKS; ++k) {
             if (atomic_load_explicit(&s->state, memory_order_acquire) != state)
                 return true;
             pause_briefly();
         }
         if (state == IDLE)
-            step_aside(s->team);
+            leave_caller_cpu(s->team);
     }
     return false;
 }
 
-/** Sleeps while a seat is in a state, which becomes `asleep`: who changes it sees from that that somebody must be
- *  woken. False when the state is already another. */
-static bool sleep_while(seat *s, int state, int asleep, pthread_cond_t *changed)
+/** Sleeps while a slot is in a state, which becomes `asleep`: the thread that changes it then knows that it must wake
+ *  the sleeper. False if the state has already changed. */
+static bool sleep_while(slot *s, int state, int asleep, pthread_cond_t *changed)
 {
     sph2d__team *team = s->team;
     if (!atomic_compare_exchange_strong(&s->state, &state, asleep))
@@ -154,11 +154,11 @@ static bool sleep_while(seat *s, int state, int asleep, pthread_cond_t *changed)
     return true;
 }
 
-/** Puts a seat into a state, and wakes who sleeps over that; whether somebody did. */
-static bool put(seat *s, int state, int asleep, pthread_cond_t *changed)
+/** Sets the state of a slot and wakes the thread that sleeps on it; whether one did. */
+static bool set_state(slot *s, int state, int asleep, pthread_cond_t *changed)
 {
     bool waiting = atomic_exchange_explicit(&s->state, state, memory_order_acq_rel) == asleep;
-    if (!waiting || getpid() != s->team->process) /* forked off: nobody is there, the mutex may be locked for ever */
+    if (!waiting || getpid() != s->team->process) /* a forked child has no workers, and the mutex may stay locked */
         return false;
     pthread_mutex_lock(&s->team->sleep);
     pthread_cond_broadcast(changed);
@@ -166,29 +166,29 @@ static bool put(seat *s, int state, int asleep, pthread_cond_t *changed)
     return true;
 }
 
-/** Works on parts of a seat until there are none. */
-static void empty(const loop *l, seat *s)
+/** Works on the chunks of a slot until there are none. */
+static void work_off(const loop *l, slot *s)
 {
     for (;;) {
-        size_t part = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
-        if (part >= s->end)
+        size_t chunk = atomic_fetch_add_explicit(&s->next, 1, memory_order_relaxed);
+        if (chunk >= s->end)
             return;
-        size_t first = part * l->grain;
+        size_t first = chunk * l->grain;
         l->work(l->with, first, l->count - first > l->grain ? first + l->grain : l->count);
     }
 }
 
-/** Works on the parts of member k, then on those that the others have left. */
-static void take_part(sph2d__team *team, int k)
+/** Works on the chunks of member k, then on those that the others have not begun. */
+static void take_chunks(sph2d__team *team, int k)
 {
     const loop *l = &team->loop;
     for (int n = 0; n < l->members; ++n)
-        empty(l, &team->seats[(k + n) % l->members]);
+        work_off(l, &team->slots[(k + n) % l->members]);
 }
 
-static void *help(void *argument)
+static void *worker(void *argument)
 {
-    seat *s = argument;
+    slot *s = argument;
     sph2d__team *team = s->team;
     for (;;) {
         if (!spin_while(s, IDLE, SPIN))
@@ -196,16 +196,16 @@ static void *help(void *argument)
         int state = OPEN;
         if (atomic_compare_exchange_strong_explicit(&s->state, &state, TAKEN, memory_order_acquire,
                                                     memory_order_acquire)) {
-            take_part(team, (int)(s - team->seats));
-            if (put(s, IDLE, AWAITED, &team->left))
-                go_elsewhere(&s->may);
+            take_chunks(team, (int)(s - team->slots));
+            if (set_state(s, IDLE, AWAITED, &team->left))
+                move_away(&s->may);
         } else if (state == ENDED)
             return NULL;
     }
 }
 
-/** Starts the helpers, which take no signals: those are for the host's own threads. Where the system gives fewer, the
- *  team makes do. */
+/** Starts the workers, with all signals blocked: the host's own threads handle them. The team is smaller if the system
+ *  refuses threads. */
 static void start(sph2d__team *team)
 {
     sigset_t all, before;
@@ -213,8 +213,8 @@ static void start(sph2d__team *team)
     pthread_sigmask(SIG_SETMASK, &all, &before);
     team->process = getpid();
     while (team->started < team->limit) {
-        seat *s = &team->seats[team->started];
-        if (pthread_create(&s->thread, NULL, help, s) != 0)
+        slot *s = &team->slots[team->started];
+        if (pthread_create(&s->thread, NULL, worker, s) != 0)
             break;
         ++team->started;
     }
@@ -231,14 +231,14 @@ sph2d__team *sph2d__team_create(sph2d__memory *memory, int limit)
     team->limit = team->now = limit;
     team->started = 1;
     team->pace = sph2d__pace_start(limit);
-    team->seats = sph2d__alloc(memory, (size_t)limit, sizeof *team->seats);
-    if (!team->seats) {
+    team->slots = sph2d__alloc(memory, (size_t)limit, sizeof *team->slots);
+    if (!team->slots) {
         void *block = team;
         sph2d__release(memory, &block, 1, sizeof *team);
         return NULL;
     }
     for (int k = 0; k < limit; ++k)
-        team->seats[k].team = team;
+        team->slots[k].team = team;
     pthread_mutex_init(&team->common, NULL);
     pthread_mutex_init(&team->sleep, NULL);
     pthread_cond_init(&team->opened, NULL);
@@ -252,16 +252,16 @@ void sph2d__team_destroy(sph2d__team *team, sph2d__memory *memory)
         return;
     if (team->started == 1 || getpid() == team->process) {
         for (int k = 1; k < team->started; ++k)
-            put(&team->seats[k], ENDED, ASLEEP, &team->opened);
+            set_state(&team->slots[k], ENDED, ASLEEP, &team->opened);
         for (int k = 1; k < team->started; ++k)
-            pthread_join(team->seats[k].thread, NULL);
+            pthread_join(team->slots[k].thread, NULL);
         pthread_cond_destroy(&team->opened);
         pthread_cond_destroy(&team->left);
         pthread_mutex_destroy(&team->sleep);
         pthread_mutex_destroy(&team->common);
     }
-    void *seats = team->seats, *block = team;
-    sph2d__release(memory, &seats, (size_t)team->limit, sizeof *team->seats);
+    void *slots = team->slots, *block = team;
+    sph2d__release(memory, &slots, (size_t)team->limit, sizeof *team->slots);
     sph2d__release(memory, &block, 1, sizeof *team);
 }
 
@@ -272,38 +272,38 @@ int sph2d__team_limit(const sph2d__team *team)
 
 int sph2d__team_members(const sph2d__team *team, size_t count, size_t grain)
 {
-    if (!team || team->sharing)
+    if (!team || team->running)
         return 1;
     size_t worth = count / grain;
     return worth < 1 ? 1 : worth < (size_t)team->now ? (int)worth : team->now;
 }
 
-/** Gives each member its parts, then opens the seats: who is early may take from all. */
-static void open_seats(sph2d__team *team)
+/** Gives each member its chunks, then opens the slots: a worker that is early may take chunks of all members. */
+static void open_slots(sph2d__team *team)
 {
     const loop *l = &team->loop;
-    size_t parts = (l->count + l->grain - 1) / l->grain, members = (size_t)l->members;
+    size_t chunks = (l->count + l->grain - 1) / l->grain, members = (size_t)l->members;
     for (size_t k = 0; k < members; ++k) {
-        atomic_store_explicit(&team->seats[k].next, parts * k / members, memory_order_relaxed);
-        team->seats[k].end = parts * (k + 1) / members;
+        atomic_store_explicit(&team->slots[k].next, chunks * k / members, memory_order_relaxed);
+        team->slots[k].end = chunks * (k + 1) / members;
     }
-    atomic_store_explicit(&team->place, sched_getcpu(), memory_order_relaxed);
+    atomic_store_explicit(&team->caller_cpu, sched_getcpu(), memory_order_relaxed);
     for (int k = 1; k < l->members; ++k)
-        put(&team->seats[k], OPEN, ASLEEP, &team->opened);
+        set_state(&team->slots[k], OPEN, ASLEEP, &team->opened);
 }
 
-/** Closes seats that nobody took, and waits for those who have a part in hand; so long they may take [ns] that nothing
- *  seems to keep them. */
-static void close_seats(sph2d__team *team, int64_t patience)
+/** Closes slots that no worker has taken, and waits for workers that are busy with a chunk; one that takes longer than
+ *  `wait` [ns] has probably been preempted and is moved here. */
+static void close_slots(sph2d__team *team, int64_t wait)
 {
     for (int k = 1; k < team->loop.members; ++k) {
-        seat *s = &team->seats[k];
+        slot *s = &team->slots[k];
         int state = OPEN;
         if (atomic_compare_exchange_strong(&s->state, &state, IDLE))
             continue;
-        if (state == TAKEN && !spin_while(s, TAKEN, patience)) {
-            fetch(s);
-            if (!sleep_while(s, TAKEN, AWAITED, &team->left)) /* it has just left, and does not know */
+        if (state == TAKEN && !spin_while(s, TAKEN, wait)) {
+            move_here(s);
+            if (!sleep_while(s, TAKEN, AWAITED, &team->left)) /* it left just now, before it was moved: undo that */
                 pthread_setaffinity_np(s->thread, sizeof s->may, &s->may);
         }
     }
@@ -314,8 +314,8 @@ void sph2d__share(sph2d__team *team, size_t count, size_t grain, sph2d__share_wo
     if (count == 0)
         return;
     int members = sph2d__team_members(team, count, grain);
-    if (team && !team->sharing)
-        team->parts += (double)count / (double)grain;
+    if (team && !team->running)
+        team->chunks += (double)count / (double)grain;
     if (members > 1 && team->started == 1) {
         start(team);
         members = sph2d__team_members(team, count, grain);
@@ -325,13 +325,13 @@ void sph2d__share(sph2d__team *team, size_t count, size_t grain, sph2d__share_wo
         return;
     }
     team->loop = (loop){work, with, count, grain, members};
-    team->sharing = true;
+    team->running = true;
     int64_t begun = now();
-    open_seats(team);
-    take_part(team, 0);
-    int64_t worked = now() - begun; /* what has one of the parts in hand should not take as long as all of the own */
-    close_seats(team, worked > PATIENCE ? worked : PATIENCE);
-    team->sharing = false;
+    open_slots(team);
+    take_chunks(team, 0);
+    int64_t worked = now() - begun; /* one chunk should not take as long as all of the caller's own */
+    close_slots(team, worked > MIN_WAIT ? worked : MIN_WAIT);
+    team->running = false;
 }
 
 void sph2d__team_lock(sph2d__team *team)
@@ -350,17 +350,17 @@ void sph2d__team_begin(sph2d__team *team)
 {
     if (!team)
         return;
-    team->parts = 0;
+    team->chunks = 0;
     team->begun = now();
 }
 
 void sph2d__team_end(sph2d__team *team)
 {
     if (team && team->started > 1)
-        team->now = sph2d__pace_note(&team->pace, team->parts, 1e-9 * (double)(now() - team->begun));
+        team->now = sph2d__pace_note(&team->pace, team->chunks, 1e-9 * (double)(now() - team->begun));
 }
 
-/* Bytes that are worth a thread. */
+/* Bytes that are worth another thread. */
 enum { LARGE = 1 << 21 };
 
 static void clear_part(void *block, size_t first, size_t last)
