@@ -8,28 +8,27 @@
 
 enum { RIM = SPH2D__RIM };
 
-/* A list of neighbours is complete when the cells are as wide as the support; the excess covers rounding of the index.
+/* The ranges hold all neighbours if the cells are as wide as the support; the excess covers rounding of the index.
  */
 static const double MARGIN = 1 + 1e-6;
 
-/* A cell's number has 32 bits. */
-static const double MOST_CELLS = 4e9;
-/* Cells grow by no more than this at a time, so that an extent near the end of the numbers does not make them infinite.
- */
+/* Cells have 32-bit indices. */
+static const double MAX_CELLS = 4e9;
+/* Cells grow by at most this factor at a time, so that an extent near DBL_MAX does not make them infinite. */
 static const double MAX_GROWTH = 1e100;
 
 typedef struct bounds {
     double min_x, min_y, max_x, max_y;
 } bounds;
 
-/** What is asked, and what was found. */
+/** The bounds of a store: input and result. */
 typedef struct extent {
     const sph2d__store *store;
     sph2d__team *team;
     bounds found;
 } extent;
 
-static void find_some_bounds(void *with, size_t first, size_t last)
+static void add_bounds(void *with, size_t first, size_t last)
 {
     extent *e = with;
     const double *x = e->store->x, *y = e->store->y;
@@ -48,11 +47,11 @@ static void find_some_bounds(void *with, size_t first, size_t last)
     sph2d__team_unlock(e->team);
 }
 
-/** Smallest and largest coordinates. They do not depend on how threads share the work. */
+/** Smallest and largest coordinates: the same for any number of threads. */
 static bounds find_bounds(const sph2d__store *store, sph2d__team *team)
 {
     extent e = {store, team, {INFINITY, INFINITY, -INFINITY, -INFINITY}};
-    sph2d__share(team, store->count, SPH2D__GRAIN, find_some_bounds, &e);
+    sph2d__share(team, store->count, SPH2D__GRAIN, add_bounds, &e);
     return e.found;
 }
 
@@ -61,8 +60,8 @@ typedef struct axis {
     double origin, size, count;
 } axis;
 
-/** Cells of at least `size`, `parts` together, over an extent, or exactly over a period, which must hold three times as
- *  many. */
+/** Cells over an extent, `parts` of them at least `size` wide together; or exactly over a period, in which case there
+ *  are at least 3 `parts`. */
 static axis lay_axis(double low, double high, double size, double parts, double period_low, double period)
 {
     double rim = RIM * parts;
@@ -76,12 +75,12 @@ static axis lay_axis(double low, double high, double size, double parts, double 
     return (axis){low - rim * size, size, count + 2 * rim};
 }
 
-/** Lays the grid over the particles. Cells grow where sparse particles would need far more cells than there are
- *  particles, so that memory stays in proportion to the particles. */
+/** Lays the grid over the particles. Sparse particles get larger cells, so that memory stays in proportion to the
+ *  number of particles. */
 static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count)
 {
     const sph2d__period *p = &cells->period;
-    double limit = fmin(8.0 * (double)count + 4096.0, MOST_CELLS);
+    double limit = fmin(8.0 * (double)count + 4096.0, MAX_CELLS);
     double size = support * MARGIN;
     axis x, y;
     for (;;) {
@@ -102,10 +101,10 @@ static void lay_grid(sph2d__cells *cells, bounds b, double support, size_t count
     cells->origin_y = y.origin;
 }
 
-/* Threads that sort: each counts cells of its own. */
+/* The maximum number of sorters: parallel parts of the counting sort, each with its own counts. */
 enum { SORTERS = 4 };
 
-/** Room for something of each cell; it grows by half at least. */
+/** Grows an array of the cells, by at least a half. */
 static bool reserve(uint32_t **array, size_t *capacity, size_t needed, sph2d__memory *memory)
 {
     size_t was = *capacity;
@@ -137,8 +136,9 @@ static size_t part(size_t count, int k, int parts)
     return count / (size_t)parts * (size_t)k + count % (size_t)parts * (size_t)k / (size_t)parts;
 }
 
-/** The cell of each particle from `first` on, by its place in the grid; rounding is kept inside the rim. Counts them.
- */
+/** Finds the cell of each particle from `first` to `last` - 1, clamped against rounding, and counts the particles of
+ *  each cell.
+ * */
 static void assign_cells(sph2d__cells *cells, const sph2d__store *store, size_t first, size_t last, uint32_t *count)
 {
     const double *x = store->x, *y = store->y;
@@ -167,8 +167,8 @@ static uint32_t count_cells(const sph2d__cells *cells, size_t first, size_t last
     return sum;
 }
 
-/** Where each of these cells starts, and in it the particles of each sorter; `k` particles are before them. */
-static void place_cells(sph2d__cells *cells, size_t first, size_t last, size_t cell_count, int sorters, uint32_t k)
+/** Sets the start of each of these cells, and in it the start of each sorter's particles; `k` particles come before. */
+static void start_cells(sph2d__cells *cells, size_t first, size_t last, size_t cell_count, int sorters, uint32_t k)
 {
     for (size_t c = first; c < last; ++c) {
         cells->start[c] = k;
@@ -180,7 +180,7 @@ static void place_cells(sph2d__cells *cells, size_t first, size_t last, size_t c
     }
 }
 
-/** Sorting by counting, each sorter its part of the particles and its part of the cells. */
+/** A counting sort: each sorter has a part of the particles and a part of the cells. */
 typedef struct sorting {
     sph2d__cells *cells;
     const sph2d__store *store;
@@ -189,7 +189,7 @@ typedef struct sorting {
     uint32_t sums[SORTERS]; /**< particles in each part of the cells */
 } sorting;
 
-static void count_some(void *with, size_t first, size_t last)
+static void count_parts(void *with, size_t first, size_t last)
 {
     const sorting *s = with;
     for (int t = (int)first; t < (int)last; ++t) {
@@ -200,7 +200,7 @@ static void count_some(void *with, size_t first, size_t last)
     }
 }
 
-static void sum_some(void *with, size_t first, size_t last)
+static void sum_parts(void *with, size_t first, size_t last)
 {
     sorting *s = with;
     for (int t = (int)first; t < (int)last; ++t)
@@ -208,19 +208,19 @@ static void sum_some(void *with, size_t first, size_t last)
                                  s->cell_count, s->sorters);
 }
 
-static void place_some(void *with, size_t first, size_t last)
+static void start_parts(void *with, size_t first, size_t last)
 {
     const sorting *s = with;
     for (int t = (int)first; t < (int)last; ++t) {
         uint32_t before = 0;
         for (int u = 0; u < t; ++u)
             before += s->sums[u];
-        place_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters), s->cell_count,
+        start_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters), s->cell_count,
                     s->sorters, before);
     }
 }
 
-static void order_some(void *with, size_t first, size_t last)
+static void order_parts(void *with, size_t first, size_t last)
 {
     const sorting *s = with;
     const sph2d__cells *cells = s->cells;
@@ -232,18 +232,18 @@ static void order_some(void *with, size_t first, size_t last)
     }
 }
 
-/** Within a cell particles keep the order that they had, however many sorters there are. */
+/** The sort is stable, so the order does not depend on the number of sorters. */
 static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters,
                            sph2d__team *team)
 {
-    static sph2d__share_work *const turns[] = {count_some, sum_some, place_some, order_some};
+    static sph2d__share_work *const passes[] = {count_parts, sum_parts, start_parts, order_parts};
     sorting s = {cells, store, cell_count, sorters, {0}};
-    for (size_t k = 0; k < sizeof turns / sizeof *turns; ++k)
-        sph2d__share(team, (size_t)sorters, 1, turns[k], &s);
+    for (size_t k = 0; k < sizeof passes / sizeof *passes; ++k)
+        sph2d__share(team, (size_t)sorters, 1, passes[k], &s);
     cells->start[cell_count] = (uint32_t)store->count;
 }
 
-/** The same however many threads there are at a time, and with them the room. */
+/** Depends on the team's limit, not on the threads in use: the memory then stays the same. */
 static int sorters_for(const sph2d__team *team, size_t count)
 {
     int most = sph2d__team_limit(team) < SORTERS ? sph2d__team_limit(team) : SORTERS;
@@ -279,41 +279,41 @@ void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
     *cells = (sph2d__cells){.period = cells->period, .columns = cells->columns};
 }
 
-/* ---- asking ------------------------------------------------------------------------------------------------------ */
+/* ---- queries ----------------------------------------------------------------------------------------------------- */
 
-/** Some of the neighbouring rows or columns: they follow each other, moved by one period or not. */
-typedef struct stretch {
+/** Consecutive rows or columns, and the offset of their image: one period or 0. */
+typedef struct span {
     uint32_t first, count;
     double offset;
-} stretch;
+} span;
 
-/** The rows or columns from `reach` before `first` to `reach` behind `last`, in one stretch or, at an end of the
- *  period, two. Returns the number. */
-static int stretches(uint32_t first, uint32_t last, uint32_t reach, uint32_t all, double period, stretch out[2])
+/** The rows or columns from `first` - `reach` to `last` + `reach`: one span, or two across an end of the period.
+ *  Returns their number. */
+static int find_spans(uint32_t first, uint32_t last, uint32_t reach, uint32_t all, double period, span out[2])
 {
     uint32_t low = RIM * reach, high = all - low; /* the columns of the period */
     uint32_t count = last - first + 2 * reach + 1;
     first -= reach;
-    out[0] = (stretch){first, count, 0};
+    out[0] = (span){first, count, 0};
     if (!(period > 0))
         return 1;
-    if (first < low) { /* the image below the first column is the last one */
+    if (first < low) { /* the columns below the first are images of the last */
         uint32_t beyond = low - first;
-        out[0] = (stretch){high - beyond, beyond, period};
-        out[1] = (stretch){low, count - beyond, 0};
+        out[0] = (span){high - beyond, beyond, period};
+        out[1] = (span){low, count - beyond, 0};
         return 2;
     }
     if (first + count > high) {
         uint32_t beyond = first + count - high;
-        out[0] = (stretch){first, count - beyond, 0};
-        out[1] = (stretch){low, beyond, -period};
+        out[0] = (span){first, count - beyond, 0};
+        out[1] = (span){low, beyond, -period};
         return 2;
     }
     return 1;
 }
 
-/** Adds the particles of some cells of one row as a range, unless there are none. */
-static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, const stretch *columns, double offset)
+/** Adds the particles of a span of columns in one row as a range, if there are any. */
+static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, const span *columns, double offset)
 {
     size_t first = (size_t)row * cells->nx + columns->first;
     uint32_t begin = cells->start[first], end = cells->start[first + columns->count];
@@ -326,9 +326,9 @@ static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row
     to->y[r] = offset;
 }
 
-/** Adds the cells of one row, or, to be cut at the ends of tiles, each part of them relative to its tile's corner. */
-static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, stretch columns, double offset,
-                    bool cut)
+/** Adds a span of columns in one row; `cut`: split at the ends of tiles, with offsets relative to each tile's
+ *  corner. */
+static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, span columns, double offset, bool cut)
 {
     if (!cut) {
         add_range(to, cells, row, &columns, offset);
@@ -338,16 +338,16 @@ static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, 
     for (uint32_t first = columns.first, next; first < end; first = next) {
         next = (first / SPH2D__TILE + 1) * SPH2D__TILE;
         next = next < end ? next : end;
-        stretch part = {first, next - first, columns.offset - sph2d__tile_x(cells, first)};
+        span part = {first, next - first, columns.offset - sph2d__tile_x(cells, first)};
         add_range(to, cells, row, &part, offset - sph2d__tile_y(cells, row));
     }
 }
 
 void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool cut, sph2d__ranges *to)
 {
-    stretch columns[2], rows[2];
-    int column_count = stretches(p->left, p->right, cells->columns, cells->nx, cells->period.length_x, columns);
-    int row_count = stretches(p->bottom, p->top, 1, cells->ny, cells->period.length_y, rows);
+    span columns[2], rows[2];
+    int column_count = find_spans(p->left, p->right, cells->columns, cells->nx, cells->period.length_x, columns);
+    int row_count = find_spans(p->bottom, p->top, 1, cells->ny, cells->period.length_y, rows);
     to->count = 0;
     for (int b = 0; b < row_count; ++b)
         for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)

@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /** @file cells.h
- *  Cells that put particles in order, and the contiguous ranges of neighbours that follow from it.
+ *  The cell grid: particles are sorted by cells, so that neighbours lie in contiguous ranges.
  *
- *  A grid of cells covers the particles: at least one support radius high, and `columns` of them at least one
- *  support radius wide. Counting the particles of each cell tells where each cell's particles start, cell by cell, row
- *  by row, and that is the order in which the store is then kept; lists of linked particles would give the same order,
- *  but not to several threads at once. In that order the particles of neighbouring cells of one row are one
- *  contiguous range, so that all neighbours of a particle lie in three ranges: the narrower the cells, the fewer others
- *  do, and the more often ranges must be looked up. A rim of empty cells around the grid makes the cells around every
- *  particle exist.
+ *  A grid of cells covers the particles. A cell is at least one support radius high, and `columns` cells together are
+ *  at least one support radius wide. A counting sort puts the store in the order of the cells, row by row; linked lists
+ *  would give the same order, but cannot be built by several threads. The particles of neighbouring cells of one row
+ *  are then one contiguous range, and all neighbours of a particle lie in three ranges. Narrower cells have fewer
+ *  candidates beyond the support, but need more lookups of ranges. A rim of empty cells around the grid makes sure that
+ *  the cells around every particle exist.
  *
- *  In a periodic direction the cells divide the period, and those around a particle that reach over its end go on at
- *  the other: as ranges of their own (six at most), each with the way by which the asking particle must be moved to be
- *  beside them.
- *  There are no ghost copies to store, refresh or keep out of files. */
+ *  In a periodic direction the cells divide the period. Cells around a particle that reach across its end are ranges of
+ *  their own (six at most), each with the offset to the particle's image beside them. There are no ghost particles to
+ *  store, update or keep out of files. */
 #ifndef SPH2D_PARTICLES_CELLS_H
 #define SPH2D_PARTICLES_CELLS_H
 
@@ -25,37 +23,37 @@ enum { SPH2D__RIM = 2 };
 
 typedef struct sph2d__cells {
     sph2d__period period;        /**< set by the owner */
-    uint32_t columns;            /**< cells to a support radius in a row, 1 at least; set by the owner */
+    uint32_t columns;            /**< cells in a row per support radius, at least 1; set by the owner */
     double origin_x, origin_y;   /**< lower left corner of the grid with its rim [m] */
     double width, height;        /**< of a cell [m] */
-    double inverse_x, inverse_y; /**< one over them [1/m] */
+    double inverse_x, inverse_y; /**< 1/width, 1/height [1/m] */
     uint32_t nx, ny;             /**< cells, rim included */
     uint32_t *start;             /**< first particle of each cell, nx * ny + 1 values */
-    uint32_t *places;            /**< for each sorter and cell: particles in it, then where its next one goes */
+    uint32_t *places;            /**< of each sorter and cell: number of particles, then index of the next one */
     uint32_t *cell;              /**< cell of each particle, in the order before the last sorting */
     uint32_t *order;             /**< particle order[k] becomes particle k */
     size_t cell_capacity, place_capacity, particle_capacity;
 } sph2d__cells;
 
-/** Sorts the particles into cells of at least `support` and reorders the store; a team may share it. Positions must be
+/** Sorts the particles into cells of at least `support` and reorders the store; the team may be NULL. Positions must be
  *  finite. False when memory is short. */
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,
                         sph2d__team *team);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
-/** The most ranges that there are: four rows, cut in two by the end of a period and each again by that of a tile. */
+/** Maximum number of ranges: four rows, each cut by the end of a period and again by the end of a tile. */
 enum { SPH2D__RANGES = 16 };
 
-/** The neighbours' ranges around a place: particles begin[r] to end[r] - 1 for r < count. A particle in range r is at a
- *  distance of (x[r], y[r]) more than the coordinates say: their images are the ones that are near. */
+/** Ranges of neighbour candidates around a position: particles begin[r] to end[r] - 1 for r < count. Add (x[r], y[r])
+ *  to the position to get its image beside the particles of range r. */
 typedef struct sph2d__ranges {
     int count;
     uint32_t begin[SPH2D__RANGES], end[SPH2D__RANGES];
     double x[SPH2D__RANGES], y[SPH2D__RANGES];
 } sph2d__ranges;
 
-/** Index of the cell that holds a place, if those around it lie in the grid; UINT32_MAX otherwise: no particle is
- *  within the support radius of it. A place beyond a period must be wrapped before. */
+/** Index of the cell that contains a position, if the cells around it lie in the grid; otherwise UINT32_MAX: no
+ *  particle is within the support radius. Positions must be wrapped into the period. */
 static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, double y)
 {
     double fx = (x - cells->origin_x) * cells->inverse_x;
@@ -65,10 +63,10 @@ static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, do
     return (uint32_t)fy * cells->nx + (uint32_t)fx;
 }
 
-/** The same where a direction is periodic. */
+/** sph2d__cells_ranges where a direction is periodic. */
 void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
 
-/** The ranges of the cells around a cell that sph2d__cells_find gave; none is empty. */
+/** The ranges of the cells around a cell from sph2d__cells_find; none is empty. */
 static inline void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
     if (cells->period.length_x > 0 || cells->period.length_y > 0) {
@@ -86,11 +84,11 @@ static inline void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell,
     }
 }
 
-/** Cells of a row that make a tile. Floats that tell a place relative to the lower left corner of its tile are as good
- *  anywhere as near the origin. */
+/** Cells of a row in a tile. Floats relative to the lower left corner of a tile are as precise everywhere as near the
+ *  origin. */
 enum { SPH2D__TILE = 256 };
 
-/** The lower left corner of the tile in which a cell is [m]. */
+/** The lower left corner of a cell's tile [m]. */
 static inline double sph2d__tile_x(const sph2d__cells *cells, uint32_t column)
 {
     return cells->origin_x + (double)(column / SPH2D__TILE * SPH2D__TILE) * cells->width;
@@ -100,13 +98,13 @@ static inline double sph2d__tile_y(const sph2d__cells *cells, uint32_t row)
     return cells->origin_y + (double)row * cells->height;
 }
 
-/** Some cells side by side: columns `left` to `right`, rows `bottom` to `top`, both included. */
+/** A rectangle of cells: columns `left` to `right`, rows `bottom` to `top`, both included. */
 typedef struct sph2d__patch {
     uint32_t left, right, bottom, top;
 } sph2d__patch;
 
-/** The cells that a box touches, as far as those around them lie in the grid. False when no particle is within the
- *  support radius of the box. A place beyond a period must be wrapped before. */
+/** The cells that a box touches, clamped to those whose neighbours lie in the grid. False when no particle is within
+ *  the support radius of the box. Positions must be wrapped into the period. */
 static inline bool sph2d__cells_patch(const sph2d__cells *cells, double low_x, double low_y, double high_x,
                                       double high_y, sph2d__patch *to)
 {
@@ -122,11 +120,11 @@ static inline bool sph2d__cells_patch(const sph2d__cells *cells, double low_x, d
     return true;
 }
 
-/** The ranges of the cells of a patch and those around it; `cut`: each in one tile, with ways from its corner. The
- *  patch with what is around it must not be wider or higher than a period, nor higher than four rows. */
+/** The ranges of the cells of a patch and around it; `cut`: each within one tile, with offsets from its corner. The
+ *  patch with the cells around it must not be wider or higher than a period, nor higher than four rows. */
 void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *patch, bool cut, sph2d__ranges *to);
 
-/** Runs the statement behind it for each particle `j` in the ranges, `r` being the number of its range. */
+/** Loops over the particles `j` of all ranges `r`. */
 #define SPH2D__FOR_NEIGHBOURS(ranges, r, j)                                                                            \
     for (int r = 0; r < (ranges)->count; ++r)                                                                          \
         for (size_t j = (ranges)->begin[r]; j < (ranges)->end[r]; ++j)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file neighbours.c
- *  Room for the neighbours. */
+ *  Memory of the neighbour lists. */
 #include "particles/neighbours.h"
 
 enum { BLOCKS = 5 };
 
-/** The blocks, and how many items of each there are for a slab. */
+/** The blocks, and the items of each per slab. */
 static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
 {
     const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices},
@@ -25,17 +25,17 @@ bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size
 {
     if (n->slices && count <= n->particles && each <= n->each)
         return true;
-    size_t grown = count > n->particles ? count + count / 2 : n->particles;
-    grown = grown > 0 ? grown : 1; /* nothing yet: a source may come */
+    size_t particles = count > n->particles ? count + count / 2 : n->particles;
+    particles = particles > 0 ? particles : 1; /* no particle yet: sources may add some */
     each = each > n->each ? each : n->each;
     sph2d__neighbours_free(n, memory);
     sph2d__growth blocks[BLOCKS];
     size_t items[BLOCKS];
     list_blocks(n, each, blocks, items);
-    n->particles = grown;
+    n->particles = particles;
     n->each = each;
     for (int k = 0; k < BLOCKS; ++k)
-        if (!sph2d__grow_all(memory, &blocks[k], 1, 0, sph2d__slabs(grown) * items[k])) {
+        if (!sph2d__grow_all(memory, &blocks[k], 1, 0, sph2d__slabs(particles) * items[k])) {
             sph2d__neighbours_free(n, memory);
             return false;
         }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file store.c
- *  The particle store: room, order, removal. */
+ *  The particle store: memory, sorting, removal. */
 #include "particles/store.h"
 
 #include <string.h>
 
-_Static_assert(sizeof(double) == sizeof(uint64_t), "numbers of particles are reordered where their values are");
+_Static_assert(sizeof(double) == sizeof(uint64_t), "ids are reordered through the same scratch array as doubles");
 
 /** Length of the arrays for a capacity. */
 static size_t length_of(size_t capacity)
@@ -22,10 +22,10 @@ static void list_reals(sph2d__store *store, double **slots[SPH2D__STORE_COUNT])
 #undef SLOT
 }
 
-enum { BLOCKS_MOST = SPH2D__STORE_COUNT + 2 };
+enum { MAX_BLOCKS = SPH2D__STORE_COUNT + 2 };
 
-/** Every block that the store has, as blocks that grow and go together. Returns their number. */
-static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[BLOCKS_MOST])
+/** Lists the blocks of the store, which are grown and freed together. Returns their number. */
+static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[MAX_BLOCKS])
 {
     double **slots[SPH2D__STORE_COUNT];
     list_reals(store, slots);
@@ -52,7 +52,7 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
         return true;
     size_t grown = store->capacity + store->capacity / 2;
     capacity = capacity > grown ? capacity : grown;
-    sph2d__growth blocks[BLOCKS_MOST];
+    sph2d__growth blocks[MAX_BLOCKS];
     size_t count = list_blocks(store, blocks);
     if (!sph2d__grow_all(memory, blocks, count, length_of(store->capacity), length_of(capacity)))
         return false;
@@ -62,7 +62,7 @@ bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t cap
 
 void sph2d__store_free(sph2d__store *store, sph2d__memory *memory)
 {
-    sph2d__growth blocks[BLOCKS_MOST];
+    sph2d__growth blocks[MAX_BLOCKS];
     size_t count = list_blocks(store, blocks);
     for (size_t i = 0; i < count; ++i) {
         void *block;
@@ -87,7 +87,7 @@ size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
     return i;
 }
 
-/** An array that gets a new order. */
+/** An array to be reordered. */
 typedef struct reordering {
     const uint32_t *order;
     const void *from;
