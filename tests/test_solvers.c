@@ -139,7 +139,8 @@ START_TEST(too_few_iterations_are_counted_and_stop_a_run_in_the_end)
     ck_assert_uint_ge(s.unconverged, 100);
     ck_assert(isfinite(s.kinetic));
     ck_assert(test_report_has(&report, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations"));
-    ck_assert_ptr_nonnull(strstr(test_report_text(&report), _i == 0 ? "1e-05 is wanted" : "1e-12 is wanted"));
+    ck_assert_ptr_nonnull(
+        strstr(test_report_text(&report), _i == 0 ? "the tolerance is 1e-05" : "the tolerance is 1e-12"));
 }
 END_TEST
 

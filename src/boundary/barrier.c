@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file barrier.c
- *  Swept test of particles against straight pieces of wall. */
+ *  Continuous collision of particles with straight wall segments. */
 #include "boundary/barrier.h"
 
 #include <math.h>
 
-/* A particle in a corner slides along one wall and meets the next; after so many it stays where it is. */
+/* A particle in a corner slides along one wall and meets the next; after MAX_SLIDES hits it stays where it was. */
 enum { MAX_SLIDES = 4, MAX_BUCKETS = 512 };
 
-/* A particle that slides at the clearance must not meet the same wall again by rounding. */
+/* A particle that slides at the clearance must not hit the same wall again by rounding. */
 static const double TOUCH = 1 - 1e-6;
 
 bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__memory *memory)
@@ -45,15 +45,15 @@ static void lay_buckets(sph2d__barrier *b, double bucket)
     b->ny = (int)((max_y - min_y) / size) + 3;
 }
 
-/** Whether a segment comes within half a diagonal and the clearance of a bucket's middle. */
+/** Whether a segment is within 3/4 of the bucket size (half its diagonal is 0.71) plus the clearance of its centre. */
 static bool touches(const sph2d__barrier *b, const sph2d__segment *s, int ix, int iy)
 {
     double size = 1 / b->inverse_size;
-    sph2d_vec2 middle = {b->origin_x + (ix + 0.5) * size, b->origin_y + (iy + 0.5) * size};
-    return sph2d__segment_distance(s, middle) <= 0.75 * size + b->clearance;
+    sph2d_vec2 centre = {b->origin_x + (ix + 0.5) * size, b->origin_y + (iy + 0.5) * size};
+    return sph2d__segment_distance(s, centre) <= 0.75 * size + b->clearance;
 }
 
-/** Visits each bucket that a segment touches: counts into start (items NULL) or fills items. */
+/** Visits each bucket that a segment touches: counts into start, or fills items. */
 static void visit_segment(sph2d__barrier *b, size_t index, bool fill)
 {
     const sph2d__segment *s = &b->segments[index].ends;
@@ -74,7 +74,7 @@ static void visit_segment(sph2d__barrier *b, size_t index, bool fill)
         }
 }
 
-/** Marks the buckets from which a motion of one bucket's width can meet a wall. */
+/** Marks the buckets from which a displacement of one bucket's width can reach a wall. */
 static void mark_near(sph2d__barrier *b)
 {
     for (int iy = 0; iy < b->ny; ++iy)
@@ -117,7 +117,7 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
     b->item_capacity = total > 0 ? total : 1;
     for (size_t i = 0; i < b->count; ++i)
         visit_segment(b, i, true);
-    /* Filling moved each start to its bucket's end: move them back by one bucket. */
+    /* Filling moved each start to its bucket's end: shift them back by one bucket. */
     for (size_t k = buckets; k > 0; --k)
         b->start[k] = b->start[k - 1];
     b->start[0] = 0;
@@ -125,16 +125,16 @@ bool sph2d__barrier_build(sph2d__barrier *barrier, double bucket, double clearan
     return true;
 }
 
-bool sph2d__barrier_far_from(const sph2d__barrier *b, sph2d_vec2 low, sph2d_vec2 high, double way)
+bool sph2d__barrier_far_from(const sph2d__barrier *b, sph2d_vec2 low, sph2d_vec2 high, double distance)
 {
     if (b->count == 0)
         return true;
-    if (!((way + b->clearance) * b->inverse_size < 1))
+    if (!((distance + b->clearance) * b->inverse_size < 1))
         return false;
-    int x0 = sph2d__bucket_of(low.x - way, b->origin_x, b->inverse_size, b->nx);
-    int x1 = sph2d__bucket_of(high.x + way, b->origin_x, b->inverse_size, b->nx);
-    int y0 = sph2d__bucket_of(low.y - way, b->origin_y, b->inverse_size, b->ny);
-    int y1 = sph2d__bucket_of(high.y + way, b->origin_y, b->inverse_size, b->ny);
+    int x0 = sph2d__bucket_of(low.x - distance, b->origin_x, b->inverse_size, b->nx);
+    int x1 = sph2d__bucket_of(high.x + distance, b->origin_x, b->inverse_size, b->nx);
+    int y0 = sph2d__bucket_of(low.y - distance, b->origin_y, b->inverse_size, b->ny);
+    int y1 = sph2d__bucket_of(high.y + distance, b->origin_y, b->inverse_size, b->ny);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x)
             if (b->near[(size_t)y * (size_t)b->nx + (size_t)x])
@@ -142,7 +142,7 @@ bool sph2d__barrier_far_from(const sph2d__barrier *b, sph2d_vec2 low, sph2d_vec2
     return true;
 }
 
-/** Smaller and larger of two numbers: fmin and fmax do more, slower. */
+/** Smaller and larger of two numbers; fmin and fmax are slower, as they handle NaN. */
 static inline double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -153,16 +153,16 @@ static inline double greater(double a, double b)
     return a > b ? a : b;
 }
 
-/** Where a motion meets a wall: fraction of the way, and the wall's normal on the side it comes from. */
-typedef struct meeting {
+/** A hit: fraction of the displacement, and the wall's normal on the particle's side. */
+typedef struct hit {
     double t;
     sph2d_vec2 normal;
-    double gap; /**< from the place of meeting to where the particle is put, along the normal */
+    double gap; /**< distance from the point of contact to the particle's new position, along the normal */
     uint32_t index;
-} meeting;
+} hit;
 
-/** Meets the line at the clearance, or (beside a wall's end) the wall itself. */
-static bool meet_segment(const sph2d__piece *piece, double clearance, sph2d_vec2 from, sph2d_vec2 to, meeting *m)
+/** Intersects a displacement with the line at the clearance, or (beside a wall's end) with the wall itself. */
+static bool hit_segment(const sph2d__piece *piece, double clearance, sph2d_vec2 from, sph2d_vec2 to, hit *m)
 {
     const sph2d__segment *s = &piece->ends;
     double ex = piece->direction.x, ey = piece->direction.y, length = piece->length;
@@ -173,7 +173,7 @@ static bool meet_segment(const sph2d__piece *piece, double clearance, sph2d_vec2
     d1 *= side;
     if (d1 >= TOUCH * clearance || d1 >= d0)
         return false;
-    if (clearance == 0 && d0 == 0) /* a way that starts on the wall has no side to keep */
+    if (clearance == 0 && d0 == 0) /* a line that starts on the wall has no side */
         return false;
     double u0 = (from.x - s->a.x) * ex + (from.y - s->a.y) * ey;
     double u1 = (to.x - s->a.x) * ex + (to.y - s->a.y) * ey;
@@ -194,8 +194,8 @@ static bool meet_segment(const sph2d__piece *piece, double clearance, sph2d_vec2
     return true;
 }
 
-/** The first wall that a motion meets. The lower index wins a tie, whatever bucket it was found in. */
-static bool meet_first(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to, meeting *first)
+/** The first wall that a displacement hits. Of equal hits the lower index counts, whatever its bucket. */
+static bool find_first_hit(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to, hit *first)
 {
     double c = b->clearance;
     int x0 = sph2d__bucket_of(lesser(from.x, to.x) - c, b->origin_x, b->inverse_size, b->nx);
@@ -207,8 +207,8 @@ static bool meet_first(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 to, 
         for (int ix = x0; ix <= x1; ++ix) {
             size_t k = (size_t)iy * (size_t)b->nx + (size_t)ix;
             for (uint32_t n = b->start[k]; n < b->start[k + 1]; ++n) {
-                meeting m = {.index = b->items[n]};
-                if (!meet_segment(&b->segments[m.index], c, from, to, &m))
+                hit m = {.index = b->items[n]};
+                if (!hit_segment(&b->segments[m.index], c, from, to, &m))
                     continue;
                 if (!found || m.t < first->t || (m.t == first->t && m.index < first->index)) {
                     *first = m;
@@ -223,17 +223,17 @@ bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2
 {
     if (barrier->count == 0)
         return false;
-    sph2d__barrier bare = *barrier;
-    bare.clearance = 0;
-    meeting m;
-    return meet_first(&bare, from, to, &m);
+    sph2d__barrier without_clearance = *barrier;
+    without_clearance.clearance = 0;
+    hit m;
+    return find_first_hit(&without_clearance, from, to, &m);
 }
 
-int sph2d__barrier_hold(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     int hits = 0;
-    meeting m;
-    if (!meet_first(barrier, from, *to, &m))
+    hit m;
+    if (!find_first_hit(barrier, from, *to, &m))
         return 0;
     do {
         ++hits;
@@ -254,7 +254,7 @@ int sph2d__barrier_hold(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_ve
         }
         from = stop;
         *to = (sph2d_vec2){from.x + rest_x - rest_n * n.x, from.y + rest_y - rest_n * n.y};
-    } while (meet_first(barrier, from, *to, &m));
+    } while (find_first_hit(barrier, from, *to, &m));
     return hits;
 }
 

@@ -6,7 +6,7 @@ void sph2d__moving_set_drift(sph2d__moving *m, double from, double to)
 {
     m->from = sph2d__pose_at(m->motion, from);
     m->to = sph2d__pose_at(m->motion, to);
-    double span = to - from; /* below 0 in the stages of a scheme that goes back */
+    double span = to - from; /* negative in the stages of a scheme that moves back in time */
     m->velocity = (sph2d_vec2){(m->to.displacement.x - m->from.displacement.x) / span,
                                (m->to.displacement.y - m->from.displacement.y) / span};
 }

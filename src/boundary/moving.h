@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file moving.h
- *  An obstacle that moves: which boundary particles are its own, where they go, and a backstop that goes with them. */
+ *  A moving obstacle: its boundary particles, their motion, and a barrier that moves with them. */
 #ifndef SPH2D_BOUNDARY_MOVING_H
 #define SPH2D_BOUNDARY_MOVING_H
 
@@ -12,22 +12,22 @@
 typedef struct sph2d__moving {
     const sph2d_motion *motion;
     uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
-    sph2d__barrier barrier;    /**< where the scene places it */
-    sph2d__pose from, to;      /**< at the start and end of the drift that is being made, or was last */
+    sph2d__barrier barrier;    /**< in the obstacle's initial position */
+    sph2d__pose from, to;      /**< at the start and end of the present or last drift */
     sph2d_vec2 velocity;       /**< mean over that drift [m/s] */
 } sph2d__moving;
 
-/** Sets the drift that comes next, from one time to another [s]; it may go back. */
+/** Sets the time interval of the next drift [s]; it may go back in time. */
 void sph2d__moving_set_drift(sph2d__moving *moving, double from, double to);
 
-/** Puts its boundary particles to where they are at a time [s], with their velocity and acceleration. */
+/** Sets position, velocity and acceleration of its boundary particles at a time [s]. */
 void sph2d__moving_place(const sph2d__moving *moving, double time, sph2d__store *walls, const sph2d__period *period);
 
-/** Holds a particle's motion over the drift on its side of it (barrier.h): swept where it is at rest. Returns the
- *  number of hits. */
+/** Keeps a particle's displacement during the drift on its side of the obstacle, in the obstacle's frame (barrier.h).
+ *  Returns the number of hits. */
 int sph2d__moving_sweep(const sph2d__moving *moving, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
 
-/** Whether the straight way between two places crosses it where it is at the end of the drift. */
+/** Whether the straight line between two positions crosses the obstacle at the end of the drift. */
 bool sph2d__moving_crosses(const sph2d__moving *moving, sph2d_vec2 from, sph2d_vec2 to);
 
 #endif

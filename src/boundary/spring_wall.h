@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file spring_wall.h
- *  Spring walls at straight sides: the report's push that grows with how far a particle has gone in, so that a faster
- *  one bounces harder. Only the normal component changes.
+ *  Spring walls at straight sides: a penalty force proportional to penetration, as in the report.
+ *  Only the normal component changes.
  *
  *  a_n = max(k d - 2 zeta sqrt(k) v_n, 0), d = range - distance > 0, range = half a spacing, so that a lattice that
  *  starts half a spacing from the wall starts at rest. With k = (c0/dx)^2 a liquid whose pressure compresses it by a
@@ -18,7 +18,7 @@ typedef struct sph2d__spring_walls {
 } sph2d__spring_walls;
 
 /** Push [m/s^2] away from a side at `distance` for a velocity `v_out` away from it. */
-static inline double sph2d__spring_push(const sph2d__spring_walls *w, double distance, double v_out)
+static inline double sph2d__spring_force(const sph2d__spring_walls *w, double distance, double v_out)
 {
     double depth = w->range - distance;
     if (!(depth > 0))
@@ -30,8 +30,8 @@ static inline double sph2d__spring_push(const sph2d__spring_walls *w, double dis
 static inline void sph2d__spring_walls_add(const sph2d__spring_walls *w, double x, double y, double vx, double vy,
                                            double *ax, double *ay)
 {
-    *ax += sph2d__spring_push(w, x - w->left, vx) - sph2d__spring_push(w, w->right - x, -vx);
-    *ay += sph2d__spring_push(w, y - w->bottom, vy) - sph2d__spring_push(w, w->top - y, -vy);
+    *ax += sph2d__spring_force(w, x - w->left, vx) - sph2d__spring_force(w, w->right - x, -vx);
+    *ay += sph2d__spring_force(w, y - w->bottom, vy) - sph2d__spring_force(w, w->top - y, -vy);
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file coverage.c
- *  The grid of coverage.h: particles and walls are spread over its nodes, and the area that is covered read off it. */
+ *  The grid of coverage.h: kernel sums of particles and walls at its nodes, and the covered area. */
 #include "probes/coverage.h"
 
 #include <math.h>
@@ -9,24 +9,24 @@
 
 /* Cells a spacing, and the kernel's support radius in spacings and cells. */
 enum { CELLS = SPH2D__COVERAGE_CELLS, SUPPORT = SPH2D__COVERAGE_SUPPORT, REACH = SUPPORT * CELLS };
-/* Points across a cell in which obstacles are looked at. */
-enum { LOOKS = 4, WHOLE = LOOKS * LOOKS };
-_Static_assert((int)WHOLE == (int)SPH2D__COVERAGE_WHOLE, "sixteenths");
+/* Sample points across a cell, for the fraction inside walls. */
+enum { POINTS = 4, FULL = POINTS * POINTS };
+_Static_assert((int)FULL == (int)SPH2D__COVERAGE_FULL, "sixteenths");
 /* Columns across a cell in which its covered part is found. */
 enum { COLUMNS = 8 };
-static const double MOST_CELLS = 268435456;
-/* Where walls leave less of the kernel than this nothing is said. */
-static const double LEAST_ROOM = 0.1;
+static const double MAX_CELLS = 268435456;
+/* Where walls leave less of the kernel free than this the fill is set to 0. */
+static const double MIN_FREE = 0.1;
 
 /* ---- the grid ---------------------------------------------------------------------------------------------------- */
 
-/** Where cells begin and how many there are in one direction, `ghosts` of them beyond either end of the domain. */
+/** The cells of one direction. */
 typedef struct axis {
     double origin, size;
     size_t count, nodes;
 } axis;
 
-/** Cells along a direction: as many as fit the domain, beyond its ends as far as walls are felt or liquid is. */
+/** The cells of one direction: over the domain, and beyond it as far as the kernel reaches or liquid is. */
 static axis axis_of(double low, double high, double period, double dx, const double *x, size_t count)
 {
     double cells = fmax(ceil((high - low) * CELLS / dx - 1e-9), 1), size = (high - low) / cells;
@@ -64,14 +64,14 @@ static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
     return false;
 }
 
-/** Looks where walls are: at a cell's corners, and closer where those differ. */
+/** Counts the sample points of each cell that lie in walls. */
 static void find_solids(sph2d__coverage *c)
 {
     for (size_t j = 0; j < c->ny; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             int n = 0;
-            for (int k = 0; k < WHOLE; ++k) {
-                double x = (double)i + (k % LOOKS + 0.5) / LOOKS, y = (double)j + (k / LOOKS + 0.5) / LOOKS;
+            for (int k = 0; k < FULL; ++k) {
+                double x = (double)i + (k % POINTS + 0.5) / POINTS, y = (double)j + (k / POINTS + 0.5) / POINTS;
                 n += is_solid(c->sim, (sph2d_vec2){c->origin.x + x * c->size_x, c->origin.y + y * c->size_y});
             }
             c->solid[j * c->nx + i] = (unsigned char)n;
@@ -85,8 +85,8 @@ size_t sph2d__coverage_node(long k, size_t nodes, size_t cells)
     return k >= 0 && k < (long)nodes ? (size_t)k : SIZE_MAX;
 }
 
-/** Adds `amount` W(r) to the nodes around a place, which is in cells from the origin; `out` are sums of nodes. */
-static void spread(const sph2d__coverage *c, double x, double y, double amount, float *out)
+/** Adds `amount` W(r) to the sums `out` of the nodes around a position, which is in cells from the origin. */
+static void add_kernel(const sph2d__coverage *c, double x, double y, double amount, float *out)
 {
     const double h = SUPPORT * c->sim->system.spacing;
     long i0 = (long)floor(x) - REACH - 1, j0 = (long)floor(y) - REACH - 1;
@@ -105,22 +105,22 @@ static void spread(const sph2d__coverage *c, double x, double y, double amount, 
     }
 }
 
-/** Spreads liquid and walls, and divides by what walls leave free. */
+/** Sums liquid and walls at the nodes, and divides by the part of the kernel that walls leave free. */
 static void fill_nodes(sph2d__coverage *c, float *walls)
 {
     const sph2d__store *f = &c->sim->system.fluid;
     const double dx = c->sim->system.spacing;
     const double constant = sph2d__kernel_constant(SPH2D_KERNEL_WENDLAND_C2) / (SUPPORT * SUPPORT);
     for (size_t i = 0; i < f->count; ++i)
-        spread(c, (f->x[i] - c->origin.x) / c->size_x, (f->y[i] - c->origin.y) / c->size_y, constant, c->fill);
-    double share = constant * c->size_x * c->size_y / (dx * dx) / WHOLE;
+        add_kernel(c, (f->x[i] - c->origin.x) / c->size_x, (f->y[i] - c->origin.y) / c->size_y, constant, c->fill);
+    double share = constant * c->size_x * c->size_y / (dx * dx) / FULL;
     for (size_t j = 0; j < c->ny; ++j)
         for (size_t i = 0; i < c->nx; ++i)
             if (c->solid[j * c->nx + i] > 0)
-                spread(c, (double)i + 0.5, (double)j + 0.5, share * c->solid[j * c->nx + i], walls);
+                add_kernel(c, (double)i + 0.5, (double)j + 0.5, share * c->solid[j * c->nx + i], walls);
     for (size_t k = 0; k < c->nodes_x * c->nodes_y; ++k) {
-        double room = 1 - (double)walls[k];
-        c->fill[k] = (float)(room > LEAST_ROOM ? (double)c->fill[k] / room : 0);
+        double free_part = 1 - (double)walls[k];
+        c->fill[k] = (float)(free_part > MIN_FREE ? (double)c->fill[k] / free_part : 0);
     }
 }
 
@@ -139,7 +139,7 @@ bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
                            .ny = y.count,
                            .nodes_x = x.nodes,
                            .nodes_y = y.nodes};
-    if (!((double)x.nodes * (double)y.nodes < MOST_CELLS))
+    if (!((double)x.nodes * (double)y.nodes < MAX_CELLS))
         return false;
     size_t nodes = x.nodes * y.nodes;
     c->fill = sph2d__alloc(sim->system.memory, nodes, sizeof(float));
@@ -177,7 +177,7 @@ static void corners_of(const sph2d__coverage *c, size_t i, size_t j, double out[
     out[3] = (double)c->fill[above * c->nodes_x + right];
 }
 
-/** Part of a line on which a value that goes from a to b is above a half. */
+/** Part of a line on which a value that varies linearly from a to b is above a half. */
 static double part_above(double a, double b)
 {
     a -= 0.5;
@@ -200,9 +200,9 @@ static double covered_part(const double f[4])
     return sum / COLUMNS;
 }
 
-bool sph2d__coverage_cell(double place, double origin, double size, size_t count, size_t *cell, double *in)
+bool sph2d__coverage_cell(double position, double origin, double size, size_t count, size_t *cell, double *in)
 {
-    double f = (place - origin) / size;
+    double f = (position - origin) / size;
     if (!(f >= 0 && f < (double)count))
         return false;
     *cell = (size_t)f;
@@ -229,11 +229,11 @@ double sph2d__coverage_area(const sph2d__coverage *c)
     for (size_t j = 0; j < c->ny; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             int solid = c->solid[j * c->nx + i];
-            if (solid == WHOLE)
+            if (solid == FULL)
                 continue;
             double f[4];
             corners_of(c, i, j, f);
-            cells += covered_part(f) * (WHOLE - solid) / WHOLE;
+            cells += covered_part(f) * (FULL - solid) / FULL;
         }
     for (size_t i = 0; i < fluid->count; ++i)
         alone += fill_at(c, fluid->x[i], fluid->y[i]) < 0.5;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file coverage_density.c
- *  The density inside the liquid, as particles tell it and as it is there. */
+ *  The mean density inside the liquid: reported by the particles, and counted on the grid. */
 #include <math.h>
 
 #include "probes/coverage.h"
 
-/* Liquid all around: so far [cells]; and by fewer particles nothing is said. */
-enum { INSIDE = 5 * SPH2D__COVERAGE_CELLS, LEAST_INSIDE = 20 };
+/* Distance from the surface of nodes that count as inside [cells], and the minimum number of particles for a mean. */
+enum { INSIDE = 5 * SPH2D__COVERAGE_CELLS, MIN_INSIDE = 20 };
 
-/** Marks the nodes of a rectangle around a place, in nodes; beyond the grid there are none. */
+/** Marks the nodes of a rectangle around a position, given in nodes; there are none beyond the grid. */
 static void mark_around(const sph2d__coverage *c, double x, double y, double reach_x, double reach_y,
                         unsigned char *marks)
 {
@@ -21,20 +21,20 @@ static void mark_around(const sph2d__coverage *c, double x, double y, double rea
         }
 }
 
-/** Marks what is near a place where there is no liquid. */
-static void mark_bare(const sph2d__coverage *c, unsigned char *marks)
+/** Marks the nodes near nodes without liquid. */
+static void mark_near_empty(const sph2d__coverage *c, unsigned char *marks)
 {
     for (size_t j = 0; j < c->nodes_y; ++j)
         for (size_t i = 0; i < c->nodes_x; ++i) {
             size_t left = j * c->nodes_x + (i + c->nodes_x - 1) % c->nodes_x;
-            bool bare = (double)c->fill[j * c->nodes_x + i] < 0.5, first = i == 0 && c->nodes_x != c->nx;
+            bool empty = (double)c->fill[j * c->nodes_x + i] < 0.5, first = i == 0 && c->nodes_x != c->nx;
             bool before = !first && (double)c->fill[left] < 0.5;
-            if (bare) /* in a row of them the first marks all that the others would but for their last columns */
+            if (empty) /* in a run of such nodes all but the first mark only their last column, which is new */
                 mark_around(c, (double)i + (before ? INSIDE : 0), (double)j, before ? 0 : INSIDE, INSIDE, marks);
         }
 }
 
-/** Marks what is near boundary particles and sides. */
+/** Marks the nodes near boundary particles and sides. */
 static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
 {
     const sph2d__store *w = &c->sim->system.walls;
@@ -53,7 +53,7 @@ static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
         }
 }
 
-/** The means over what is not marked, and in `inside` how many particles those are. */
+/** The means over nodes and particles that are not marked; `inside`: the number of such particles. */
 static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned char *marks, size_t *inside)
 {
     const sph2d__store *f = &c->sim->system.fluid;
@@ -74,7 +74,7 @@ static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned cha
         ++particles;
     }
     *inside = particles;
-    if (particles < LEAST_INSIDE)
+    if (particles < MIN_INSIDE)
         return (sph2d_densities){NAN, NAN};
     return (sph2d_densities){reported / (double)particles, counted / (double)nodes};
 }
@@ -86,7 +86,7 @@ static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside
     sph2d_densities found = {NAN, NAN};
     void *marks = sph2d__alloc(memory, nodes, 1);
     if (marks) {
-        mark_bare(c, marks);
+        mark_near_empty(c, marks);
         mark_walls(c, marks);
         found = densities_of(c, marks, inside);
     }
@@ -112,9 +112,9 @@ sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
     return densities_now(sim, &inside);
 }
 
-/* Steps between looks, which take as long as some steps do; and by fewer particles the two are not compared, since one
- * bubble among 20 is a sixth of what is counted there. */
-enum { DENSITY_STEPS = 500, LEAST_COMPARED = 100 };
+/* Steps between samples, each of which costs as much as some steps; and the minimum number of particles for a
+ * comparison: among 20, one bubble is a sixth of the counted density. */
+enum { DENSITY_STEPS = 500, MIN_COMPARED = 100 };
 
 void sph2d__sim_watch_density(sph2d_sim *sim)
 {
@@ -123,6 +123,6 @@ void sph2d__sim_watch_density(sph2d_sim *sim)
         return;
     size_t inside;
     sph2d_densities now = densities_now(sim, &inside);
-    if (inside >= LEAST_COMPARED)
-        r->density_apart = fmax(r->density_apart, fabs(now.reported - now.counted)); /* passes over NaN */
+    if (inside >= MIN_COMPARED)
+        r->density_apart = fmax(r->density_apart, fabs(now.reported - now.counted)); /* fmax ignores NaN */
 }

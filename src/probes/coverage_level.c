@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /** @file coverage_level.c
- *  The height at which liquid would stand: its area fills from below the cells that it can get to. */
+ *  The height of the liquid at rest: its area fills, from below, the cells that are connected to it. */
 #include <math.h>
 
 #include "probes/coverage.h"
 
-enum { WHOLE = SPH2D__COVERAGE_WHOLE };
-enum { TO_RIGHT = 1, UPWARDS = 2, LIQUID = 4 };
-enum { DRY, TOUCHED, WET };
+enum { FULL = SPH2D__COVERAGE_FULL };
+enum { WALL_RIGHT = 1, WALL_ABOVE = 2, LIQUID = 4 };
+enum { DRY, PARTIAL, WET };
 
-/** Liquid that spreads from cell to cell. */
+/** A flood fill of the cells. */
 typedef struct flood {
     const sph2d__coverage *grid;
-    unsigned char *closed; /**< of each cell: a wall stands in the way to the next, liquid is there */
-    unsigned char *wet;    /**< dry; wet, and liquid goes on from there; or the rest of a cell that has a wall's surface
-                                in it and its middle behind that */
+    unsigned char *closed; /**< of each cell: bits for a wall to the next cell, and for liquid */
+    unsigned char *wet;    /**< of each cell: DRY; WET, where the fill goes on; or PARTIAL, if a wall's surface passes
+                                through the cell and its centre is behind that */
     uint32_t *queue;
     size_t queued;
 } flood;
 
-/** Closes ways between the middles of cells that a wall crosses, and marks cells with liquid. */
-static void lay_out(flood *w)
+/** Marks walls between the centres of neighbouring cells, and cells with liquid. */
+static void mark_cells(flood *w)
 {
     const sph2d__coverage *c = w->grid;
     const sph2d__store *f = &c->sim->system.fluid;
@@ -29,7 +29,7 @@ static void lay_out(flood *w)
             sph2d_vec2 at = {c->origin.x + ((double)i + 0.5) * c->size_x, c->origin.y + ((double)j + 0.5) * c->size_y};
             bool x = sph2d__sim_crosses_wall(c->sim, at, (sph2d_vec2){at.x + c->size_x, at.y});
             bool y = sph2d__sim_crosses_wall(c->sim, at, (sph2d_vec2){at.x, at.y + c->size_y});
-            w->closed[j * c->nx + i] = (unsigned char)((x ? TO_RIGHT : 0) | (y ? UPWARDS : 0));
+            w->closed[j * c->nx + i] = (unsigned char)((x ? WALL_RIGHT : 0) | (y ? WALL_ABOVE : 0));
         }
     for (size_t k = 0; k < f->count; ++k) {
         size_t i, j;
@@ -43,40 +43,40 @@ static void lay_out(flood *w)
 static void wet_cell(flood *w, size_t cell, bool closed)
 {
     unsigned char solid = w->grid->solid[cell];
-    if (w->wet[cell] == WET || solid == WHOLE || (closed && solid == 0))
+    if (w->wet[cell] == WET || solid == FULL || (closed && solid == 0))
         return;
-    w->wet[cell] = closed ? TOUCHED : WET;
+    w->wet[cell] = closed ? PARTIAL : WET;
     if (!closed)
         w->queue[w->queued++] = (uint32_t)cell;
 }
 
-/** Wets the cells around one that are no higher than row `top`. */
-static void go_on(flood *w, size_t cell, size_t top)
+/** Wets the neighbours of a cell up to row `top`. */
+static void spread(flood *w, size_t cell, size_t top)
 {
     const sph2d__coverage *c = w->grid;
     size_t i = cell % c->nx, j = cell / c->nx, row = cell - i;
     bool round_x = c->nodes_x == c->nx;
     size_t left = row + (i + c->nx - 1) % c->nx;
     if (i + 1 < c->nx || round_x)
-        wet_cell(w, row + (i + 1) % c->nx, w->closed[cell] & TO_RIGHT);
+        wet_cell(w, row + (i + 1) % c->nx, w->closed[cell] & WALL_RIGHT);
     if (i > 0 || round_x)
-        wet_cell(w, left, w->closed[left] & TO_RIGHT);
+        wet_cell(w, left, w->closed[left] & WALL_RIGHT);
     if (j < top)
-        wet_cell(w, cell + c->nx, w->closed[cell] & UPWARDS);
+        wet_cell(w, cell + c->nx, w->closed[cell] & WALL_ABOVE);
     if (j > 0)
-        wet_cell(w, cell - c->nx, w->closed[cell - c->nx] & UPWARDS);
+        wet_cell(w, cell - c->nx, w->closed[cell - c->nx] & WALL_ABOVE);
 }
 
-/** What liquid can get to below the top of a row: its area and that in the row itself, in cells. */
-typedef struct room {
+/** The space connected to the liquid below the top of a row: its area and that in the row itself, in cells. */
+typedef struct space {
     double area, row;
-} room;
+} space;
 
-static room room_below(flood *w, size_t top)
+static space space_below(flood *w, size_t top)
 {
     const sph2d__coverage *c = w->grid;
     const size_t cells = c->nx * (top + 1);
-    room r = {0, 0};
+    space r = {0, 0};
     w->queued = 0;
     for (size_t k = 0; k < cells; ++k)
         w->wet[k] = DRY;
@@ -84,32 +84,32 @@ static room room_below(flood *w, size_t top)
         if (w->closed[k] & LIQUID)
             wet_cell(w, k, false);
     for (size_t k = 0; k < w->queued; ++k)
-        go_on(w, w->queue[k], top);
+        spread(w, w->queue[k], top);
     for (size_t k = 0; k < cells; ++k)
         if (w->wet[k] != DRY) {
-            double part = (double)(WHOLE - c->solid[k]) / WHOLE;
+            double part = (double)(FULL - c->solid[k]) / FULL;
             r.area += part;
             r.row += k / c->nx == top ? part : 0;
         }
     return r;
 }
 
-/** Looks for the row in which the liquid's surface is. */
+/** Finds the row of the liquid's surface by bisection. */
 static double level_of(flood *w, double area)
 {
     const sph2d__coverage *c = w->grid;
     size_t low = 0, high = c->ny - 1;
-    lay_out(w);
-    if (room_below(w, high).area < area)
+    mark_cells(w);
+    if (space_below(w, high).area < area)
         return NAN;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (room_below(w, middle).area < area)
+        if (space_below(w, middle).area < area)
             low = middle + 1;
         else
             high = middle;
     }
-    room r = room_below(w, low);
+    space r = space_below(w, low);
     double spare = r.row > 0 ? fmin((r.area - area) / r.row, 1) : 0;
     return c->origin.y + ((double)low + 1 - spare) * c->size_y;
 }

@@ -1,35 +1,35 @@
 /* SPDX-License-Identifier: MIT */
 /** @file elevation.c
- *  A probe of the free surface above a place.
+ *  A probe of the free surface above a point.
  *
- *  Liquid fills a place by the fraction sum_j V W(r_j), V the volume of a particle at rest, W Wendland's C2: 1 inside,
- *  1/2 at a surface, where half the kernel is empty. Beside a wall the liquid's half is cut by what the wall takes of
- *  it: there the surface is where liquid and the part of the wall below it fill a half,
+ *  The fill fraction at a position is sum_j V W(r_j), V the volume of a particle at rest, W Wendland's C2: 1 inside,
+ *  1/2 at a surface, where half the kernel is empty. A wall takes part of the kernel: beside it the surface is where
+ *  the liquid and the part of the wall below it fill a half,
  *
  *      sum_j V W(r_j) + sum_b V_b c_b W(r_b) = 1/2,   c_b from 1 below to 0 above, over a spacing,
  *
- *  below being where the force per mass points that a liquid at rest on the wall feels, g - a_b with a_b the wall's
- *  acceleration: across it lies a surface whose pressure is uniform, whatever the slope of the wall, in corners and at
- *  edges. Sides of the domain without boundary particles in layers mirror the liquid instead. A place from which a wall
- *  hides the nearest liquid is none of the liquid's. */
+ *  where "below" is the direction of the body force on liquid at rest on the wall, g - a_b with a_b the wall's
+ *  acceleration: a surface of uniform pressure is normal to it, for any slope of the wall, in corners and at edges.
+ *  Sides of the domain without layers of boundary particles mirror the liquid instead. A position that a wall separates
+ *  from the nearest liquid is outside the liquid. */
 #include <math.h>
 
 #include "kernels/kernel.h"
 #include "probes/probes.h"
 
-/* Heights to look at, for each spacing; halvings of the last stretch. */
-enum { LOOKS = 4, HALVINGS = 40 };
-/* Liquid that fills less than this has no surface there, though a wall may take all the rest. */
-static const double LEAST = 0.02;
-/* Liquid that fills this with the walls around reaches up to the roof. */
-static const double ROOF = 0.75;
-/* A place on a wall counts as before it, in spacings. */
+/* Sampled heights per spacing; bisections of the last interval. */
+enum { SAMPLES = 4, BISECTIONS = 40 };
+/* Below this fill fraction of liquid there is no surface, even if a wall fills all the rest. */
+static const double MIN_FILL = 0.02;
+/* At this fill fraction of liquid and walls the liquid reaches up to the roof. */
+static const double ROOF_FILL = 0.75;
+/* Positions within this distance of a wall count as in front of it [spacings]. */
 static const double NUDGE = 0.01;
 
-/** What fills the surroundings of a place. */
+/** The fill fractions at a position. */
 typedef struct filling {
-    double liquid, below, walls; /**< fractions; `below` is the part of the walls that is below the place */
-    sph2d_vec2 nearest;          /**< way to the nearest liquid [m] */
+    double liquid, below, walls; /**< `below`: the part of the walls below the position */
+    sph2d_vec2 nearest;          /**< displacement to the nearest liquid [m] */
     double nearest2;
 } filling;
 
@@ -39,8 +39,8 @@ static double weight_at(const sph2d__system *s, double dx, double dy)
     return q < 1 ? sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) : 0;
 }
 
-/** Factor that makes a fraction of weights and areas [1/m^2]. */
-static double unit_of(const sph2d__system *s)
+/** The kernel's normalisation, which turns weights times areas into fractions [1/m^2]. */
+static double normalisation(const sph2d__system *s)
 {
     return sph2d__kernel_constant(SPH2D_KERNEL_WENDLAND_C2) / (s->support * s->support);
 }
@@ -48,7 +48,7 @@ static double unit_of(const sph2d__system *s)
 static void add_liquid(const sph2d_sim *sim, sph2d_vec2 at, filling *sum)
 {
     const sph2d__system *s = &sim->system;
-    double unit = s->mass / s->rest_density * unit_of(s);
+    double unit = s->mass / s->rest_density * normalisation(s);
     sph2d__ranges ranges;
     if (!sph2d__sim_around(sim, &at, &ranges))
         return;
@@ -63,7 +63,7 @@ static void add_liquid(const sph2d_sim *sim, sph2d_vec2 at, filling *sum)
     }
 }
 
-/** How far below a place boundary particle b is that lies (x, y) off [m]. */
+/** How far below a position boundary particle b is, at (x, y) from it [m]. */
 static double depth_of(const sph2d__system *s, size_t b, double x, double y)
 {
     double gx = s->body.gravity_x, gy = s->body.gravity_y;
@@ -89,14 +89,14 @@ static void add_walls(const sph2d_sim *sim, sph2d_vec2 at, filling *sum)
     sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
         double dx = at.x + ranges.x[r] - w->x[b], dy = at.y + ranges.y[r] - w->y[b];
-        double part = unit_of(s) * w->mass[b] / s->rest_density * weight_at(s, dx, dy);
+        double part = normalisation(s) * w->mass[b] / s->rest_density * weight_at(s, dx, dy);
         double depth = depth_of(s, b, -dx, -dy) / s->spacing;
         sum->walls += part;
         sum->below += part * fmin(fmax(0.5 + depth, 0), 1);
     }
 }
 
-/** A coordinate, and its images in the walls that are within the support radius. Returns how many. */
+/** A coordinate, and its mirror images in walls within the support radius. Returns their number. */
 static int mirror(double x, double low, bool low_wall, double high, bool high_wall, double support, double out[3])
 {
     int count = 0;
@@ -108,7 +108,7 @@ static int mirror(double x, double low, bool low_wall, double high, bool high_wa
     return count;
 }
 
-/** Mirrored liquid is as far from a place as liquid is from the mirrored place. */
+/** Mirrored liquid is as far from a position as liquid is from the mirrored position. */
 static filling fill(const sph2d_sim *sim, double x, double y)
 {
     sph2d_boundary b = sim->scene.boundary;
@@ -127,8 +127,8 @@ static filling fill(const sph2d_sim *sim, double x, double y)
     return sum;
 }
 
-/** Whether no wall stands between a place and the nearest liquid. */
-static bool is_before_walls(const sph2d_sim *sim, double x, double y, const filling *sum)
+/** Whether no wall is between a position and the nearest liquid. */
+static bool sees_liquid(const sph2d_sim *sim, double x, double y, const filling *sum)
 {
     double r = sqrt(sum->nearest2), nudge = r > 0 ? NUDGE * sim->scene.spacing / r : 0;
     if (!(nudge < 1))
@@ -138,20 +138,20 @@ static bool is_before_walls(const sph2d_sim *sim, double x, double y, const fill
     return !sph2d__sim_crosses_wall(sim, from, to);
 }
 
-/** Whether a place is in liquid, and what fills it. */
+/** Whether a position is in liquid, and its fill fractions. */
 static bool is_filled(const sph2d_sim *sim, double x, double y, filling *sum)
 {
     *sum = fill(sim, x, y);
-    return sum->liquid >= LEAST && sum->liquid + sum->below >= 0.5 && is_before_walls(sim, x, y, sum);
+    return sum->liquid >= MIN_FILL && sum->liquid + sum->below >= 0.5 && sees_liquid(sim, x, y, sum);
 }
 
-/** Whether liquid reaches up to the highest place where it may be. */
+/** Whether liquid reaches the highest possible position. */
 static bool is_full(const sph2d_sim *sim, double x, double y)
 {
     filling sum;
     if (sim->scene.boundary.top == SPH2D_SIDE_WALL && sim->scene.walls == SPH2D_WALL_GENERALISED) {
         sum = fill(sim, x, y);
-        return sum.liquid + sum.walls >= ROOF;
+        return sum.liquid + sum.walls >= ROOF_FILL;
     }
     return is_filled(sim, x, y, &sum);
 }
@@ -167,10 +167,10 @@ static double highest_below(const sph2d_sim *sim, double x, double y)
     return highest;
 }
 
-/** The height between `low`, inside liquid, and `high`, outside, where half is filled. */
+/** The height of the surface between `low`, inside the liquid, and `high`, outside. */
 static double bisect(const sph2d_sim *sim, double x, double low, double high)
 {
-    for (int k = 0; k < HALVINGS; ++k) {
+    for (int k = 0; k < BISECTIONS; ++k) {
         filling sum;
         double middle = low + (high - low) / 2;
         if (is_filled(sim, x, middle, &sum))
@@ -181,12 +181,12 @@ static double bisect(const sph2d_sim *sim, double x, double low, double high)
     return low + (high - low) / 2;
 }
 
-/** Looks downwards along the line at x, from the highest place where liquid may be to the lowest. */
+/** Searches the line at x downwards, from the highest possible position of liquid to the lowest. */
 static double find_surface(const sph2d_sim *sim, double x)
 {
     sph2d_boundary b = sim->scene.boundary;
     sph2d_box d = sim->scene.domain;
-    double height = d.max.y - d.min.y, step = sim->system.spacing / LOOKS;
+    double height = d.max.y - d.min.y, step = sim->system.spacing / SAMPLES;
     double y = b.top == SPH2D_SIDE_OPEN ? d.max.y + height : d.max.y;
     double end = b.bottom == SPH2D_SIDE_OPEN ? d.min.y - height : d.min.y;
     if (is_full(sim, x, y))
@@ -196,7 +196,7 @@ static double find_surface(const sph2d_sim *sim, double x)
         filling sum;
         if (is_filled(sim, x, next, &sum))
             return bisect(sim, x, next, y);
-        if (!(sum.liquid > 0)) /* far below may be more */
+        if (!(sum.liquid > 0)) /* skip to the next liquid below */
             next = fmin(next, highest_below(sim, x, next) + sim->system.support);
         y = next;
     }

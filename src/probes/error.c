@@ -13,7 +13,7 @@ static const sph2d_flow *flow_of(const sph2d_scene *scene)
     return NULL;
 }
 
-/** Sums over the particles; `exact` ones are of the solution at their places. */
+/** Sums over the particles; `exact` ones are of the solution at their positions. */
 typedef struct differences {
     double speed, exact_speed;   /* of magnitudes */
     double vector, vector_max;   /* of vectors */
@@ -22,16 +22,16 @@ typedef struct differences {
     double exact_pressure, exact_pressure_max;
 } differences;
 
-enum { AT_A_TIME = 256 };
+enum { BATCH = 256 };
 
 /** False when the solution is not known at this time. */
 static bool sum_differences(const sph2d_sim *sim, const sph2d_flow *flow, differences *d)
 {
     const sph2d__store *f = &sim->system.fluid;
     sph2d_flow_context context = sph2d__sim_flow_context(sim);
-    double vx[AT_A_TIME], vy[AT_A_TIME], p[AT_A_TIME];
-    for (size_t first = 0; first < f->count; first += AT_A_TIME) {
-        size_t count = f->count - first < AT_A_TIME ? f->count - first : AT_A_TIME;
+    double vx[BATCH], vy[BATCH], p[BATCH];
+    for (size_t first = 0; first < f->count; first += BATCH) {
+        size_t count = f->count - first < BATCH ? f->count - first : BATCH;
         if (sph2d_flow_values(flow, &context, sim->record.time, count, f->x + first, f->y + first, vx, vy, p, NULL) !=
             SPH2D_OK)
             return false;

@@ -2,29 +2,29 @@
 /** @file gauge.c
  *  A pressure gauge with a round face and a rise time.
  *
- *  The mean of p over a disc of diameter D that stands upright in the plane is that over its chords,
+ *  The mean of p over a disc of diameter D normal to the plane is a weighted mean along its diameter,
  *
  *      p_face = 8/(pi D^2) int p(s) sqrt(D^2/4 - s^2) ds = sum_k w_k p(s_k),   s_k = D/2 cos(k pi/(n + 1)),
  *      w_k = 2/(n + 1) sin^2(k pi/(n + 1)),   k = 1 ... n
  *
- *  (Gauss's rule with Chebyshev's polynomials of the second kind, exact up to the power 2n - 1). What the gauge shows
- *  follows it as a low pass of first order, tau dP/dt = p_face - P, which goes from 10 to 90 % of a jump in
- *  t_r = tau ln 9. Over a step p_face is a straight line, for which with e = exp(-dt/tau), m = (1 - e) tau/dt
+ *  (Gauss-Chebyshev quadrature of the second kind, exact up to degree 2n - 1). The gauge's reading P follows p_face as
+ *  a first-order low-pass filter, tau dP/dt = p_face - P, which rises from 10 to 90 % of a step in
+ *  t_r = tau ln 9. During a time step p_face is taken as linear; then, with e = exp(-dt/tau), m = (1 - e) tau/dt,
  *
  *      P(t + dt) = e P(t) + (m - e) p_face(t) + (1 - m) p_face(t + dt)
  *
- *  is exact. Where no liquid is there is air, of pressure 0. */
+ *  is exact. Without liquid there is air, of pressure 0. */
 #include <math.h>
 
 #include "base/pi.h"
 #include "probes/probes.h"
 
-/* Points of a face: enough for what is curved over it, and two for each spacing on it. */
-enum { FEW = 5, MANY = 1001 };
+/* Quadrature points of a face: two per spacing, within these limits. */
+enum { MIN_POINTS = 5, MAX_POINTS = 1001 };
 
 static double points_of(const sph2d_sim *sim, const sph2d_probe *probe)
 {
-    return fmin(fmax(FEW, ceil(2 * probe->size / sim->scene.spacing)), MANY);
+    return fmin(fmax(MIN_POINTS, ceil(2 * probe->size / sim->scene.spacing)), MAX_POINTS);
 }
 
 /** Pressure and density at a point; pressure 0 in air, density NaN. */
@@ -51,13 +51,13 @@ double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe)
     return sum;
 }
 
-double sph2d__gauge_shown(const sph2d_sim *sim, size_t index)
+double sph2d__gauge_reading(const sph2d_sim *sim, size_t index)
 {
     const sph2d_probe *probe = &sim->scene.probes[index];
     return probe->rise_time > 0 ? sim->gauges[2 * index + 1] : sph2d__gauge_face(sim, probe);
 }
 
-static bool lags(const sph2d_probe *probe)
+static bool has_rise_time(const sph2d_probe *probe)
 {
     return probe->kind == SPH2D_PROBE_PRESSURE && probe->rise_time > 0;
 }
@@ -65,7 +65,7 @@ static bool lags(const sph2d_probe *probe)
 void sph2d__sim_start_gauges(sph2d_sim *sim)
 {
     for (size_t i = 0; i < sim->scene.probe_count; ++i)
-        if (lags(&sim->scene.probes[i]))
+        if (has_rise_time(&sim->scene.probes[i]))
             sim->gauges[2 * i] = sim->gauges[2 * i + 1] = sph2d__gauge_face(sim, &sim->scene.probes[i]);
 }
 
@@ -73,11 +73,11 @@ void sph2d__sim_read_gauges(sph2d_sim *sim, double dt)
 {
     for (size_t i = 0; sim->gauges_lag && i < sim->scene.probe_count; ++i) {
         const sph2d_probe *probe = &sim->scene.probes[i];
-        if (!lags(probe))
+        if (!has_rise_time(probe))
             continue;
-        double *before = &sim->gauges[2 * i], *shown = before + 1, now = sph2d__gauge_face(sim, probe);
+        double *before = &sim->gauges[2 * i], *reading = before + 1, now = sph2d__gauge_face(sim, probe);
         double x = dt * log(9) / probe->rise_time, e = exp(-x), m = -expm1(-x) / x;
-        *shown = e * *shown + (m - e) * *before + (1 - m) * now;
+        *reading = e * *reading + (m - e) * *before + (1 - m) * now;
         *before = now;
     }
 }

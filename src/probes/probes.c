@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file probes.c
- *  Time series, by kind. */
+ *  The table of probe kinds. */
 #include "probes/probes.h"
 
 static const struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file quality.c
- *  A probe of how well the particles represent the liquid: how evenly they lie, how constant their density is. */
+ *  A probe of the quality of the particle distribution: how even the spacing is, how uniform the density. */
 #include <math.h>
 
 #include "probes/probes.h"
@@ -8,38 +8,37 @@
 /* Bins of distances from 0 to the support radius. */
 enum { BINS = 2048 };
 
-/** Distances from each particle to its nearest neighbour. Counts and extremes do not depend on how threads share the
- *  work. */
+/** Histogram of the distances to the nearest neighbours: counts and minima, the same for any number of threads. */
 typedef struct distances {
     size_t counts[BINS];
     double least[BINS]; /**< smallest in each bin [m] */
-    size_t paired;      /**< below half a spacing */
+    size_t paired;      /**< number of distances below half a spacing */
 } distances;
 
-/** From particle `i` to its nearest neighbour [m], the support radius at most. */
+/** Distance from particle `i` to its nearest neighbour [m], at most the support radius. */
 static double nearest(const sph2d_sim *sim, size_t i)
 {
     const sph2d__store *f = &sim->system.fluid;
     double least2 = sim->system.support * sim->system.support;
-    sph2d_vec2 place = {f->x[i], f->y[i]};
+    sph2d_vec2 at = {f->x[i], f->y[i]};
     sph2d__ranges ranges;
-    if (!sph2d__sim_around(sim, &place, &ranges))
+    if (!sph2d__sim_around(sim, &at, &ranges))
         return sim->system.support;
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
-        double dx = place.x + ranges.x[r] - f->x[j], dy = place.y + ranges.y[r] - f->y[j];
+        double dx = at.x + ranges.x[r] - f->x[j], dy = at.y + ranges.y[r] - f->y[j];
         double r2 = dx * dx + dy * dy;
         least2 = j != i && r2 < least2 ? r2 : least2;
     }
     return sqrt(least2);
 }
 
-/** A look at all particles. */
-typedef struct look {
+/** Arguments and result of the parallel loop. */
+typedef struct search {
     const sph2d_sim *sim;
     distances found;
-} look;
+} search;
 
-static void count_distances(look *l, const double *found, size_t count)
+static void count_distances(search *l, const double *found, size_t count)
 {
     const sph2d__system *s = &l->sim->system;
     distances *d = &l->found;
@@ -54,9 +53,9 @@ static void count_distances(look *l, const double *found, size_t count)
     sph2d__team_unlock(s->team);
 }
 
-static void find_some_distances(void *with, size_t first, size_t last)
+static void add_distances(void *with, size_t first, size_t last)
 {
-    look *l = with;
+    search *l = with;
     while (first < last) {
         double found[SPH2D__SLAB];
         size_t count = 0;
@@ -66,16 +65,16 @@ static void find_some_distances(void *with, size_t first, size_t last)
     }
 }
 
-static void find_distances(look *l)
+static void find_distances(search *l)
 {
     for (int b = 0; b < BINS; ++b)
         l->found.least[b] = INFINITY;
     const sph2d__system *s = &l->sim->system;
-    sph2d__share(s->team, s->fluid.count, SPH2D__SLAB, find_some_distances, l);
+    sph2d__share(s->team, s->fluid.count, SPH2D__SLAB, add_distances, l);
 }
 
-/** The distance that `below` others are shorter than, to 1/2048 of the support radius [m]. */
-static double ranked(const distances *d, size_t below)
+/** The quantile of the distances with rank `below`, to 1/2048 of the support radius [m]. */
+static double quantile(const distances *d, size_t below)
 {
     size_t bin = 0, seen = 0;
     while (seen + d->counts[bin] <= below)
@@ -92,7 +91,7 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
         values[k] = NAN;
     if (f->count == 0)
         return 8;
-    look l = {.sim = sim};
+    search l = {.sim = sim};
     find_distances(&l);
     const distances *d = &l.found;
     double n = (double)f->count, square = 0, most = 0, speed2 = 0;
@@ -102,8 +101,8 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
         most = fmax(most, fabs(error));
         speed2 = fmax(speed2, v2);
     }
-    values[0] = ranked(d, 0) / s->spacing;
-    values[1] = ranked(d, f->count / 100) / s->spacing;
+    values[0] = quantile(d, 0) / s->spacing;
+    values[1] = quantile(d, f->count / 100) / s->spacing;
     values[2] = (double)d->paired / n;
     values[3] = sqrt(square / n);
     values[4] = most;

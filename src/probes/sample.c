@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sample.c
- *  The liquid's values at a point, from the particles around it.
+ *  Interpolation of the liquid's fields at a point.
  *
  *  A polynomial c . p with p = (1, xi, eta, xi^2, xi eta, eta^2), (xi, eta) = (x_j - x)/H, is fitted to the particles
  *  within the support radius: sum_j w_j (c . p_j - f_j)^2 is least, w Wendland's C2 (moving least squares, Lancaster &
@@ -8,7 +8,7 @@
  *
  *      c_0 = sum_j w_j (lambda . p_j) f_j,   M lambda = (1, 0, ...),   M = sum_j w_j p_j p_j^T
  *
- *  whose factors depend on places alone and serve all fields. The first three terms make the linear fit, the first
+ *  whose factors depend on positions alone and serve all fields. The first three terms give the linear fit, the first
  *  alone the Shepard average. */
 #include <math.h>
 
@@ -18,9 +18,9 @@
 /* Terms of the quadratic, linear and constant polynomial; velocity, pressure and density. */
 enum { QUADRATIC = 6, LINEAR = 3, CONSTANT = 1, TERMS = QUADRATIC, FIELDS = 4 };
 
-/* A term of whose square the terms before it explain all but this fraction is not carried by the neighbours. Inside
- * liquid a tenth or more is left; from a hundredth on, factors are so small that noise grows tenfold at most. */
-static const double CARRIED = 0.01;
+/* A term is not determined by the neighbours if its pivot is below this fraction of its diagonal element. Inside liquid
+ * it is at least a tenth; from a hundredth on, noise is amplified tenfold at most. */
+static const double MIN_PIVOT = 0.01;
 
 /** The particles around a point. */
 typedef struct surroundings {
@@ -35,15 +35,15 @@ typedef struct surroundings {
     double matrix[TERMS][TERMS];      /**< M; factored, L below the diagonal and D on it */
 } surroundings;
 
-bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *place, sph2d__ranges *ranges)
+bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *at, sph2d__ranges *ranges)
 {
     const sph2d__cells *cells = &sim->system.fluid_cells;
     const sph2d__period *period = &cells->period;
-    if (sim->system.fluid.count == 0 || sim->stopped == SPH2D_NOMEM) /* which may leave the cells half made */
+    if (sim->system.fluid.count == 0 || sim->stopped == SPH2D_NOMEM) /* which may leave the cells incomplete */
         return false;
-    place->x = sph2d__period_wrap(place->x, period->low_x, period->length_x);
-    place->y = sph2d__period_wrap(place->y, period->low_y, period->length_y);
-    uint32_t cell = sph2d__cells_find(cells, place->x, place->y);
+    at->x = sph2d__period_wrap(at->x, period->low_x, period->length_x);
+    at->y = sph2d__period_wrap(at->y, period->low_y, period->length_y);
+    uint32_t cell = sph2d__cells_find(cells, at->x, at->y);
     if (cell == UINT32_MAX)
         return false;
     sph2d__cells_ranges(cells, cell, ranges);
@@ -65,8 +65,8 @@ static double weigh(const surroundings *s, int r, size_t j, double terms[TERMS])
     return q2 < 1 ? sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, sqrt(q2)) : 0;
 }
 
-/** Sums the matrix, and finds the nearest neighbour and the range of values. */
-static void look_around(surroundings *s)
+/** Sums the matrix, and finds the nearest neighbour and the range of each field. */
+static void sum_matrix(surroundings *s)
 {
     double terms[TERMS], most = 0;
     SPH2D__FOR_NEIGHBOURS (&s->ranges, r, j) {
@@ -89,18 +89,18 @@ static void look_around(surroundings *s)
     }
 }
 
-/** Factors M = L D L^T in place. Returns how many of its leading terms the neighbours carry. */
+/** Factors M = L D L^T in at. Returns the number of leading terms that the neighbours determine. */
 static int factor(double m[TERMS][TERMS])
 {
     for (int k = 0; k < TERMS; ++k) {
-        double whole = m[k][k];
+        double diagonal = m[k][k];
         for (int a = 0; a < k; ++a) {
             for (int b = 0; b < a; ++b)
                 m[k][a] -= m[k][b] * m[b][b] * m[a][b];
             m[k][a] /= m[a][a];
             m[k][k] -= m[k][a] * m[k][a] * m[a][a];
         }
-        if (!(m[k][k] > CARRIED * whole))
+        if (!(m[k][k] > MIN_PIVOT * diagonal))
             return k;
     }
     return TERMS;
@@ -121,8 +121,8 @@ static void solve(double m[TERMS][TERMS], int count, double lambda[TERMS])
     }
 }
 
-/** Values of the fit with `count` terms. Differences to the nearest neighbour are fitted, so that what is uniform stays
- *  so to the last bit. */
+/** Values of the fit with `count` terms. Differences from the nearest neighbour are fitted, so that a uniform field is
+ *  reproduced to the last bit. */
 static void evaluate(surroundings *s, int count, double values[FIELDS])
 {
     double lambda[TERMS], terms[TERMS];
@@ -140,23 +140,23 @@ static void evaluate(surroundings *s, int count, double values[FIELDS])
     }
 }
 
-/** Fits each field by the highest polynomial that the neighbours carry and that stays within a spread of their values.
- */
+/** Fits each field by the polynomial of highest degree that the neighbours determine and whose value is within their
+ *  range, widened by its own width on either side. */
 static void fit(surroundings *s, double values[FIELDS])
 {
     static const int counts[] = {QUADRATIC, LINEAR, CONSTANT};
-    int carried = factor(s->matrix);
+    int determined = factor(s->matrix);
     bool done[FIELDS] = {false};
     for (int n = 0; n < 3; ++n) {
-        double tried[FIELDS];
-        if (counts[n] > carried)
+        double fitted[FIELDS];
+        if (counts[n] > determined)
             continue;
-        evaluate(s, counts[n], tried);
+        evaluate(s, counts[n], fitted);
         for (int k = 0; k < FIELDS; ++k) {
             double spread = s->high[k] - s->low[k];
-            bool sane = tried[k] >= s->low[k] - spread && tried[k] <= s->high[k] + spread;
-            if (!done[k] && (sane || counts[n] == CONSTANT)) {
-                values[k] = tried[k];
+            bool in_range = fitted[k] >= s->low[k] - spread && fitted[k] <= s->high[k] + spread;
+            if (!done[k] && (in_range || counts[n] == CONSTANT)) {
+                values[k] = fitted[k];
                 done[k] = true;
             }
         }
@@ -172,7 +172,7 @@ bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
     double values[FIELDS] = {NAN, NAN, NAN, NAN};
     s.at = at;
     if (sph2d__sim_around(sim, &s.at, &s.ranges))
-        look_around(&s);
+        sum_matrix(&s);
     if (s.neighbours > 0)
         fit(&s, values);
     *out = (sph2d_sample){{values[0], values[1]}, values[2], values[3], s.neighbours};

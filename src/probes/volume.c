@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file volume.c
- *  Probes of how much liquid there is, and how high it would stand (coverage.h). */
+ *  Probes of the liquid's area, and of its level at rest (coverage.h). */
 #include <math.h>
 
 #include "probes/coverage.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file whole.c
- *  Probes of all liquid: energy, momentum, where it lies and how it is spread. */
+ *  Probes of the liquid as a whole: energy, momentum, extent, principal axes. */
 #include <math.h>
 
 #include "probes/probes.h"
@@ -45,15 +45,15 @@ size_t sph2d__probe_momentum(const sph2d_sim *sim, const sph2d_probe *probe, dou
     (void)probe;
     const sph2d__store *f = &sim->system.fluid;
     sph2d_vec2 middle = domain_centre(sim), centre = centre_of_mass(sim, middle);
-    double x = 0, y = 0, turn = 0;
+    double x = 0, y = 0, angular = 0;
     for (size_t i = 0; i < f->count; ++i) {
         x += f->vx[i];
         y += f->vy[i];
-        turn += (f->x[i] - middle.x) * f->vy[i] - (f->y[i] - middle.y) * f->vx[i];
+        angular += (f->x[i] - middle.x) * f->vy[i] - (f->y[i] - middle.y) * f->vx[i];
     }
     values[0] = sim->system.mass * x;
     values[1] = sim->system.mass * y;
-    values[2] = sim->system.mass * turn;
+    values[2] = sim->system.mass * angular;
     values[3] = centre.x;
     values[4] = centre.y;
     return 5;
@@ -65,13 +65,13 @@ size_t sph2d__probe_extent(const sph2d_sim *sim, const sph2d_probe *probe, doubl
     const sph2d__store *f = &sim->system.fluid;
     for (int k = 0; k < 4; ++k)
         values[k] = NAN;
-    for (size_t i = 0; i < f->count; ++i) { /* fmin and fmax pass over NaN */
+    for (size_t i = 0; i < f->count; ++i) { /* fmin and fmax ignore NaN */
         values[0] = fmin(values[0], f->x[i]);
         values[1] = fmax(values[1], f->x[i]);
         values[2] = fmin(values[2], f->y[i]);
         values[3] = fmax(values[3], f->y[i]);
     }
-    double half = sim->scene.spacing / 2; /* of the piece of liquid that a particle stands for */
+    double half = sim->scene.spacing / 2; /* a particle is a square of liquid */
     values[0] -= half;
     values[1] += half;
     values[2] -= half;

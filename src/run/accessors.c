@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file accessors.c
- *  Asking a simulation for its numbers, and steering it while it runs. */
+ *  Accessors of a simulation's values, and steering during a run. */
 #include <math.h>
 
 #include "sim/simulation.h"

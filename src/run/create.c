@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file create.c
- *  Making a simulation, new or from a state, and freeing it. */
+ *  Creates a simulation, new or from a state, and destroys it. */
 #include <math.h>
 
 #include "probes/probes.h"
@@ -39,20 +39,21 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
     return SPH2D_OK;
 }
 
-/* Cells are a quarter of the support radius wide: fewer candidates, where 1/2 and 1/8 took 5 % longer. Searches go in
- * blocks of candidates, which narrower cells spare only from this ratio of support radius and spacing on: below, a
- * range is two blocks long anyway. */
+/* Cells are a quarter of the support radius wide, for fewer candidates; 1/2 and 1/8 took 5 % longer. Neighbour lists
+ * are searched in blocks of candidates: there narrow cells save blocks only from this H/dx on, as below a range has two
+ * blocks anyway. */
 enum { COLUMNS = 4 };
-static const double WIDE = 2.8;
+static const double MIN_NARROW_RATIO = 2.8;
 
-/** The arrays of floats that pair loops read of the liquid (methods/common/packed.h). Fitted operators know no volumes,
- *  and read walls one by one. */
+/** The arrays of floats of the fluid that pair loops read (methods/common/packed.h). Fitted operators use no volumes,
+ *  and read boundary particles in double precision. */
 static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
 {
-    const sph2d__set more = SPH2D__BIT(packed_gradient) | SPH2D__BIT(packed_strain), sloped = SPH2D__PACKED | more;
+    const sph2d__set more = SPH2D__BIT(packed_gradient) | SPH2D__BIT(packed_strain),
+                     with_gradients = SPH2D__PACKED | more;
     if (fitted)
         return SPH2D__PACKED & ~SPH2D__BIT(packed_state);
-    return unused & SPH2D__BIT(density_grad_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : sloped;
+    return unused & SPH2D__BIT(density_grad_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : with_gradients;
 }
 
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
@@ -67,15 +68,15 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->support = d.support_radius;
     bool fitted = scene->method.name == SPH2D_METHOD_WCSPH && scene->method.operators == SPH2D_OPERATORS_FITTED;
     s->reach = d.reach;
-    s->wall_reach = s->reach + (fitted ? s->spacing : 0); /* those behind a surface that is within the support */
+    s->wall_reach = s->reach + (fitted ? s->spacing : 0); /* boundary particles whose surface is within the support */
     s->mass = d.mass;
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
     s->max_density = s->rest_density;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
-    bool held = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
+    bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
-    s->tension = held ? tension : INFINITY;
+    s->tension = limited ? tension : INFINITY;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     s->wall_slip = scene->wall_slip;
@@ -84,15 +85,15 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
-    sph2d__set rubbing = SPH2D__BIT(skin) | SPH2D__BIT(drag);
-    sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : rubbing);
+    sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
+    sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : friction);
     s->walls.carried = walls;
     s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
     s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_gradient) : 0);
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
-    bool search = sim->method->project && s->reach < WIDE * s->spacing;
-    s->fluid_cells.columns = s->wall_cells.columns = search ? 1 : COLUMNS;
+    bool wide = sim->method->project && s->reach < MIN_NARROW_RATIO * s->spacing;
+    s->fluid_cells.columns = s->wall_cells.columns = wide ? 1 : COLUMNS;
     s->body.center_x = scene->central_force.center.x;
     s->body.center_y = scene->central_force.center.y;
     s->body.central_rate2 = scene->central_force.rate * scene->central_force.rate;
@@ -101,7 +102,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sim->record.isa = s->isa;
 }
 
-static sph2d_status gather_team(sph2d_sim *sim, int threads)
+static sph2d_status create_team(sph2d_sim *sim, int threads)
 {
     int limit = threads > 0 ? threads : sph2d__team_processors();
     if (limit == 1)
@@ -111,7 +112,7 @@ static sph2d_status gather_team(sph2d_sim *sim, int threads)
     return sim->system.team ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-static sph2d_status allocate_lists(sph2d_sim *sim)
+static sph2d_status allocate_arrays(sph2d_sim *sim)
 {
     const sph2d_scene *scene = &sim->scene;
     sim->points = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
@@ -128,7 +129,7 @@ static sph2d_status allocate_lists(sph2d_sim *sim)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-/** The rates of density of liquid that starts in motion, for the length of its first step (time_step.c). */
+/** Evaluates the rates of density of liquid that starts in motion, for the length of the first step (time_step.c). */
 static bool find_first_rates(sph2d_sim *sim)
 {
     if (!(sph2d__sim_start_speed(sim) > 0) || !sim->method->density_rate)
@@ -137,8 +138,8 @@ static bool find_first_rates(sph2d_sim *sim)
     return sim->method->evaluate(&sim->system);
 }
 
-/** First forces and extremes of a new simulation. */
-static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
+/** Places the fluid of a new simulation and evaluates its first forces and extremes. */
+static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_status status = sph2d__sim_place_fluid(sim, report);
     if (status != SPH2D_OK)
@@ -149,7 +150,7 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
         return status;
     if (sim->system.fluid.filling)
         for (size_t i = 0; i < sim->system.fluid.count; ++i)
-            sim->system.fluid.filling[i] = 1; /* as if a step had found it so: liquid that is placed is in liquid */
+            sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
     if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
     sph2d_summary start;
@@ -161,17 +162,17 @@ static sph2d_status start_fresh(sph2d_sim *sim, sph2d_report *report)
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
-/** What a step hands to the next beside the state follows from places and densities: it is evaluated once more, and the
- *  accelerations, which were evaluated with predicted velocities, are kept. */
-static void renew_slopes(sph2d_sim *sim)
+/** Recomputes the gradients that a step uses from the one before; they follow from positions and densities. The stored
+ *  accelerations are kept: they were evaluated with predicted velocities. */
+static void recompute_gradients(sph2d_sim *sim)
 {
     sph2d__keep_accelerations(&sim->system.fluid);
     sim->method->evaluate(&sim->system);
     sph2d__keep_accelerations(&sim->system.fluid);
 }
 
-/** Goes on from a state: density, pressure and acceleration are part of it. */
-static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
+/** Continues from a state, which contains density, pressure and acceleration. */
+static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
     sim->method->prepare(&sim->system);
     sph2d_status status = sph2d__sim_load(sim, state, report);
@@ -179,7 +180,7 @@ static sph2d_status start_from(sph2d_sim *sim, const sph2d_state *state, sph2d_r
         return status;
     status = sph2d__sim_update_forcing(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
-        renew_slopes(sim);
+        recompute_gradients(sim);
     return status;
 }
 
@@ -198,14 +199,14 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
-    status = gather_team(sim, options->threads);
+    status = create_team(sim, options->threads);
     if (status == SPH2D_OK)
-        status = allocate_lists(sim);
+        status = allocate_arrays(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
     sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
-        status = state ? start_from(sim, state, report) : start_fresh(sim, report);
+        status = state ? start_restored(sim, state, report) : start_new(sim, report);
     if (status == SPH2D_OK)
         sph2d__sim_make_plan(sim);
     return status;
@@ -215,8 +216,8 @@ static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *op
                            sph2d_sim **out, sph2d_report *report)
 {
     *out = NULL;
-    sph2d_sim_options standard = sph2d_sim_options_default();
-    options = options ? options : &standard;
+    sph2d_sim_options defaults = sph2d_sim_options_default();
+    options = options ? options : &defaults;
     sph2d_status status = check_options(options, report);
     if (status == SPH2D_OK)
         status = sph2d_scene_check(scene, report);
@@ -273,7 +274,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
         sph2d__barrier_free(&sim->moving[k].barrier, memory);
     sph2d__arena_free(&sim->arena, memory);
     sph2d__team_destroy(s->team, memory);
-    sph2d__memory last = *memory; /* the simulation holds its own allocator */
+    sph2d__memory last = *memory; /* the simulation contains its own allocator */
     void *block = sim;
     sph2d__release(&last, &block, 1, sizeof *sim);
 }
@@ -282,7 +283,7 @@ sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_
 {
     sph2d_sim *sim = NULL;
     sph2d_sim_options options = sph2d_sim_options_default();
-    options.threads = 1; /* more take memory of their own */
+    options.threads = 1; /* more threads would add to the memory */
     sph2d_status status = sph2d_sim_create(scene, &options, &sim, report);
     if (status == SPH2D_OK)
         *plan = sim->plan;

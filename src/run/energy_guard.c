@@ -1,54 +1,56 @@
 /* SPDX-License-Identifier: MIT */
 /** @file energy_guard.c
- *  Energy that adds up, and the guard that stops a run where it does not.
+ *  The energy balance, and the guard that stops a run whose energy grows without a source.
  *
- *  What is brought, by particles that come and go, new gravity, moving walls, interactions and forces along periods, is
- *  booked (work.c), and so is what dissipates. Two figures follow, both over the energy scale of the scene,
+ *  Energy that is added (by sources and drains, a change of gravity, moving walls, interactions, forces along periods)
+ *  and energy that is dissipated are summed over time (work.c). From them follow two figures, both compared with the
+ *  energy scale of the scene,
  *
  *      m n (g h + U^2/2 + pull)/2,
  *
  *  the potential energy of a column as high as liquid can fall (sph2d__system.head), with n all particles that ever
- *  were, and the surface of a round drop of them. The error is what does not add up,
+ *  existed, plus the surface energy of a round drop of them. The error is
  *
- *      kinetic + potential + elastic - start - brought + dissipated,
+ *      kinetic + potential + elastic - start - added + dissipated.
  *
- *  and the rise how far the same without what is dissipated ever rose above an earlier moment: it is above 0 only
- *  where energy comes from nothing, whatever else is lost. The guard is on the rise.
+ *  The rise is how far kinetic + potential + elastic - added ever rose above an earlier value: it is above 0 only where
+ *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise.
  *
- *  Pressures that keep a density take what liquid has too much that meets liquid or a wall: at an impact 30 to 80 %.
- *  That is the work of their impulses with the mean velocity of each step (projected.c), less that of moving walls and
- *  what compression stores, summed from look to look, in which a liquid that trembles gives back what it took. Where it
- *  is below 0 it dissipated. Where pressures gave more than they took it is not booked, and stays in the error. */
+ *  A pressure projection dissipates energy where liquid meets liquid or a wall: 30 to 80 % at an impact. This is the
+ *  work of its impulses with the mean velocity of each step (projected.c), less the work of moving walls and the
+ *  elastic energy stored, summed from sample to sample, so that oscillations cancel. A negative sum is dissipation. A
+ *  positive sum is not added to the balance, and so remains in the error. */
 #include <math.h>
 
 #include "run/run.h"
 #include "scene/method_table.h"
 
-/** How much denser than the rest the scene's blocks start, where density is a sum; 1 at least. */
-static double start_of(const sph2d_sim *sim)
+/** Largest initial density of a block over rest density, with methods that sum density; at least 1. */
+static double start_compression(const sph2d_sim *sim)
 {
-    double most = 1, dx = sim->scene.spacing;
+    double largest = 1, dx = sim->scene.spacing;
     for (size_t k = 0; k < sim->scene.block_count && sph2d__method_row_of(&sim->scene.method)->summed_density; ++k)
         if (sim->scene.blocks[k].spacing > 0)
-            most = fmax(most, pow(dx / sim->scene.blocks[k].spacing, 2));
-    return most;
+            largest = fmax(largest, pow(dx / sim->scene.blocks[k].spacing, 2));
+    return largest;
 }
 
 sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
 {
     const sph2d__method_row *row = sph2d__method_row_of(&sim->scene.method);
     double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
-    return (sph2d__bounds){row->min_density * rest, row->max_density * rest * start_of(sim),
+    return (sph2d__bounds){row->min_density * rest, row->max_density * rest * start_compression(sim),
                            rise > 0 ? rise : row->energy_rise};
 }
 
-/* In so many steps liquid expands that starts compressed, by particles that are too near to each other or to walls.
- * Where density does not tell all of that energy, it is taken as the start's. */
+/* Liquid that starting compressed, by particles too near to each other or to walls, expands in so many steps. With
+ * methods that sum density the elastic energy of that start is not fully known; the rise is counted only after these
+ * steps. */
 enum { START_STEPS = 32 };
 
-/** Books what pressures that keep the density took since the last look and did not store. Where they gave more than
- *  was stored, nothing is booked, and the error has it. */
-static void book_pressed(sph2d__record *r, double elastic)
+/** Adds the energy that the pressure projection dissipated since the last sample: negative work that is not stored as
+ *  elastic energy. A positive difference remains in the error. */
+static void book_projection(sph2d__record *r, double elastic)
 {
     double stored = elastic - r->energy_elastic;
     r->energy_pressed += fmax(-r->work_pressed - stored, 0);
@@ -56,21 +58,21 @@ static void book_pressed(sph2d__record *r, double elastic)
     r->energy_elastic = elastic;
 }
 
-sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
+sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
-    sph2d__sim_book_drives(sim);
-    if (!sph2d__sim_looks(sim, r->steps))
+    sph2d__sim_book_external_work(sim);
+    if (!sph2d__sim_samples_energy(sim, r->steps))
         return SPH2D_OK;
-    if (sph2d__sim_book(sim) != SPH2D_OK)
+    if (sph2d__sim_book_dissipation(sim) != SPH2D_OK)
         return SPH2D_NOMEM;
     sph2d_summary now;
     sph2d__sim_sum_energy(sim, &now);
     if (sim->method->project)
-        book_pressed(r, now.elastic);
+        book_projection(r, now.elastic);
     double energy = now.kinetic + now.potential + now.elastic - r->energy_fed - r->energy_walls - r->energy_forces;
-    bool starts = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;
-    r->energy_low = starts ? energy : fmin(r->energy_low, energy);
+    bool starting = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;
+    r->energy_low = starting ? energy : fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
     r->energy_error =
         energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped + r->energy_pressed;
@@ -79,15 +81,15 @@ sph2d_status sph2d__sim_watch_energy(sph2d_sim *sim)
     return SPH2D_OK;
 }
 
-/** The particle that moves fastest. */
-static size_t fastest_of(const sph2d__store *f)
+/** The fastest particle. */
+static size_t find_fastest(const sph2d__store *f)
 {
     size_t fastest = 0;
-    double most = -1;
+    double largest = -1;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
-        if (v2 > most) {
-            most = v2;
+        if (v2 > largest) {
+            largest = v2;
             fastest = i;
         }
     }
@@ -98,10 +100,10 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__record *r = &sim->record;
     const sph2d__store *f = &sim->system.fluid;
-    double scale = sph2d__sim_energy_scale(sim), most = sph2d__sim_bounds(sim).rise;
-    if (!(scale > 0) || !(r->energy_rise > most * scale) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
+    double scale = sph2d__sim_energy_scale(sim), largest = sph2d__sim_bounds(sim).rise;
+    if (!(scale > 0) || !(r->energy_rise > largest * scale) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
         return true;
-    size_t i = fastest_of(f);
+    size_t i = find_fastest(f);
     char where[SPH2D__WHERE_SIZE];
     sph2d_diagnostic *d = sph2d_report_add(
         report, SPH2D_ERROR, SPH2D_CODE_ENERGY, NULL,
@@ -111,8 +113,8 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
         (unsigned long long)f->id[i], f->x[i], f->y[i], sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where),
         f->vx[i], f->vy[i]);
     sph2d_diagnostic_hint(d,
-                          "look at what is there; %s or a smaller spacing calms liquid, and run.max_energy_rise lets "
-                          "more than %g times the scale pass",
-                          sph2d__method_row_of(&sim->scene.method)->calmed_by, most);
+                          "check the scene at that position; %s or a smaller spacing damps the liquid, and "
+                          "run.max_energy_rise allows more than %g times the scale",
+                          sph2d__method_row_of(&sim->scene.method)->calmed_by, largest);
     return false;
 }

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /** @file fields.c
- *  The field table: one row a field. */
+ *  The table of fields, one row each. */
 #include "run/fields.h"
 
 #include <string.h>
 
-/** Where a field's data is. */
+/** Where the data of a field comes from. */
 typedef enum source {
     FROM_STORE, /**< arrays of the store at `offset` */
-    MASS,       /**< one for all fluid particles, an array for walls */
-    SUPPORT     /**< one for all */
+    MASS,       /**< one value for all fluid particles, an array for boundary particles */
+    SUPPORT     /**< one value for all */
 } source;
 
-/** Which states have a field, bits. */
+/** Bits: whose state contains a field. */
 enum { FLUID = 1, WALL = 2 };
 
 typedef struct row {
@@ -23,7 +23,7 @@ typedef struct row {
     source source;
     size_t offset[2];
     unsigned in_state;
-    sph2d__set if_carried; /**< the array whose store has it; 0: every store */
+    sph2d__set if_carried; /**< in the state only if the store carries these arrays; 0: always */
 } row;
 
 #define AT(member) offsetof(sph2d__store, member)
@@ -38,7 +38,7 @@ typedef struct row {
         AT(x), AT(y)                                                                                                   \
     }
 
-/* The public fields; walls lack the last. */
+/* The number of public fields, the first rows; walls lack the last. */
 enum { FIELDS = 8 };
 
 static const row rows[] = {
@@ -56,36 +56,49 @@ static const row rows[] = {
      {0, 0},
      0,
      0},
-    {"ParticleIDs", "a particle's number, for ever", {0, 0, 0}, SPH2D_U64, 1, FROM_STORE, {AT(id), 0}, FLUID | WALL, 0},
+    {"ParticleIDs",
+     "number of a particle, constant throughout the run",
+     {0, 0, 0},
+     SPH2D_U64,
+     1,
+     FROM_STORE,
+     {AT(id), 0},
+     FLUID | WALL,
+     0},
     {"Accelerations", "acceleration", {1, 0, -2}, F64_2(ax, ay), FLUID, 0},
-    /* What schemes remember. */
+    /* Values that time schemes carry from step to step. */
     {"SurfaceDistances",
-     "distance to the free surface within the last step, up to H",
+     "distance to the free surface during the last step, at most H",
      {1, 0, 0},
      F64_1(surface_distance),
      FLUID,
      SPH2D__BIT(surface_distance)},
     {"Fillings",
-     "by other liquid, of the room that walls leave, within the last step: 1 inside, 0 by itself",
+     "part of the support outside walls that other liquid fills, during the last step: 1 inside, 0 if isolated",
      {0, 0, 0},
      F64_1(filling),
      FLUID,
      SPH2D__BIT(filling)},
     {"StrainRates",
-     "half the difference of dvx/dx and dvy/dy, half the sum of dvx/dy and dvy/dx, within the last step",
+     "(dvx/dx - dvy/dy)/2 and (dvx/dy + dvy/dx)/2 during the last step",
      {0, 0, -1},
      F64_2(stretch, shear),
      FLUID,
      SPH2D__BIT(stretch)},
     {"DensityRates",
-     "change of density in the last step",
+     "rate of density in the last step",
      {-3, 1, -1},
      F64_1(density_rate),
      FLUID,
      SPH2D__BIT(density_rate)},
-    {"OldAccelerations", "acceleration one step before", {1, 0, -2}, F64_2(old_ax, old_ay), FLUID, SPH2D__BIT(old_ax)},
+    {"OldAccelerations",
+     "acceleration of the previous step",
+     {1, 0, -2},
+     F64_2(old_ax, old_ay),
+     FLUID,
+     SPH2D__BIT(old_ax)},
     {"OldDensityRates",
-     "change of density one step before",
+     "rate of density of the previous step",
      {-3, 1, -1},
      F64_1(old_density_rate),
      FLUID,
@@ -93,7 +106,7 @@ static const row rows[] = {
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };
-_Static_assert(ROWS + 4 <= SPH2D__FIELDS_OF_STATE, "room for all of the fluid, and four of walls");
+_Static_assert(ROWS + 4 <= SPH2D__FIELDS_OF_STATE, "all fields of the fluid, and four of the walls");
 
 size_t sph2d_field_count(sph2d_group group)
 {

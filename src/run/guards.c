@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /** @file guards.c
- *  What a step looks at when it is done: extremes of all particles, and guards. */
+ *  Extremes over all particles after a step, and the guards. */
 #include <math.h>
 
 #include "run/run.h"
 #include "scene/method_table.h"
 
-/* A step that is this fraction of the one at rest is near collapse; so many in a row are one. */
+/* A step below this fraction of the stable step at rest is near collapse; so many in a row are a collapse. */
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
 
 typedef struct extremes {
     double speed2, acceleration2, density, pressure;
-    size_t bad;     /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
-    size_t escaped; /**< and of the first beyond a side that is a wall */
-    size_t strange; /**< and of the first with a density that no liquid has */
+    size_t not_finite;  /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
+    size_t escaped;     /**< of the first beyond a side that is a wall */
+    size_t implausible; /**< of the first with a density out of bounds */
 } extremes;
 
-/** The domain as far as its sides are walls. */
+/** The domain, unbounded at sides that are not walls. */
 static sph2d_box walled_box(const sph2d_scene *scene)
 {
     sph2d_boundary b = scene->boundary;
@@ -27,21 +27,21 @@ static sph2d_box walled_box(const sph2d_scene *scene)
         {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
 }
 
-/** What is looked for, and what was found. */
+/** Bounds to check, and the extremes found. */
 typedef struct search {
     const sph2d_sim *sim;
     sph2d_box box;
-    double low, high; /**< densities that liquid may have [kg/m^3] */
+    double low, high; /**< bounds of density [kg/m^3] */
     extremes found;
 } search;
 
-static void find_some_extremes(void *with, size_t first, size_t last)
+static void add_extremes(void *with, size_t first, size_t last)
 {
     search *s = with;
     const sph2d__store *f = &s->sim->system.fluid;
     const sph2d_box box = s->box;
     double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
-    size_t bad = SIZE_MAX, escaped = SIZE_MAX, strange = SIZE_MAX;
+    size_t not_finite = SIZE_MAX, escaped = SIZE_MAX, implausible = SIZE_MAX;
     for (size_t i = first; i < last; ++i) {
         double x = f->x[i], y = f->y[i];
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
@@ -50,12 +50,12 @@ static void find_some_extremes(void *with, size_t first, size_t last)
         acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
         density = f->density[i] > density ? f->density[i] : density;
         pressure = f->pressure[i] > pressure ? f->pressure[i] : pressure;
-        if (!isfinite(v2 + a2 + x + y) && i < bad)
-            bad = i;
+        if (!isfinite(v2 + a2 + x + y) && i < not_finite)
+            not_finite = i;
         if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)
             escaped = i;
-        if (!(f->density[i] >= s->low && f->density[i] <= s->high) && i < strange)
-            strange = i;
+        if (!(f->density[i] >= s->low && f->density[i] <= s->high) && i < implausible)
+            implausible = i;
     }
     sph2d__team_lock(s->sim->system.team);
     extremes *e = &s->found;
@@ -63,9 +63,9 @@ static void find_some_extremes(void *with, size_t first, size_t last)
                     fmax(e->acceleration2, acceleration2),
                     fmax(e->density, density),
                     fmax(e->pressure, pressure),
-                    bad < e->bad ? bad : e->bad,
+                    not_finite < e->not_finite ? not_finite : e->not_finite,
                     escaped < e->escaped ? escaped : e->escaped,
-                    strange < e->strange ? strange : e->strange};
+                    implausible < e->implausible ? implausible : e->implausible};
     sph2d__team_unlock(s->sim->system.team);
 }
 
@@ -76,8 +76,8 @@ static extremes find_extremes(const sph2d_sim *sim)
                 walled_box(&sim->scene),
                 bounds.min_density,
                 bounds.max_density,
-                {.bad = SIZE_MAX, .escaped = SIZE_MAX, .strange = SIZE_MAX}};
-    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, find_some_extremes, &s);
+                {.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX}};
+    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, add_extremes, &s);
     return s.found;
 }
 
@@ -94,20 +94,20 @@ static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_co
 
 static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report)
 {
-    if (e->bad != SIZE_MAX) {
-        report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->bad, "a value is not finite",
+    if (e->not_finite != SIZE_MAX) {
+        report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->not_finite, "a value is not finite",
                         "lower method.time_step or method.cfl");
         return false;
     }
-    if (e->strange != SIZE_MAX) {
+    if (e->implausible != SIZE_MAX) {
         const sph2d__store *f = &sim->system.fluid;
-        sph2d_vec2 at = {f->x[e->strange], f->y[e->strange]};
+        sph2d_vec2 at = {f->x[e->implausible], f->y[e->implausible]};
         char where[SPH2D__WHERE_SIZE];
         sph2d_diagnostic *d = sph2d_report_add(
             report, SPH2D_ERROR, SPH2D_CODE_DENSITY, NULL,
-            "a density is none that a liquid has: %g kg/m^3, particle %llu at (%g, %g), %s, step %llu, time %g s",
-            f->density[e->strange], (unsigned long long)f->id[e->strange], at.x, at.y, sph2d__sim_where(sim, at, where),
-            (unsigned long long)sim->record.steps, sim->record.time);
+            "no liquid has such a density: %g kg/m^3, particle %llu at (%g, %g), %s, step %llu, time %g s",
+            f->density[e->implausible], (unsigned long long)f->id[e->implausible], at.x, at.y,
+            sph2d__sim_where(sim, at, where), (unsigned long long)sim->record.steps, sim->record.time);
         sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
                               !sph2d__method_row_of(&sim->scene.method)->summed_density
                                   ? "; method.shifting: 1 and method.tensile_control: on keep particles apart"
@@ -122,7 +122,7 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
     return true;
 }
 
-/* So many steps in a row without an end of the solver are no accident. */
+/* So many consecutive steps without convergence are an error. */
 enum { UNCONVERGED_STEPS = 100 };
 
 static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
@@ -133,9 +133,8 @@ static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
         return true;
     sph2d_diagnostic *d =
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations",
-                         "the pressure solver was not done in %d steps in a row: it left a compression of %.3g, %.3g "
-                         "is wanted (step %llu, "
-                         "time %g s)",
+                         "the pressure solver did not converge in %d consecutive steps: its compression error is %.3g, "
+                         "the tolerance is %.3g (step %llu, time %g s)",
                          UNCONVERGED_STEPS, s->residual, s->wanted_residual, (unsigned long long)r->steps, r->time);
     sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s", sph2d__method_row_of(&sim->scene.method)->ended_by);
     return false;
@@ -157,15 +156,15 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
     }
     sph2d__limit limit;
     double at_rest = sim->method->stable_step(s, 0, 0, &limit);
-    bool chosen = !(sim->scene.method.time_step > 0); /* a short step that the scene wants is none that collapsed */
-    r->short_steps = chosen && !(r->next_step > COLLAPSE * at_rest) ? r->short_steps + 1 : 0;
+    bool adaptive = !(sim->scene.method.time_step > 0); /* a short step set by the scene is no collapse */
+    r->short_steps = adaptive && !(r->next_step > COLLAPSE * at_rest) ? r->short_steps + 1 : 0;
     if (r->short_steps >= COLLAPSED_STEPS) {
         sph2d_diagnostic *d =
             sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_COLLAPSE, NULL,
                              "the time step collapsed to %g s at step %llu, time %g s "
                              "(fastest particle %g m/s, largest acceleration %g m/s^2)",
                              r->next_step, (unsigned long long)r->steps, r->time, speed, sqrt(e->acceleration2));
-        sph2d_diagnostic_hint(d, "look for overlapping particles or a source into a full place");
+        sph2d_diagnostic_hint(d, "look for overlapping particles, or a source that emits into liquid or a wall");
         return false;
     }
     return true;

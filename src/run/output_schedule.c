@@ -14,7 +14,7 @@ static sph2d_rate rate_of(const sph2d_sim *sim, size_t output)
     return (sph2d_rate){0, 0};
 }
 
-/* The clock is a sum of steps: a due time that it misses by rounding alone is reached. */
+/* The clock is a sum of steps: the tolerance for its rounding at a due time. */
 static const double REACHED = 1 + 1e-12;
 
 bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output)

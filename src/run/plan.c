@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file plan.c
- *  What a scene will be: the numbers that `check` prints. */
+ *  The plan: numbers of a scene that are known before its run, as `check` prints them. */
 #include <math.h>
 #include <stdio.h>
 
@@ -10,12 +10,12 @@
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {
     double g = hypot(scene->gravity.x, scene->gravity.y);
-    char part[16] = ""; /* that a pair force leaves */
+    char part[16] = ""; /* effective part of the stiffness in pair forces */
     if (d->stiffness_part != 1)
         snprintf(part, sizeof part, "%.3g * ", d->stiffness_part);
     if (scene->method.sound_speed > 0)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
-                 "as the scene names it; head %.4g m^2/s^2 gives compression %.3g %%", d->head,
+                 "set by the scene; head %.4g m^2/s^2 gives compression %.3g %%", d->head,
                  100 * d->head / (d->sound_speed * d->sound_speed));
     else if (scene->method.stiffness > 0)
         snprintf(plan->sound_speed_formula, sizeof plan->sound_speed_formula,
@@ -64,7 +64,7 @@ void sph2d__sim_make_plan(sph2d_sim *sim)
     write_formula(plan, scene, &d);
     plan->head = d.head;
     plan->impact_compression = sqrt(2 * d.head) / s->sound_speed;
-    plan->time_step = sim->record.next_step / sph2d__sim_step_part(sim);
+    plan->time_step = sim->record.next_step / sph2d__sim_first_step_factor(sim);
     plan->time_step_limit = limit_name((sph2d__limit)sim->record.next_limit);
     plan->steps = ceil(scene->run.until / plan->time_step);
     plan->memory = (double)sim->memory.bytes;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sources.c
- *  What comes and goes between steps: sources feed rows of particles, drains and open sides take them. */
+ *  Sources, which emit rows of particles, and drains and open sides, which remove them, between steps. */
 #include <math.h>
 #include <stdatomic.h>
 #include <string.h>
@@ -12,33 +12,33 @@
 #include "scene/derive.h"
 #include "sim/stages.h"
 
-/* A place is taken when a particle is closer than this many spacings. A jet's own rows are one spacing apart; the
- * middle of four particles of full liquid is at 0.71 of all of them. */
-static const double ROOM = 0.75;
+/* A source emits no particle nearer than this many spacings to another. The rows of a jet are one spacing apart; the
+ * middle of four particles of a lattice is 0.71 spacings from each. */
+static const double MIN_DISTANCE = 0.75;
 
-/* The clock is a sum of steps: a due time that it misses by rounding alone is reached. */
+/* The clock is a sum of steps: the tolerance for its rounding at a due time. */
 static const double REACHED = 1 + 1e-12;
 
-/* Cells name particles by 32 bits. */
-static const size_t MOST_PARTICLES = 4000000000u;
+/* Cells use 32-bit indices. */
+static const size_t MAX_PARTICLES = 4000000000u;
 
-/** A source in numbers that emission needs. */
-typedef struct nozzle {
+/** Parameters of a source's emission. */
+typedef struct emission {
     double ux, uy;   /**< unit vector of the jet */
     double columns;  /**< particles in a row */
     double across;   /**< between them [m] */
     double interval; /**< between rows [s], which gives each particle its area dx^2 */
-} nozzle;
+} emission;
 
-static nozzle nozzle_of(const sph2d_scene *scene, const sph2d_source *source)
+static emission emission_of(const sph2d_scene *scene, const sph2d_source *source)
 {
     double dx = scene->spacing;
     double length = hypot(source->direction.x, source->direction.y);
     double width = fmax(source->width, dx);
     double rate = source->rate > 0 ? source->rate : width * source->speed;
     double columns = fmax(floor(width / dx + 0.5), 1);
-    return (nozzle){source->direction.x / length, source->direction.y / length, columns, width / columns,
-                    columns * dx * dx / rate};
+    return (emission){source->direction.x / length, source->direction.y / length, columns, width / columns,
+                      columns * dx * dx / rate};
 }
 
 static bool near_any(const sph2d__cells *cells, const sph2d__store *store, double x, double y, double distance)
@@ -54,12 +54,12 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     return false;
 }
 
-/** Whether a new particle has room: on the nozzle's side of every wall, away from liquid and boundary particles.
- *  `sorted` particles are in the cells, those behind are new. */
-static bool has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
+/** Whether a new particle can be placed: on the source's side of every wall, not too near to other particles. The first
+ *  `sorted` particles are in the cells, the others are new. */
+static bool can_emit(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
 {
     const sph2d__system *s = &sim->system;
-    double distance = ROOM * s->spacing, margin = 0.25 * s->spacing;
+    double distance = MIN_DISTANCE * s->spacing, margin = 0.25 * s->spacing;
     sph2d_box d = sim->scene.domain;
     if (x < d.min.x + margin || x > d.max.x - margin || y < d.min.y + margin || y > d.max.y - margin)
         return false;
@@ -75,20 +75,20 @@ static bool has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, doub
     return true;
 }
 
-/** Feeds one row. It has been under way since its due time, so that a jet is even whatever the steps are. */
-static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint64_t row, double age, size_t sorted)
+/** Emits one row, advanced by its age since its due time, so that rows are evenly spaced for any time steps. */
+static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, uint64_t row, double age, size_t sorted)
 {
     const sph2d_source *source = &sim->scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
-    if (fluid->count + columns > MOST_PARTICLES || !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
+    if (fluid->count + columns > MAX_PARTICLES || !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
         double across = ((double)k - (n->columns - 1) / 2) * n->across;
         double along = age * source->speed;
         double x = source->at.x + along * n->ux - across * n->uy;
         double y = source->at.y + along * n->uy + across * n->ux;
-        if (!has_room(sim, sorted, source->at, x, y)) {
+        if (!can_emit(sim, sorted, source->at, x, y)) {
             ++sim->record.blocked;
             continue;
         }
@@ -104,13 +104,13 @@ static sph2d_status feed_row(sph2d_sim *sim, size_t index, const nozzle *n, uint
     return SPH2D_OK;
 }
 
-/* ---- the surface of what comes and goes -------------------------------------------------------------------------- */
+/* ---- surface energy of added and removed particles --------------------------------------------------------------- */
 
-/** An empty rectangle, to be widened. */
-static const sph2d_box NOWHERE = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+/** An empty rectangle, to be extended. */
+static const sph2d_box EMPTY_BOX = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
-/** Widens a rectangle to hold all whose surface particle i has a part in; through a period that is everybody. */
-static void widen(const sph2d_sim *sim, size_t i, sph2d_box *box)
+/** Extends a rectangle by the reach of particle i's surface energy; in a periodic direction to all. */
+static void extend_box(const sph2d_sim *sim, size_t i, sph2d_box *box)
 {
     const sph2d__period *p = &sim->system.fluid_cells.period;
     double reach = 2 * SPH2D__OUTER_RADIUS * sim->system.spacing;
@@ -121,8 +121,8 @@ static void widen(const sph2d_sim *sim, size_t i, sph2d_box *box)
     box->max.y = fmax(box->max.y, p->length_y > 0 ? INFINITY : y + reach);
 }
 
-/** Brings the cells up to date between steps, where every value of a particle goes along to its new place. */
-static sph2d_status renew_cells(sph2d_sim *sim)
+/** Sorts the fluid between steps, carrying all arrays along. */
+static sph2d_status sort_all_arrays(sph2d_sim *sim)
 {
     sph2d__store *f = &sim->system.fluid;
     sph2d__set carried = f->carried;
@@ -132,20 +132,20 @@ static sph2d_status renew_cells(sph2d_sim *sim)
     return status;
 }
 
-/** Books the surface that the particles from `sorted` on, which are not yet in the cells, have brought or closed. */
-static sph2d_status book_surface_fed(sph2d_sim *sim, size_t sorted)
+/** Adds the surface energy due to the new particles, from `sorted` on, which are not yet in the cells. */
+static sph2d_status book_new_surface(sph2d_sim *sim, size_t sorted)
 {
     sph2d__store *f = &sim->system.fluid;
     size_t count = f->count;
     if (!(sim->system.surface_tension > 0) || count == sorted)
         return SPH2D_OK;
-    sph2d_box box = NOWHERE;
+    sph2d_box box = EMPTY_BOX;
     for (size_t i = sorted; i < count; ++i)
-        widen(sim, i, &box);
+        extend_box(sim, i, &box);
     f->count = sorted;
     double before = sorted > 0 ? sph2d__tension_energy_within(&sim->system, box) : 0;
     f->count = count;
-    sph2d_status status = renew_cells(sim);
+    sph2d_status status = sort_all_arrays(sim);
     if (status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
     return status;
@@ -153,13 +153,13 @@ static sph2d_status book_surface_fed(sph2d_sim *sim, size_t sorted)
 
 /* ---- sources ----------------------------------------------------------------------------------------------------- */
 
-/** Passes over the rows that were due so long ago that they would be outside the domain by now. */
-static void skip_rows(sph2d_sim *sim, size_t index, const nozzle *n)
+/** Skips rows that were due so long ago that they would have left the domain by now. */
+static void skip_rows(sph2d_sim *sim, size_t index, const emission *n)
 {
     const sph2d_source *source = &sim->scene.sources[index];
     sph2d_box d = sim->scene.domain;
-    double under_way = hypot(d.max.x - d.min.x, d.max.y - d.min.y) / source->speed;
-    double oldest = sim->record.time - under_way;
+    double crossing_time = hypot(d.max.x - d.min.x, d.max.y - d.min.y) / source->speed;
+    double oldest = sim->record.time - crossing_time;
     if (source->stop > 0)
         oldest = fmin(oldest, source->stop);
     double due = source->start + (double)sim->source_rows[index] * n->interval;
@@ -175,26 +175,26 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
     size_t sorted = sim->system.fluid.count;
     for (size_t i = 0; i < sim->scene.source_count; ++i) {
         const sph2d_source *source = &sim->scene.sources[i];
-        nozzle n = nozzle_of(&sim->scene, source);
+        emission n = emission_of(&sim->scene, source);
         skip_rows(sim, i, &n);
         for (;;) {
             uint64_t row = sim->source_rows[i];
             double due = source->start + (double)row * n.interval;
             if (due > REACHED * sim->record.time || (source->stop > 0 && due >= source->stop))
                 break;
-            sph2d_status status = feed_row(sim, i, &n, row, fmax(sim->record.time - due, 0), sorted);
+            sph2d_status status = emit_row(sim, i, &n, row, fmax(sim->record.time - due, 0), sorted);
             if (status != SPH2D_OK)
                 return status;
             ++sim->source_rows[i];
         }
     }
-    return book_surface_fed(sim, sorted);
+    return book_new_surface(sim, sorted);
 }
 
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
 
-/** Through which open side a particle has left for good: 0 to 3 for left, right, bottom, top, or -1. It may come back
- *  as long as it is within one more width or height of the domain. */
+/** The open side through which a particle has left: 0 to 3 for left, right, bottom, top, or -1. Within one more width
+ *  or height of the domain it is kept, as it may come back. */
 static int side_left(const sph2d_scene *scene, double x, double y)
 {
     sph2d_box d = scene->domain;
@@ -208,15 +208,15 @@ static int side_left(const sph2d_scene *scene, double x, double y)
     return y > d.max.y + height ? 3 : -1;
 }
 
-/** A look at all particles. */
-typedef struct census {
+/** A parallel count of particles. */
+typedef struct tally {
     sph2d_sim *sim;
-    atomic_size_t count; /**< of those that are looked for */
-} census;
+    atomic_size_t count;
+} tally;
 
 static void count_left(void *with, size_t first, size_t last)
 {
-    census *c = with;
+    tally *c = with;
     const sph2d__store *f = &c->sim->system.fluid;
     size_t left = 0;
     for (size_t i = first; i < last; ++i)
@@ -227,7 +227,7 @@ static void count_left(void *with, size_t first, size_t last)
 /** Whether any particle has left. */
 static bool any_left(sph2d_sim *sim)
 {
-    census c = {.sim = sim};
+    tally c = {.sim = sim};
     sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, count_left, &c);
     return c.count > 0;
 }
@@ -256,8 +256,8 @@ static bool reserve_flags(sph2d_sim *sim)
     return true;
 }
 
-/** Takes note of a particle that goes. */
-static void count_lost(sph2d_sim *sim, size_t i)
+/** Counts a particle that is removed, and its energy. */
+static void count_removed(sph2d_sim *sim, size_t i)
 {
     const sph2d__store *f = &sim->system.fluid;
     sph2d__record *r = &sim->record;
@@ -270,50 +270,50 @@ static void count_lost(sph2d_sim *sim, size_t i)
     r->energy_elastic -= elastic;
 }
 
-static bool can_lose(const sph2d_scene *scene)
+static bool removes_particles(const sph2d_scene *scene)
 {
     const sph2d_boundary *b = &scene->boundary;
     return scene->drain_count > 0 || b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN ||
            b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
 }
 
-/** Flags those that go. */
-static void flag_lost(void *with, size_t first, size_t last)
+/** Flags the particles to remove. */
+static void flag_removed(void *with, size_t first, size_t last)
 {
-    census *c = with;
+    tally *c = with;
     sph2d_sim *sim = c->sim;
     const sph2d__store *f = &sim->system.fluid;
-    size_t lost = 0;
+    size_t removed = 0;
     for (size_t i = first; i < last; ++i) {
         sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
-        lost += sim->to_remove[i];
+        removed += sim->to_remove[i];
     }
-    atomic_fetch_add(&c->count, lost);
+    atomic_fetch_add(&c->count, removed);
 }
 
 sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
-    if (!can_lose(&sim->scene))
+    if (!removes_particles(&sim->scene))
         return SPH2D_OK;
     sph2d__store *f = &sim->system.fluid;
     if (sim->scene.drain_count == 0 && !any_left(sim))
         return SPH2D_OK;
     if (!reserve_flags(sim))
         return SPH2D_NOMEM;
-    census lost = {.sim = sim};
-    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_lost, &lost);
-    if (lost.count == 0)
+    tally removed = {.sim = sim};
+    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_removed, &removed);
+    if (removed.count == 0)
         return SPH2D_OK;
     bool surface = sim->system.surface_tension > 0;
-    sph2d_box box = NOWHERE;
+    sph2d_box box = EMPTY_BOX;
     for (size_t i = 0; i < f->count; ++i)
         if (sim->to_remove[i]) {
-            count_lost(sim, i);
-            widen(sim, i, &box);
+            count_removed(sim, i);
+            extend_box(sim, i, &box);
         }
     double before = surface ? sph2d__tension_energy_within(&sim->system, box) : 0;
     sph2d__store_remove(f, sim->to_remove);
-    sph2d_status status = surface ? renew_cells(sim) : SPH2D_OK;
+    sph2d_status status = surface ? sort_all_arrays(sim) : SPH2D_OK;
     if (surface && status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
     return status;

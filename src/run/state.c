@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file state.c
- *  The state of a simulation as named arrays, out and in again. */
+ *  The state of a simulation as named arrays: output and restoring. */
 #include <math.h>
 #include <string.h>
 
@@ -69,7 +69,7 @@ sph2d_state sph2d_sim_state(sph2d_sim *sim)
     return state;
 }
 
-/* ---- in again ---------------------------------------------------------------------------------------------------- */
+/* ---- restoring --------------------------------------------------------------------------------------------------- */
 
 typedef struct loader {
     const sph2d_state *state;
@@ -83,7 +83,7 @@ static void refuse(loader *l, const char *name, const char *what)
     sph2d_report_add(l->report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "the state's '%s' %s", name, what);
 }
 
-/** The array like `wanted` in group, name, type and components, with `count` values; NULL, reported, when there is
+/** The array with the group, name, type and components of `wanted` and `count` values; NULL, with a report, if there is
  *  none. */
 static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_t count)
 {
@@ -147,20 +147,21 @@ static size_t fluid_count(const sph2d_state *state)
     return 0;
 }
 
-/** Liquid is followed for one more width and height of the domain, and a step more. */
-static void check_places(loader *l, const sph2d_sim *sim)
+/** Particles are kept up to one more width or height outside the domain. */
+static void check_positions(loader *l, const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     sph2d_box d = sim->scene.domain;
     double reach = 100 * fmax(d.max.x - d.min.x, d.max.y - d.min.y);
     for (size_t i = 0; i < f->count; ++i)
         if (fabs(f->x[i] - d.min.x) > reach || fabs(f->y[i] - d.min.y) > reach) {
-            refuse(l, "Coordinates", "has a place far outside the domain");
+            refuse(l, "Coordinates", "has a position far outside the domain");
             return;
         }
 }
 
-/** Density and pressure are stored in cell order: particles in any other order would get those of others. */
+/** The arrays are stored in the order of the cells; after a reordering the arrays that are not carried would not
+ *  match. */
 static bool in_cell_order(loader *l, const sph2d_sim *sim)
 {
     for (size_t k = 0; k < sim->system.fluid.count; ++k)
@@ -188,8 +189,8 @@ static void check_record(loader *l, const sph2d_sim *sim)
     if (r->next_limit >= SPH2D__LIMIT_COUNT)
         refuse(l, "NextLimit", "is out of range");
     if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))
-        refuse(l, "InstructionSet", "is one that this processor or build does not have");
-    check_places(l, sim);
+        refuse(l, "InstructionSet", "is not available on this processor or in this build");
+    check_positions(l, sim);
     for (size_t i = 0; i < sim->system.fluid.count; ++i)
         if (!(sim->system.fluid.density[i] > 0)) {
             refuse(l, "Densities", "has a value that is not above 0");

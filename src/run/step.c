@@ -35,8 +35,8 @@ static void advance_clock(sph2d_sim *sim, double dt)
     r->particle_steps += sim->system.fluid.count;
 }
 
-/** Sources feed, drains and open sides take. */
-static sph2d_status come_and_go(sph2d_sim *sim)
+/** Adds and removes particles. */
+static sph2d_status apply_sources_and_drains(sph2d_sim *sim)
 {
     sph2d_status status = sph2d__sim_emit(sim);
     return status == SPH2D_OK ? sph2d__sim_drain(sim) : status;
@@ -45,14 +45,14 @@ static sph2d_status come_and_go(sph2d_sim *sim)
 sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
 {
     if (sim->stopped != SPH2D_OK) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "no step can follow: %s",
-                         sph2d_status_text(sim->stopped));
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
+                         "the simulation has stopped and takes no more steps: %s", sph2d_status_text(sim->stopped));
         return sim->stopped;
     }
     sph2d__profile *profile = &sim->system.profile;
     sph2d__team_begin(sim->system.team);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
-    sph2d_status status = come_and_go(sim);
+    sph2d_status status = apply_sources_and_drains(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     double dt = sim->record.next_step;
@@ -62,7 +62,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     status = sim->method->step(sim, dt);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     if (status == SPH2D_GUARD)
-        sph2d__sim_measure(sim, report); /* names the particle */
+        sph2d__sim_measure(sim, report); /* reports the particle */
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     advance_clock(sim, dt);
@@ -71,7 +71,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     sph2d__sim_sample(sim);
     sph2d__sim_read_gauges(sim, dt);
     sph2d__sim_watch_density(sim);
-    status = sph2d__sim_watch_energy(sim);
+    status = sph2d__sim_update_energy_balance(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     if (!sph2d__sim_guard_energy(sim, report))

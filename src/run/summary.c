@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file summary.c
- *  What a run sums up: compression, energy, momentum, counts. */
+ *  The summary of a run: compression, energy, momentum, counts. */
 #include <math.h>
 
 #include "run/run.h"
 
-/* Compression is sampled every so many steps, and not within so many seconds after an impact. */
+/* Compression is sampled every so many steps, but not for a time after an impact [s]. */
 enum { SAMPLE_STEPS = 10, BINS = 2048 };
 static const double IMPACT_WINDOW = 0.05;
 
@@ -62,7 +62,7 @@ void sph2d__sim_sample(sph2d_sim *sim)
     r->sampled_time += span;
 }
 
-/** Mean number of other particles inside the support. */
+/** Mean number of neighbours within the support radius. */
 static double mean_neighbours(const sph2d__system *s)
 {
     const sph2d__store *f = &s->fluid;

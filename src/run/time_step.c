@@ -5,15 +5,15 @@
 
 #include "run/run.h"
 
-/* A step may be so much longer than the one before it, since jumps pump energy into a leapfrog. */
+/* Maximum ratio of a step to the one before: sudden changes of the step add energy to a leapfrog. */
 static const double STEP_GROWTH = 1.2;
-/* The first step of liquid that starts in motion against a wall or other liquid, over the one that its speed allows:
- * such a step would put half of the impact's compression, v/c0, into one row of particles at once. Random scenes gained
- * 0.2 to 1.3 % of their energy so, and with this a tenth of that at most. It starts so where density changes by more
- * than this part of what a row would that stops. Ten short steps cost eight more in all. */
-static const double FIRST_STEP = 0.1, MEETS = 0.05;
+/* Factor on the first step of liquid that starts with an impact on a wall or other liquid: a full step would put half
+ * of the impact's compression, v/c0, into one row of particles at once. Random scenes gained 0.2 to 1.3 % of energy by
+ * that, and at most a tenth of it with a short first step. A start is an impact if the largest rate of density is above
+ * IMPACT_RATE times that of a row that stops, rho0 v/dx. Growing from a tenth costs about eight steps more. */
+static const double FIRST_STEP = 0.1, IMPACT_RATE = 0.05;
 
-/** Fastest particle that a source may feed at the present moment. */
+/** Largest speed of a particle that a source may emit now. */
 static double source_speed(const sph2d_sim *sim)
 {
     double speed = 0, time = sim->record.time;
@@ -33,16 +33,16 @@ double sph2d__sim_start_speed(const sph2d_sim *sim)
     return speed;
 }
 
-double sph2d__sim_step_part(const sph2d_sim *sim)
+double sph2d__sim_first_step_factor(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     double speed = sph2d__sim_start_speed(sim), rate = 0;
-    bool chosen = !(sim->scene.method.time_step > 0), sound = sim->method->density_rate != NULL;
-    if (!(speed > 0) || !chosen || !sound || sim->record.steps > 0)
+    bool adaptive = !(sim->scene.method.time_step > 0), integrates_density = sim->method->density_rate != NULL;
+    if (!(speed > 0) || !adaptive || !integrates_density || sim->record.steps > 0)
         return 1;
     for (size_t i = 0; i < f->count; ++i)
         rate = fmax(rate, fabs(f->density_rate[i]));
-    return rate * sim->system.spacing > MEETS * speed * sim->system.rest_density ? FIRST_STEP : 1;
+    return rate * sim->system.spacing > IMPACT_RATE * speed * sim->system.rest_density ? FIRST_STEP : 1;
 }
 
 void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration)
@@ -55,7 +55,7 @@ void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration)
         dt = sim->method->stable_step(&sim->system, speed, acceleration, &limit);
         if (r->last_step > 0 && dt > STEP_GROWTH * r->last_step)
             dt = STEP_GROWTH * r->last_step;
-        dt *= sph2d__sim_step_part(sim);
+        dt *= sph2d__sim_first_step_factor(sim);
     }
     r->next_step = dt;
     r->next_limit = limit;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file advect.c
- *  What every scheme does with a particle on its way: walls, periodic sides, sorting, the second kick. */
+ *  Stages that time schemes share: advection with walls and periodic sides, sorting, the second kick. */
 #include <math.h>
 #include <string.h>
 
 #include "sim/stages.h"
 
-/** Reflects a velocity off the nearest boundary particle that is within one spacing and ahead, if that one reflects:
- *  the part along the line between the two is turned round and damped. */
+/** Reflects a velocity at the nearest reflecting boundary particle within one spacing, if the particle approaches it:
+ *  the component along the line between the two is reversed and damped. */
 static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
 {
     uint32_t cell = sph2d__cells_find(&s->wall_cells, p.x, p.y);
@@ -33,13 +33,13 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     double along = (v->x * nx + v->y * ny) / nearest2;
     if (along >= 0)
         return false;
-    double turn = (1 + s->walls.bounce[nearest]) * along;
-    v->x -= turn * nx;
-    v->y -= turn * ny;
+    double change = (1 + s->walls.bounce[nearest]) * along;
+    v->x -= change * nx;
+    v->y -= change * ny;
     return true;
 }
 
-/** Holds a motion on its side of every obstacle that moves. */
+/** Keeps a displacement on its side of every moving obstacle. */
 static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     uint64_t hits = 0;
@@ -48,30 +48,30 @@ static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *
     return hits;
 }
 
-/** What happened to particles on their ways. */
+/** What happened to particles during an advection. */
 typedef struct events {
-    uint64_t hits, reflections, bad;
-    int64_t stopped, driven; /**< energy that walls took, and that moving ones gave, in whole parts (simulation.h) */
+    uint64_t hits, reflections, not_finite;
+    int64_t stopped, driven; /**< energy lost to walls, and gained from moving ones, in quanta (simulation.h) */
 } events;
 
-/** A particle at the end of its way. */
+/** Position and velocity of a particle after its displacement. */
 typedef struct end {
     sph2d_vec2 at, v;
 } end;
 
-/* More parts than any particle of a run that goes on has. */
-static const double MOST_PARTS = 1e15;
+/* No particle of a valid run has this many quanta. */
+static const double MAX_QUANTA = 1e15;
 
-/** The energy that a particle has more at one end than at another, in whole parts. */
-static int64_t parts_between(const sph2d_sim *sim, end more, end less)
+/** The difference of a particle's energy between two of them, in quanta. */
+static int64_t quanta_between(const sph2d_sim *sim, end more, end less)
 {
     double energy = sph2d__sim_energy_of(sim, more.at.x, more.at.y, more.v.x, more.v.y) -
                     sph2d__sim_energy_of(sim, less.at.x, less.at.y, less.v.x, less.v.y);
-    double parts = energy / sph2d__sim_energy_part(sim);
-    return fabs(parts) < MOST_PARTS ? (int64_t)parts : 0;
+    double quanta = energy / sph2d__sim_energy_quantum(sim);
+    return fabs(quanta) < MAX_QUANTA ? (int64_t)quanta : 0;
 }
 
-/** Moves one particle, which a wall or a side might stop. */
+/** Moves one particle that may meet a wall or a periodic side. */
 static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
 {
     sph2d__store *f = &sim->system.fluid;
@@ -91,56 +91,56 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     sph2d_vec2 to = {from.x + dx, from.y + dy};
     stopped = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
     if (reflected + stopped > 0)
-        met->stopped += parts_between(sim, free, (end){to, *v});
+        met->stopped += quanta_between(sim, free, (end){to, *v});
     if (sim->moving_count > 0) {
         end before = {to, *v};
         pushed = sweep_moving(sim, from, &to, v);
         if (pushed > 0)
-            met->driven += parts_between(sim, (end){to, *v}, before);
+            met->driven += quanta_between(sim, (end){to, *v}, before);
     }
     sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
                      sph2d__period_wrap(to.y, period->low_y, period->length_y)};
-    if (in.x != to.x || in.y != to.y) { /* the last part of the way lies at the other side */
+    if (in.x != to.x || in.y != to.y) { /* the displacement ends at the opposite periodic side */
         end before = {in, *v};
         from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
         uint64_t held = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
         if (held > 0)
-            met->stopped += parts_between(sim, before, (end){in, *v});
+            met->stopped += quanta_between(sim, before, (end){in, *v});
         stopped += held;
     }
     met->reflections += reflected;
     met->hits += stopped + pushed;
-    met->bad += !isfinite(in.x + in.y + v->x + v->y);
+    met->not_finite += !isfinite(in.x + in.y + v->x + v->y);
     f->x[i] = in.x;
     f->y[i] = in.y;
     f->vx[i] = v->x;
     f->vy[i] = v->y;
 }
 
-/** Whether no particle of a batch can meet a wall or a side on its way, and all is finite: the usual case, and the only
- *  cheap one. */
-static bool goes_free(const sph2d_sim *sim, const sph2d__batch *batch)
+/** Whether no particle of a batch can meet a wall or a periodic side, and all values are finite: the usual case, and
+ *  the only cheap one. */
+static bool moves_freely(const sph2d_sim *sim, const sph2d__batch *batch)
 {
     if (sim->system.walls_reflect || sim->moving_count > 0)
         return false;
     const double *x = sim->system.fluid.x + batch->first, *y = sim->system.fluid.y + batch->first;
     sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
-    double way = 0, sum = 0;
+    double longest = 0, sum = 0;
     for (size_t k = 0; k < batch->count; ++k) {
-        double to_x = x[k] + batch->dx[k], to_y = y[k] + batch->dy[k], far = fabs(batch->dx[k]) + fabs(batch->dy[k]);
+        double to_x = x[k] + batch->dx[k], to_y = y[k] + batch->dy[k], length = fabs(batch->dx[k]) + fabs(batch->dy[k]);
         low.x = to_x < low.x ? to_x : low.x;
         low.y = to_y < low.y ? to_y : low.y;
         high.x = to_x > high.x ? to_x : high.x;
         high.y = to_y > high.y ? to_y : high.y;
-        way = far > way ? far : way;
+        longest = length > longest ? length : longest;
         sum += to_x + to_y + (batch->vx[k] + batch->vy[k]);
     }
     const sph2d__period *period = &sim->system.fluid_cells.period;
     return isfinite(sum) && sph2d__period_holds(period, low.x, low.y) && sph2d__period_holds(period, high.x, high.y) &&
-           sph2d__barrier_far_from(&sim->barrier, low, high, way);
+           sph2d__barrier_far_from(&sim->barrier, low, high, longest);
 }
 
-/** Moves a batch that goes free. */
+/** Moves a batch that meets no wall or side. */
 static void advect_free(sph2d__store *f, const sph2d__batch *batch)
 {
     double *restrict x = f->x + batch->first, *restrict y = f->y + batch->first;
@@ -154,7 +154,7 @@ static void advect_free(sph2d__store *f, const sph2d__batch *batch)
 
 static void advect_batch(sph2d_sim *sim, const sph2d__batch *batch, events *met)
 {
-    if (goes_free(sim, batch)) {
+    if (moves_freely(sim, batch)) {
         advect_free(&sim->system.fluid, batch);
         return;
     }
@@ -164,7 +164,7 @@ static void advect_batch(sph2d_sim *sim, const sph2d__batch *batch, events *met)
     }
 }
 
-/** Carrying all batches. */
+/** The advection of all batches. */
 typedef struct advection {
     sph2d_sim *sim;
     double dt;
@@ -174,40 +174,40 @@ typedef struct advection {
 
 static void advect_batches(void *with, size_t first, size_t last)
 {
-    advection *j = with;
-    const size_t count = j->sim->system.fluid.count;
+    advection *a = with;
+    const size_t count = a->sim->system.fluid.count;
     events met = {0};
     for (size_t n = first; n < last; ++n) {
         sph2d__batch batch;
         batch.first = n * SPH2D__BATCH;
         batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
-        j->set(j->sim, j->dt, &batch);
-        advect_batch(j->sim, &batch, &met);
-        if (j->after)
-            j->after(j->sim, j->dt, &batch);
+        a->set(a->sim, a->dt, &batch);
+        advect_batch(a->sim, &batch, &met);
+        if (a->after)
+            a->after(a->sim, a->dt, &batch);
     }
-    sph2d__team_lock(j->sim->system.team);
-    j->met.hits += met.hits;
-    j->met.reflections += met.reflections;
-    j->met.bad += met.bad;
-    j->met.stopped += met.stopped;
-    j->met.driven += met.driven;
-    sph2d__team_unlock(j->sim->system.team);
+    sph2d__team_lock(a->sim->system.team);
+    a->met.hits += met.hits;
+    a->met.reflections += met.reflections;
+    a->met.not_finite += met.not_finite;
+    a->met.stopped += met.stopped;
+    a->met.driven += met.driven;
+    sph2d__team_unlock(a->sim->system.team);
 }
 
-/* Flocks that are worth a thread. */
+/* Batches in a chunk of the parallel loop. */
 enum { BATCHES = SPH2D__GRAIN / 4 / SPH2D__BATCH };
 
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
-    advection j = {sim, dt, set, after, {0}};
+    advection a = {sim, dt, set, after, {0}};
     const size_t batches = (sim->system.fluid.count + SPH2D__BATCH - 1) / SPH2D__BATCH;
-    sph2d__share(sim->system.team, batches, BATCHES, advect_batches, &j);
-    sim->record.backstop_hits += j.met.hits;
-    sim->record.reflections += j.met.reflections;
-    sim->record.energy_stopped += (double)j.met.stopped * sph2d__sim_energy_part(sim);
-    sim->record.energy_walls += (double)j.met.driven * sph2d__sim_energy_part(sim);
-    return j.met.bad == 0 ? SPH2D_OK : SPH2D_GUARD;
+    sph2d__share(sim->system.team, batches, BATCHES, advect_batches, &a);
+    sim->record.backstop_hits += a.met.hits;
+    sim->record.reflections += a.met.reflections;
+    sim->record.energy_stopped += (double)a.met.stopped * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_walls += (double)a.met.driven * sph2d__sim_energy_quantum(sim);
+    return a.met.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
@@ -243,7 +243,7 @@ void sph2d__keep_accelerations(sph2d__store *f)
     f->ay = y;
 }
 
-/** The second kick of particles. */
+/** Arguments of the second kick. */
 typedef struct kick {
     sph2d__store *fluid;
     double dt;

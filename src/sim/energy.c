@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file energy.c
- *  The energy that liquid has now. */
+ *  Kinetic, potential and elastic energy of the liquid. */
 #include <math.h>
 
 #include "base/pi.h"
@@ -16,7 +16,7 @@ static double spring_energy(const sph2d__spring_walls *w, double distance)
     return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
 }
 
-/* Gravity along a period has no potential: its work is booked (work.c). */
+/* Gravity along a period has no potential: its work is summed over time (work.c). */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
     sph2d_vec2 corner = sim->scene.domain.min;
@@ -47,19 +47,19 @@ bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, squeezed = 0;
+    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, elastic = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         kinetic += v2 / 2;
         total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-        squeezed += sph2d__sim_elastic_of(sim, i);
+        elastic += sph2d__sim_elastic_of(sim, i);
         px += f->vx[i];
         py += f->vy[i];
         speed2 = v2 > speed2 ? v2 : speed2;
     }
     out->kinetic = m * kinetic;
     out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
-    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * squeezed, sim->record.energy_elastic) : m * squeezed;
+    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * elastic, sim->record.energy_elastic) : m * elastic;
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;
     out->speed_max = sqrt(speed2);
@@ -74,11 +74,11 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
     return s->mass * n * s->head / 2 + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
 }
 
-/* A particle's share of the scale has so many parts. */
-static const double PARTS = 4e9;
+/* Quanta in a particle's share of the energy scale. */
+static const double QUANTA = 4e9;
 
-double sph2d__sim_energy_part(const sph2d_sim *sim)
+double sph2d__sim_energy_quantum(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
-    return s->mass * (s->head > 0 ? s->head : 1) / PARTS;
+    return s->mass * (s->head > 0 ? s->head : 1) / QUANTA;
 }

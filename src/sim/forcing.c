@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file forcing.c
- *  What acts at a time: interactions, the pointer, moving obstacles. */
+ *  Time-dependent forcing: interactions, the pointer, moving obstacles. */
 #include "sim/simulation.h"
 
-/** Place on a path at a time; false before its start and after its end. */
+/** Position on a path at a time; false before its start and after its end. */
 static bool on_path(const sph2d_path *path, double time, sph2d_vec2 *at)
 {
     const sph2d_path_point *p = path->items;
@@ -27,8 +27,8 @@ void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to)
         sph2d__moving_set_drift(&sim->moving[k], from, to);
 }
 
-/** Sorts the boundary particles from the order of their ids, so that the outcome depends on where they are alone and not
- *  on how they came there. */
+/** Sorts the boundary particles, starting from the order of their ids, so that the result depends only on their
+ *  positions, not on previous sorts. */
 static bool sort_walls(sph2d__system *s)
 {
     for (size_t i = 0; i < s->walls.count; ++i)

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /** @file where.c
- *  Where something happened, in words of the scene: the wall that is nearest, and the block or source. */
+ *  Describes a position by the nearest parts of the scene: a wall, and a block or source. */
 #include <math.h>
 #include <stdio.h>
 
 #include "sim/simulation.h"
 
-/** What is nearest so far. */
+/** The nearest part so far. */
 typedef struct nearest {
     char name[48];
     double distance; /**< [m] */
 } nearest;
 
-static void look_at(nearest *n, double distance, const char *list, size_t index)
+static void update_nearest(nearest *n, double distance, const char *list, size_t index)
 {
     if (!(distance < n->distance))
         return;
@@ -69,11 +69,11 @@ static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
             snprintf(n.name, sizeof n.name, "the %s", sides[k].name);
         }
     for (size_t k = 0; k < scene->obstacle_count; ++k)
-        look_at(&n, distance_to(sim, &scene->obstacles[k], p), "obstacles", k);
+        update_nearest(&n, distance_to(sim, &scene->obstacles[k], p), "obstacles", k);
     return n;
 }
 
-/** The block or source that began nearest to a place. */
+/** The block or source that was nearest to a position at the start. */
 static nearest nearest_liquid(const sph2d_sim *sim, sph2d_vec2 p)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -81,10 +81,10 @@ static nearest nearest_liquid(const sph2d_sim *sim, sph2d_vec2 p)
     for (size_t k = 0; k < scene->block_count; ++k) {
         sph2d_box b = sph2d__shape_bounds(&scene->blocks[k].shape);
         double x = fmax(fmax(b.min.x - p.x, p.x - b.max.x), 0), y = fmax(fmax(b.min.y - p.y, p.y - b.max.y), 0);
-        look_at(&n, hypot(x, y), "blocks", k);
+        update_nearest(&n, hypot(x, y), "blocks", k);
     }
     for (size_t k = 0; k < scene->source_count; ++k)
-        look_at(&n, hypot(scene->sources[k].at.x - p.x, scene->sources[k].at.y - p.y), "sources", k);
+        update_nearest(&n, hypot(scene->sources[k].at.x - p.x, scene->sources[k].at.y - p.y), "sources", k);
     return n;
 }
 

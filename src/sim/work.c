@@ -1,40 +1,39 @@
 /* SPDX-License-Identifier: MIT */
 /** @file work.c
- *  Work that is done on the liquid, and what dissipates: the other side of the energy that the particles have.
+ *  External work on the liquid, and dissipation: with the energy of the particles they make the energy balance.
  *
- *  The power of each is looked at every so many steps, and summed by the trapezium in time,
+ *  Powers are sampled every so many steps, and integrated over time by the trapezoidal rule,
  *
- *      walls      sum_b v_b . F_b            F_b what boundary particle b does to the liquid by pressure and friction
+ *      walls      sum_b v_b . F_b            F_b force of boundary particle b on the liquid by pressure and friction
  *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, gravity along a period
  *      viscosity  sum_i m v_i . (a_i(v) - a_i(-v))/2
- *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt less the same without diffusion)
+ *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt minus drho_i/dt without diffusion)
  *
- *  Viscous forces are odd in velocity, all others even, so that two evaluations of the method's own forces, with the
- *  velocities and with all of them turned round, tell the power of friction: what is measured is what acts. What
- *  became heat is that with the other sign and what moving walls brought by friction, which the first line has.
- *  Springs of walls have a potential (sph2d__sim_energy_of) and a damping, which is summed by itself: it has a limit
- *  and is not odd.
+ *  Viscous forces are odd in velocity, all others even. Two evaluations of the method's own forces, with the velocities
+ *  and with all of them reversed, therefore give the exact power of friction. The dissipated heat is minus
+ *  this power plus the work of moving walls by friction, which is part of the first line. Spring walls have a potential
+ *  (sph2d__sim_energy_of) and a damping, which is summed separately: it is clamped, and so not odd.
  *
- *  Fitted operators have no forces between particles and walls. There the friction of sides that slide is part of what
- *  viscosity does, and the pressure of obstacles that move is not known. */
+ *  Fitted operators have no forces between particles and walls. With them the friction of sliding sides is part of the
+ *  viscous power, and the pressure on moving obstacles is not known. */
 #include <math.h>
 
 #include "methods/common/state_equation.h"
 #include "sim/simulation.h"
 
-/* Steps from look to look; those whose number is a power of two are looked at, too, since what starts at once begins
- * with much friction. Friction and diffusion take a step's sums once more in so many. Walls that move are few, what
- * they press changes with the sound, and liquid passes an interaction in some steps. */
-enum { LOOK_STEPS = 40, LOOK_STEPS_FITTED = 60, DRIVE_STEPS = 4 };
+/* Steps between samples; steps whose number is a power of two are sampled, too, since an impulsive start has much
+ * friction. A sample of friction and diffusion costs the sums of another step. External work is sampled more often:
+ * moving walls are few, their pressure oscillates with sound, and liquid passes an interaction in some steps. */
+enum { SAMPLE_STEPS = 40, SAMPLE_STEPS_FITTED = 60, EXTERNAL_STEPS = 4 };
 
 static bool is_fitted(const sph2d_sim *sim)
 {
     return sim->system.method.operators == SPH2D_OPERATORS_FITTED;
 }
 
-bool sph2d__sim_looks(const sph2d_sim *sim, uint64_t steps)
+bool sph2d__sim_samples_energy(const sph2d_sim *sim, uint64_t steps)
 {
-    uint64_t every = is_fitted(sim) ? LOOK_STEPS_FITTED : LOOK_STEPS;
+    uint64_t every = is_fitted(sim) ? SAMPLE_STEPS_FITTED : SAMPLE_STEPS;
     return steps % every == 0 || (steps & (steps - 1)) == 0;
 }
 
@@ -52,7 +51,7 @@ bool sph2d__sim_rise_is_known(const sph2d_sim *sim)
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** Powers of walls [W/m]. */
+/** Power of moving walls: in total, and by friction [W/m]. */
 typedef struct wall_powers {
     double all, friction;
 } wall_powers;
@@ -76,9 +75,9 @@ static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
         pressure = (sph2d_vec2){pressure.x + force.pressure.x, pressure.y + force.pressure.y};
         friction = (sph2d_vec2){friction.x + force.friction.x, friction.y + force.friction.y};
     }
-    double rubbed = w->vx[b] * friction.x + w->vy[b] * friction.y;
-    power->friction += rubbed;
-    power->all += w->vx[b] * pressure.x + w->vy[b] * pressure.y + rubbed;
+    double friction_power = w->vx[b] * friction.x + w->vy[b] * friction.y;
+    power->friction += friction_power;
+    power->all += w->vx[b] * pressure.x + w->vy[b] * pressure.y + friction_power;
 }
 
 static wall_powers powers_of_walls(const sph2d_sim *sim)
@@ -91,15 +90,15 @@ static wall_powers powers_of_walls(const sph2d_sim *sim)
     return power;
 }
 
-/** Adds power times the time since the last look to a sum, by the trapezium. */
-static double sum_up(double *last, double power, double span)
+/** The work over a time span by the trapezoidal rule from the last and the present power; *last becomes `power`. */
+static double integrate(double *last, double power, double span)
 {
     double work = span * (*last + power) / 2;
     *last = power;
     return work;
 }
 
-double sph2d__sim_book_projection(sph2d_sim *sim, double dt)
+double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 {
     double work = dt * powers_of_walls(sim).all;
     sim->record.energy_walls += work;
@@ -127,24 +126,24 @@ static double power_of_forces(const sph2d_sim *sim)
     return s->mass * power;
 }
 
-void sph2d__sim_book_drives(sph2d_sim *sim)
+void sph2d__sim_book_external_work(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
-    if (r->steps % DRIVE_STEPS != 0 && !sph2d__sim_looks(sim, r->steps))
+    if (r->steps % EXTERNAL_STEPS != 0 && !sph2d__sim_samples_energy(sim, r->steps))
         return;
     double span = r->time - r->drives_time;
-    r->energy_forces += sum_up(&r->power_forces, power_of_forces(sim), span);
+    r->energy_forces += integrate(&r->power_forces, power_of_forces(sim), span);
     r->drives_time = r->time;
     if (sim->method->project)
         return;
     wall_powers power = powers_of_walls(sim);
-    r->energy_walls += sum_up(&r->power_walls, power.all, span);
-    r->energy_viscous += sum_up(&r->power_friction, power.friction, span);
+    r->energy_walls += integrate(&r->power_walls, power.all, span);
+    r->energy_viscous += integrate(&r->power_friction, power.friction, span);
 }
 
 /* ---- viscosity --------------------------------------------------------------------------------------------------- */
 
-static void turn(sph2d__store *t)
+static void reverse(sph2d__store *t)
 {
     for (size_t i = 0; i < t->count; ++i) {
         t->vx[i] = -t->vx[i];
@@ -152,27 +151,27 @@ static void turn(sph2d__store *t)
     }
 }
 
-/** Velocities of all, and what the last step found of their gradients. */
-static void turn_all(sph2d__system *s)
+/** Reverses all velocities, and the velocity gradients of the last step. */
+static void reverse_all(sph2d__system *s)
 {
     sph2d__store *f = &s->fluid;
     for (size_t i = 0; i < f->count && f->stretch; ++i) {
         f->stretch[i] = -f->stretch[i];
         f->shear[i] = -f->shear[i];
     }
-    turn(f);
-    turn(&s->walls);
+    reverse(f);
+    reverse(&s->walls);
 }
 
-/** Evaluates with all velocities turned round; accelerations go where the store has room for them. */
-static bool evaluate_turned(sph2d_sim *sim)
+/** Evaluates the forces with all velocities reversed. */
+static bool evaluate_reversed(sph2d_sim *sim)
 {
     sph2d__profile *profile = &sim->system.profile;
     bool on = profile->on;
-    profile->on = false; /* all of this is watching */
-    turn_all(&sim->system);
+    profile->on = false; /* all of this counts as bookkeeping */
+    reverse_all(&sim->system);
     bool ok = sim->method->evaluate(&sim->system);
-    turn_all(&sim->system);
+    reverse_all(&sim->system);
     profile->on = on;
     return ok;
 }
@@ -185,17 +184,18 @@ static double dot_accelerations(const sph2d__store *f)
     return sum;
 }
 
-/** What the springs of walls do by their damping, less the odd part of all that they do. */
+/** The power of the spring walls' damping, less the odd part of their force, which the viscous power already has. */
 static double power_of_dampers(const sph2d__system *s)
 {
     const sph2d__store *f = &s->fluid;
     double power = 0;
     for (size_t i = 0; i < f->count && s->body.springs.stiffness > 0; ++i) {
-        double there[2] = {0, 0}, back[2] = {0, 0}, still[2] = {0, 0};
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], f->vx[i], f->vy[i], &there[0], &there[1]);
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], -f->vx[i], -f->vy[i], &back[0], &back[1]);
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], 0, 0, &still[0], &still[1]);
-        power += f->vx[i] * ((there[0] + back[0]) / 2 - still[0]) + f->vy[i] * ((there[1] + back[1]) / 2 - still[1]);
+        double forward[2] = {0, 0}, reversed[2] = {0, 0}, at_rest[2] = {0, 0};
+        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], f->vx[i], f->vy[i], &forward[0], &forward[1]);
+        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], -f->vx[i], -f->vy[i], &reversed[0], &reversed[1]);
+        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], 0, 0, &at_rest[0], &at_rest[1]);
+        power += f->vx[i] * ((forward[0] + reversed[0]) / 2 - at_rest[0]) +
+                 f->vy[i] * ((forward[1] + reversed[1]) / 2 - at_rest[1]);
     }
     return s->mass * power;
 }
@@ -207,8 +207,8 @@ static void swap(double **a, double **b)
     *b = array;
 }
 
-/** Accelerations into the arrays that nobody needs between steps, and back. */
-static void put_aside(sph2d__store *f)
+/** Exchanges the accelerations with arrays that are unused between steps. */
+static void swap_accelerations(sph2d__store *f)
 {
     bool leapfrog = f->old_ax != NULL;
     swap(&f->ax, leapfrog ? &f->old_ax : &f->next_x);
@@ -228,18 +228,18 @@ static bool find_viscous_power(sph2d_sim *sim, double *power)
     sph2d__system *s = &sim->system;
     if (!is_viscous(s))
         return true;
-    double there = dot_accelerations(&s->fluid);
-    put_aside(&s->fluid);
-    bool ok = evaluate_turned(sim);
-    double back = dot_accelerations(&s->fluid);
-    put_aside(&s->fluid);
-    *power = s->mass * (there - back) / 2 + power_of_dampers(s);
+    double forward = dot_accelerations(&s->fluid);
+    swap_accelerations(&s->fluid);
+    bool ok = evaluate_reversed(sim);
+    double reversed = dot_accelerations(&s->fluid);
+    swap_accelerations(&s->fluid);
+    *power = s->mass * (forward - reversed) / 2 + power_of_dampers(s);
     return ok;
 }
 
 /* ---- diffusion of density ---------------------------------------------------------------------------------------- */
 
-/** Power of rates of density: sum m p/rho^2 rate, at the density in the middle of the step. */
+/** Elastic power of rates of density: sum m p/rho^2 rate, at the density in the middle of the step. */
 static double power_of_rates(const sph2d__system *s, const double *rate, double dt)
 {
     const sph2d__store *f = &s->fluid;
@@ -256,7 +256,7 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     sph2d__store *f = &s->fluid;
     double delta = s->method.density_diffusion;
-    if (!sph2d__sim_looks(sim, sim->record.steps + 1) || !(delta > 0))
+    if (!sph2d__sim_samples_energy(sim, sim->record.steps + 1) || !(delta > 0))
         return;
     double all = power_of_rates(s, f->density_rate, dt);
     swap(&f->density_rate, &f->old_ax);
@@ -270,49 +270,49 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
     sph2d__profile_enter(&s->profile, before);
     swap(&f->density_rate, &f->old_ax);
     double power = all - power_of_rates(s, f->old_ax, dt), span = sim->record.time + dt - sim->record.booked_time;
-    sim->record.energy_diffused -= sum_up(&sim->record.power_diffusion, power, span);
+    sim->record.energy_diffused -= integrate(&sim->record.power_diffusion, power, span);
 }
 
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
-    if (!sph2d__sim_looks(sim, r->steps + 1))
+    if (!sph2d__sim_samples_energy(sim, r->steps + 1))
         return sim->method->evaluate(s);
-    if (!evaluate_turned(sim))
+    if (!evaluate_reversed(sim))
         return false;
-    double back = dot_accelerations(&s->fluid), rates = power_of_rates(s, s->fluid.density_rate, 0);
+    double reversed = dot_accelerations(&s->fluid), rates = power_of_rates(s, s->fluid.density_rate, 0);
     if (!sim->method->evaluate(s))
         return false;
-    double there = dot_accelerations(&s->fluid), span = r->time + dt - r->booked_time;
+    double forward = dot_accelerations(&s->fluid), span = r->time + dt - r->booked_time;
     rates += power_of_rates(s, s->fluid.density_rate, 0);
-    r->energy_diffused -= sum_up(&r->power_diffusion, rates / 2, span);
-    r->energy_viscous -= sum_up(&r->power_viscous, s->mass * (there - back) / 2, span);
+    r->energy_diffused -= integrate(&r->power_diffusion, rates / 2, span);
+    r->energy_viscous -= integrate(&r->power_viscous, s->mass * (forward - reversed) / 2, span);
     return true;
 }
 
-/* ---- the books --------------------------------------------------------------------------------------------------- */
+/* ---- dissipation ------------------------------------------------------------------------------------------------- */
 
-bool sph2d__sim_book_middle(sph2d_sim *sim, double dt)
+bool sph2d__sim_book_viscosity(sph2d_sim *sim, double dt)
 {
     sph2d__record *r = &sim->record;
     double viscous = r->power_viscous;
-    if (!sph2d__sim_looks(sim, r->steps + 1))
+    if (!sph2d__sim_samples_energy(sim, r->steps + 1))
         return true;
     if (!find_viscous_power(sim, &viscous))
         return false;
-    r->energy_viscous -= sum_up(&r->power_viscous, viscous, r->time + dt - r->booked_time);
+    r->energy_viscous -= integrate(&r->power_viscous, viscous, r->time + dt - r->booked_time);
     return true;
 }
 
-sph2d_status sph2d__sim_book(sph2d_sim *sim)
+sph2d_status sph2d__sim_book_dissipation(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
     if (!is_fitted(sim) && !sim->method->project) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
-        r->energy_viscous -= sum_up(&r->power_viscous, viscous, span);
+        r->energy_viscous -= integrate(&r->power_viscous, viscous, span);
     }
     r->booked_time = r->time;
     return SPH2D_OK;

@@ -117,7 +117,7 @@ static double theta_of(double above, double whole, double middle, double curve)
 /** Finds theta, and books the work of pressure that moving walls do not bring. */
 static void split(sph2d_sim *sim, double dt)
 {
-    double mass = sim->system.mass, walls = sph2d__sim_book_projection(sim, dt) / mass;
+    double mass = sim->system.mass, walls = sph2d__sim_book_wall_work(sim, dt) / mass;
     sph2d__slab_sum w = sph2d__over_fluid(&sim->system, sum_work, NULL);
     double above = w.first - walls, whole = w.second + w.third, curve = 2 * (w.second - w.third - w.first);
     sim->split = above > 0 ? theta_of(above, whole, w.second, curve) : 0;
@@ -140,7 +140,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sph2d_status status = go(sim, dt, drift, middle);
     if (status != SPH2D_OK)
         return status;
-    if (!sim->method->evaluate(&sim->system) || !sph2d__sim_book_middle(sim, dt))
+    if (!sim->method->evaluate(&sim->system) || !sph2d__sim_book_viscosity(sim, dt))
         return SPH2D_NOMEM;
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_SOLVE);
     sph2d__over_fluid(&sim->system, keep_slab, NULL);
