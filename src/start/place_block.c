@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_block.c
- *  The particles of a block: a square lattice or rings where they fit its area, a lattice that is stretched or shifted,
- *  or places that are packed. */
+ *  The particles of a block: a square lattice or rings if these fit its area, otherwise a stretched or shifted lattice
+ *  or a packing. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,19 +10,19 @@
 #include "start/packing.h"
 #include "start/start.h"
 
-/* How much of the area may be missing, or too much, where a lattice stays as it is; by how much one may be stretched;
- * and the least area, in particles, that is packed. */
-static const double SHORT = 0.002, STRETCH = 0.02, FEWEST = 4;
+/* Relative error of the area up to which a lattice is kept; the maximum stretch of a lattice; and the minimum area of a
+ * packing, in particles. */
+static const double AREA_TOLERANCE = 0.002, MAX_STRETCH = 0.02, MIN_PACKED = 4;
 
-/* Shifts of a lattice that are tried in each direction, and the most places times corners for which they are. */
+/* Shifts of a lattice that are tried in each direction, and the maximum of lattice sites times corners for trying. */
 enum { SHIFTS = 16 };
-static const double MOST_SHIFTED = 2e5;
+static const double MAX_SHIFT_COST = 2e5;
 
-/** The lattice of a block: first place, number of places. */
+/** The lattice of a block: first site, spacings, number of sites. */
 typedef struct lattice {
     sph2d_vec2 first;
     double x, y;   /**< spacings [m] */
-    double nx, ny; /**< whole numbers, as doubles because a wrong scene may ask for too many */
+    double nx, ny; /**< integers; double because an invalid scene may have too many */
 } lattice;
 
 static double block_spacing(const sph2d_sim *sim, const sph2d_block *block)
@@ -35,7 +35,9 @@ static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
     double spacing = block_spacing(sim, block);
     lattice l = {.x = spacing, .y = spacing};
     sph2d_box b = sph2d__shape_bounds(&block->shape);
-    double half = block->shape.kind == SPH2D_SHAPE_BOX ? 0.5 : 0.0; /* boxes fit whole columns, others are cut out */
+    double half = block->shape.kind == SPH2D_SHAPE_BOX
+                      ? 0.5
+                      : 0.0; /* boxes round to whole columns, other shapes are cut out of the lattice */
     l.nx = fmax(floor((b.max.x - b.min.x) / spacing + half), 1);
     l.ny = fmax(floor((b.max.y - b.min.y) / spacing + half), 1);
     l.first.x = (b.min.x + b.max.x) / 2 - (l.nx - 1) / 2 * spacing;
@@ -43,14 +45,13 @@ static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
     return l;
 }
 
-/** Whether so many particles have the area of `wanted` of them. */
-static bool is_enough(double count, double wanted)
+/** Whether a number of particles has the right area, that of `target` particles. */
+static bool matches_area(double count, double target)
 {
-    return fabs(count - wanted) <= fmax(0.5, SHORT * wanted);
+    return fabs(count - target) <= fmax(0.5, AREA_TOLERANCE * target);
 }
 
-/** A lattice that fits a box by columns and rows that are a little closer or farther apart; false where it would be too
- *  much. */
+/** Stretches or compresses a lattice to fit a box; false if that would exceed MAX_STRETCH. */
 static bool stretch(const sph2d_sim *sim, const sph2d_block *block, lattice *l)
 {
     if (block->shape.kind != SPH2D_SHAPE_BOX)
@@ -61,8 +62,8 @@ static bool stretch(const sph2d_sim *sim, const sph2d_block *block, lattice *l)
         for (double ny = floor(height / spacing); ny <= ceil(height / spacing); ++ny) {
             *l = (lattice){.x = width / nx, .y = height / ny, .nx = nx, .ny = ny};
             l->first = (sph2d_vec2){b.min.x + l->x / 2, b.min.y + l->y / 2};
-            if (nx > 0 && ny > 0 && fabs(l->x / spacing - 1) <= STRETCH && fabs(l->y / spacing - 1) <= STRETCH &&
-                is_enough(nx * ny, width / spacing * (height / spacing)))
+            if (nx > 0 && ny > 0 && fabs(l->x / spacing - 1) <= MAX_STRETCH &&
+                fabs(l->y / spacing - 1) <= MAX_STRETCH && matches_area(nx * ny, width / spacing * (height / spacing)))
                 return true;
         }
     return false;
@@ -72,29 +73,29 @@ static bool stretch(const sph2d_sim *sim, const sph2d_block *block, lattice *l)
 typedef struct placing {
     const sph2d_block *block;
     double spacing;
-    size_t first;    /**< its first particle */
-    size_t index;    /**< of the block */
-    size_t taken[4]; /**< places that obstacles treat in each way */
-    double asked;    /**< area that it is to fill: its shape without solids [m^2] */
+    size_t first;       /**< its first particle */
+    size_t index;       /**< of the block */
+    size_t occupied[4]; /**< sites by sph2d__occupancy */
+    double area;        /**< area to fill: its shape without solids [m^2] */
 } placing;
 
-/** A block with a spacing of its own has more or less mass on its area: it starts at that density. */
+/** Adds a particle. A block with its own spacing starts with the density that follows from it. */
 static void add(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
 {
     sph2d__store *fluid = &sim->system.fluid;
     size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
     fluid->vx[i] = block->velocity.x;
     fluid->vy[i] = block->velocity.y;
-    double compressed = pow(sim->scene.spacing / block_spacing(sim, block), 2);
-    fluid->density[i] = compressed * sim->scene.fluid.density;
+    double compression = pow(sim->scene.spacing / block_spacing(sim, block), 2);
+    fluid->density[i] = compression * sim->scene.fluid.density;
 }
 
-/** Adds a particle of a block unless an obstacle takes its place; the store has room for it. */
+/** Adds a particle of a block unless an obstacle occupies its position; the store has the capacity. */
 static void place(sph2d_sim *sim, placing *b, sph2d_vec2 p)
 {
-    sph2d__taken taken = sph2d__sim_taken(sim, p, 1);
-    ++b->taken[taken];
-    if (taken == SPH2D__FREE)
+    sph2d__occupancy occupancy = sph2d__sim_occupancy(sim, p, 1);
+    ++b->occupied[occupancy];
+    if (occupancy == SPH2D__FREE)
         add(sim, b->block, p);
 }
 
@@ -108,14 +109,14 @@ static void place_lattice(sph2d_sim *sim, placing *b, const lattice *l)
         }
 }
 
-/** Particles of the k-th ring from the middle. */
+/** Number of particles of the k-th ring. */
 static double ring_count(size_t k)
 {
     return round(2 * SPH2D__PI * ((double)k + 0.5));
 }
 
-/** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first keep a spacing from each other,
- *  without which they collapse. Rings are turned against each other by the golden angle, which repeats no pattern. */
+/** The k-th ring has the radius (k + 1/2) spacing; the three particles of the first are one spacing apart, as they
+ *  collapse if closer. Each ring is rotated by the golden angle against the last, which avoids a pattern. */
 static void place_rings(sph2d_sim *sim, placing *b, size_t rings)
 {
     const double golden = SPH2D__PI * (3 - sqrt(5)), spacing = b->spacing;
@@ -130,29 +131,29 @@ static void place_rings(sph2d_sim *sim, placing *b, size_t rings)
     }
 }
 
-/** Takes the particles of a block away again. */
-static void take_back(sph2d_sim *sim, placing *b)
+/** Removes the particles of a block again. */
+static void remove_block(sph2d_sim *sim, placing *b)
 {
     sim->record.next_id -= sim->system.fluid.count - b->first;
     sim->system.fluid.count = b->first;
-    memset(b->taken, 0, sizeof b->taken);
+    memset(b->occupied, 0, sizeof b->occupied);
 }
 
-/** Whether nothing took a place. */
-static bool is_free(const placing *b)
+/** Whether obstacles occupied no site. */
+static bool all_sites_free(const placing *b)
 {
-    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
-        if (b->taken[k] > 0)
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__NEAR_LINE; ++k)
+        if (b->occupied[k] > 0)
             return false;
     return true;
 }
 
-/** Whether a block keeps a spacing or so from the sides of the domain and from obstacles. */
-static bool is_in_the_air(const sph2d_sim *sim, const placing *b)
+/** Whether a block is about a spacing or more away from the sides of the domain and from obstacles. */
+static bool is_isolated(const sph2d_sim *sim, const placing *b)
 {
     const sph2d__store *f = &sim->system.fluid;
     for (size_t i = b->first; i < f->count; ++i)
-        if (sph2d__sim_taken(sim, (sph2d_vec2){f->x[i], f->y[i]}, 3) != SPH2D__FREE)
+        if (sph2d__sim_occupancy(sim, (sph2d_vec2){f->x[i], f->y[i]}, 3) != SPH2D__FREE)
             return false;
     sph2d_box d = sim->scene.domain, s = sph2d__shape_bounds(&b->block->shape);
     return s.min.x > d.min.x + b->spacing && s.max.x < d.max.x - b->spacing && s.min.y > d.min.y + b->spacing &&
@@ -169,7 +170,7 @@ static double count_inside(const placing *b, const lattice *l)
     return count;
 }
 
-/** Moves the particles of a disc so that their middle is the disc's. */
+/** Moves the particles of a disc so that their centroid is the disc's centre. */
 static void centre(sph2d_sim *sim, const placing *b)
 {
     sph2d__store *f = &sim->system.fluid;
@@ -184,33 +185,33 @@ static void centre(sph2d_sim *sim, const placing *b)
     }
 }
 
-/** Places a disc or polygon in the air by a lattice that is shifted, by sixteenths of a spacing, until what is cut out
- *  of it has the area; false where none has, or walls are near. A lattice has no pressure to begin with, while packed
- *  particles differ a little in what summation makes of their density. */
+/** Fills an isolated disc or polygon by a lattice, shifted by sixteenths of a spacing until the number of sites inside
+ *  has the right area; false if there is none, or if walls are near. A lattice starts without pressure differences,
+ *  while the summed densities of packed particles differ a little. */
 static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
 {
     const sph2d_shape *shape = &b->block->shape;
     double corners = shape->kind == SPH2D_SHAPE_POLYGON ? (double)shape->polygon.count : 1;
-    double wanted = b->asked / (b->spacing * b->spacing), nearest = INFINITY;
+    double target = b->area / (b->spacing * b->spacing), smallest = INFINITY;
     lattice best = *plain;
-    if (shape->kind == SPH2D_SHAPE_BOX || b->block->arrangement == SPH2D_ARRANGEMENT_RINGS || !is_free(b) ||
-        plain->nx * plain->ny * corners > MOST_SHIFTED || !is_in_the_air(sim, b))
+    if (shape->kind == SPH2D_SHAPE_BOX || b->block->arrangement == SPH2D_ARRANGEMENT_RINGS || !all_sites_free(b) ||
+        plain->nx * plain->ny * corners > MAX_SHIFT_COST || !is_isolated(sim, b))
         return false;
-    for (int k = 1; k < SHIFTS * SHIFTS && nearest > 0.5; ++k) {
+    for (int k = 1; k < SHIFTS * SHIFTS && smallest > 0.5; ++k) {
         lattice l = *plain;
         l.first.x += ((double)(k % SHIFTS) / SHIFTS - 1) * b->spacing;
         l.first.y += floor((double)k / SHIFTS) * b->spacing / SHIFTS - b->spacing;
         ++l.nx;
         ++l.ny;
-        double off = fabs(count_inside(b, &l) - wanted);
-        if (off < nearest) {
-            nearest = off;
+        double error = fabs(count_inside(b, &l) - target);
+        if (error < smallest) {
+            smallest = error;
             best = l;
         }
     }
-    if (!is_enough(wanted + nearest, wanted))
+    if (!matches_area(target + smallest, target))
         return false;
-    take_back(sim, b);
+    remove_block(sim, b);
     place_lattice(sim, b, &best);
     if (shape->kind == SPH2D_SHAPE_DISC)
         centre(sim, b);
@@ -225,14 +226,14 @@ static bool has_solid(const sph2d_scene *scene)
     return false;
 }
 
-/** Whether what was placed fits: no place was lost beside layers, and the number has the area. */
+/** Whether the placed particles fit: no site was lost beside layers, and their number has the right area. */
 static bool fits(const sph2d_sim *sim, const placing *b)
 {
-    double wanted = b->asked / (b->spacing * b->spacing), placed = (double)(sim->system.fluid.count - b->first);
-    return b->taken[SPH2D__BESIDE_LAYERS] == 0 && is_enough(placed, wanted);
+    double target = b->area / (b->spacing * b->spacing), placed = (double)(sim->system.fluid.count - b->first);
+    return b->occupied[SPH2D__NEAR_LAYERS] == 0 && matches_area(placed, target);
 }
 
-/** Whether the columns and rows of a box end where it ends, within a twentieth of a spacing on either side. */
+/** Whether the columns and rows of a box fill it to its edges, within a twentieth of a spacing on either side. */
 static bool fits_edges(const placing *b, const lattice *l)
 {
     sph2d_box box = sph2d__shape_bounds(&b->block->shape);
@@ -240,77 +241,78 @@ static bool fits_edges(const placing *b, const lattice *l)
     return b->block->shape.kind != SPH2D_SHAPE_BOX || fmax(fabs(x), fabs(y)) <= 0.1 * b->spacing;
 }
 
-/** Places a box anew by a lattice that is a little stretched; false where none fits, or an obstacle takes places. */
+/** Fills a box again by a stretched lattice; false if none fits, or an obstacle occupies sites. */
 static bool place_stretched(sph2d_sim *sim, placing *b)
 {
     lattice l;
-    if (!is_free(b) || !stretch(sim, b->block, &l))
+    if (!all_sites_free(b) || !stretch(sim, b->block, &l))
         return false;
-    take_back(sim, b);
+    remove_block(sim, b);
     place_lattice(sim, b, &l);
     return true;
 }
 
-/** Packs a block anew. False when memory is short. */
+/** Fills a block again by a packing. False when memory is short. */
 static bool place_packed(sph2d_sim *sim, placing *b, sph2d__region *region)
 {
     sph2d__packing packing;
-    take_back(sim, b);
+    remove_block(sim, b);
     if (!sph2d__pack(sim, region, &packing) ||
         !sph2d__store_reserve(&sim->system.fluid, &sim->memory, b->first + packing.count))
         return false;
     for (size_t i = 0; i < packing.count; ++i)
-        add(sim, b->block, packing.places[i]);
+        add(sim, b->block, packing.positions[i]);
     sph2d__packing_free(&packing, &sim->memory);
     return true;
 }
 
-/* A grid of a solid's edge knows its area to so much of a block's. */
+/* Relative error of a region's area, from sampling the edges of solids. */
 static const double GRID_ERROR = 1e-3;
 
 /** Adds a block to the plan. */
-static void sum_up(sph2d_sim *sim, const placing *b)
+static void add_to_plan(sph2d_sim *sim, const placing *b)
 {
     sph2d_plan *plan = &sim->plan;
-    double whole = sph2d__shape_area(&b->block->shape), part = 1 - b->asked / whole;
-    plan->area_asked += b->asked;
+    double shape_area = sph2d__shape_area(&b->block->shape), part = 1 - b->area / shape_area;
+    plan->area_asked += b->area;
     plan->area_placed += (double)(sim->system.fluid.count - b->first) * b->spacing * b->spacing;
-    for (int k = SPH2D__ENCLOSED; k <= SPH2D__BESIDE_LINE; ++k)
-        plan->places_left_free += b->taken[k];
+    for (int k = SPH2D__ENCLOSED; k <= SPH2D__NEAR_LINE; ++k)
+        plan->places_left_free += b->occupied[k];
     if (!(part > GRID_ERROR))
         return;
-    plan->area_left_out += whole - b->asked;
+    plan->area_left_out += shape_area - b->area;
     if (part > plan->most_left_out) {
         plan->most_left_out = part;
         plan->most_left_out_block = b->index;
     }
 }
 
-/** Measures the area that a block asks for, and sees to it that it is filled: by its lattice or rings where they fit,
- *  by a stretched or shifted lattice, or packed. Beside obstacles without layers a lattice stays as it is. */
+/** Computes the area of a block and fills it: by its lattice or rings if they fit, by a stretched or shifted lattice,
+ *  or by a packing. Beside obstacles without layers the lattice is kept. */
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 {
     sph2d__region region = {0};
     bool solids = has_solid(&sim->scene);
-    b->asked = sph2d__shape_area(&b->block->shape);
+    b->area = sph2d__shape_area(&b->block->shape);
     double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
     sph2d_vec2 corner = {l->first.x - b->spacing / 2, l->first.y - b->spacing / 2};
     bool ok = !solids ||
               sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
     if (ok && solids)
-        b->asked = sph2d__region_area(&region);
-    bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->taken[SPH2D__BESIDE_LAYERS] == 0;
-    bool done = rings || (fits(sim, b) && fits_edges(b, l)); /* rings are whole spacings wide, as they were asked for */
-    done = done || !ok || b->asked < FEWEST * b->spacing * b->spacing || place_stretched(sim, b);
+        b->area = sph2d__region_area(&region);
+    bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->occupied[SPH2D__NEAR_LAYERS] == 0;
+    bool done =
+        rings || (fits(sim, b) && fits_edges(b, l)); /* rings are kept as requested, a whole number of spacings wide */
+    done = done || !ok || b->area < MIN_PACKED * b->spacing * b->spacing || place_stretched(sim, b);
     done = done || fits(sim, b) || place_shifted(sim, b, l);
-    if (!done && b->taken[SPH2D__BESIDE_LINE] == 0) {
+    if (!done && b->occupied[SPH2D__NEAR_LINE] == 0) {
         ok = solids ||
              sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
         ok = ok && place_packed(sim, b, &region);
     }
     if (region.quarters)
         sph2d__region_free(&region, &sim->memory);
-    sum_up(sim, b);
+    add_to_plan(sim, b);
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
@@ -323,7 +325,7 @@ sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *
     double count = l.nx * l.ny, rings = 0;
     if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
         rings = fmax(round(block->shape.disc.radius / b.spacing), 1);
-        count = 2 * SPH2D__PI * rings * rings; /* more than ring_count adds up to */
+        count = 2 * SPH2D__PI * rings * rings; /* an upper bound of the sum of ring_count */
     }
     char path[64];
     snprintf(path, sizeof path, "blocks[%zu]", index);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_check.c
- *  Faults that only the placed particles show: overlapping blocks, particles in one place, liquid in the layers of a
- *  wall. */
+ *  Checks of the placed particles: overlapping blocks, coincident particles, liquid in the layers of a wall. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,38 +10,38 @@
 #include "scene/resolve.h"
 #include "start/start.h"
 
-/* Cells name particles by 32 bits. */
-static const double MOST_PARTICLES = 4e9;
+/* Cells use 32-bit indices. */
+static const double MAX_PARTICLES = 4e9;
 
 bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report)
 {
-    long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where the system does not tell */
+    long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where unknown */
     double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
     double each = (double)sph2d__store_bytes(sim->system.fluid.has) + 3 * sizeof(uint32_t); /* store and cells */
     double bytes = count * each;
-    if (count < MOST_PARTICLES && bytes <= memory)
+    if (count < MAX_PARTICLES && bytes <= memory)
         return false;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
-                                           "%.4g particles would need %.4g GB of memory", count, bytes / 1e9);
+                                           "%.4g particles need %.4g GB of memory", count, bytes / 1e9);
     if (strcmp(path, "particles") != 0)
-        sph2d_diagnostic_hint(d, "a larger spacing needs fewer");
+        sph2d_diagnostic_hint(d, "use a larger spacing");
     return true;
 }
 
-/* Liquid begins half a spacing in front of a wall, its layers half a spacing behind. Nearer than this many spacings to
- * a boundary particle, liquid is in the wall or starts compressed against it. */
-static const double APART = 0.6;
+/* Liquid begins half a spacing in front of a wall, the layers half a spacing behind. Liquid that is nearer to a
+ * boundary particle [spacings] is in the wall or starts compressed against it. */
+static const double MIN_DISTANCE = 0.6;
 
-/** The earlier block that shares a place with block `index`, whose particles start at `first`; `index` for none. */
-static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *place)
+/** An earlier block that overlaps block `index`, whose particles start at `first`; `index` for none. */
+static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *position)
 {
     const sph2d__store *f = &sim->system.fluid;
     const sph2d_block *blocks = sim->scene.blocks;
     for (size_t other = 0; other < index; ++other)
         for (size_t i = 0; i < f->count; ++i) {
-            *place = (sph2d_vec2){f->x[i], f->y[i]};
-            if (sph2d__shape_contains(&blocks[other].shape, *place) &&
-                (i >= first || sph2d__shape_contains(&blocks[index].shape, *place)))
+            *position = (sph2d_vec2){f->x[i], f->y[i]};
+            if (sph2d__shape_contains(&blocks[other].shape, *position) &&
+                (i >= first || sph2d__shape_contains(&blocks[index].shape, *position)))
                 return other;
         }
     return index;
@@ -50,15 +49,15 @@ static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph
 
 sph2d_status sph2d__sim_check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
 {
-    sph2d_vec2 place;
-    size_t other = find_overlap(sim, index, first, &place);
+    sph2d_vec2 position;
+    size_t other = find_overlap(sim, index, first, &position);
     if (other == index)
         return SPH2D_OK;
     char path[64];
     snprintf(path, sizeof path, "blocks[%zu]", index);
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
-                                           "overlaps blocks[%zu] near (%g, %g)", other, place.x, place.y);
-    sph2d_diagnostic_hint(d, "two liquids cannot be in one place: move or shrink one block");
+                                           "overlaps blocks[%zu] near (%g, %g)", other, position.x, position.y);
+    sph2d_diagnostic_hint(d, "blocks must not overlap: move or shrink one of them");
     return SPH2D_SCENE;
 }
 
@@ -73,7 +72,7 @@ sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p
 sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double near = 1e-3 * sim->scene.spacing;
+    double tolerance = 1e-3 * sim->scene.spacing;
     for (size_t i = 0; i < f->count; ++i) {
         uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
         if (f->id[i] < first || cell == UINT32_MAX)
@@ -81,7 +80,7 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
         sph2d__ranges ranges;
         sph2d__cells_ranges(&sim->system.fluid_cells, cell, &ranges);
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j)
-            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < near)
+            if (j != i && hypot(f->x[i] + ranges.x[r] - f->x[j], f->y[i] + ranges.y[r] - f->y[j]) < tolerance)
                 return sph2d__sim_refuse_particle((size_t)(f->id[i] - first), "where another particle is",
                                                   (sph2d_vec2){f->x[i], f->y[i]}, report);
     }
@@ -98,7 +97,7 @@ static size_t obstacle_of(const sph2d_sim *sim, uint64_t wall_id)
     return i;
 }
 
-/** An obstacle with layers that a particle of the liquid lies in, or within APART spacings of; their count for none. */
+/** The obstacle in whose layers, or within MIN_DISTANCE spacings of them, fluid particle i lies; the count for none. */
 static size_t layers_around(const sph2d_sim *sim, size_t i)
 {
     const sph2d__store *f = &sim->system.fluid, *w = &sim->system.walls;
@@ -110,7 +109,7 @@ static size_t layers_around(const sph2d_sim *sim, size_t i)
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         double x = f->x[i] + ranges.x[r] - w->x[j], y = f->y[i] + ranges.y[r] - w->y[j];
-        size_t k = hypot(x, y) < APART * sim->scene.spacing ? obstacle_of(sim, w->id[j]) : count;
+        size_t k = hypot(x, y) < MIN_DISTANCE * sim->scene.spacing ? obstacle_of(sim, w->id[j]) : count;
         if (k < found && sph2d__obstacle_form(&sim->scene, &sim->scene.obstacles[k]) == SPH2D_WALL_GENERALISED)
             found = k;
     }
@@ -135,15 +134,15 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
         report, SPH2D_ERROR, SPH2D_CODE_OVERLAP, path,
         "%zu particles of the liquid lie in its layers of boundary particles, or less than %g spacings from them, near "
         "(%g, %g)",
-        count, APART, at.x, at.y);
+        count, MIN_DISTANCE, at.x, at.y);
     if (!sph2d__outline_is_open(&obstacle->outline))
         sph2d_diagnostic_hint(d, "move the liquid or the obstacle; a solid with liquid around it must be %.3g m thick",
                               sph2d__layer_thickness(&sim->scene));
     else
         sph2d_diagnostic_hint(
             d,
-            "its layers, %.3g m thick, are on the %s of the way from its first point to its last: keep the liquid on "
-            "the %s, try `liquid: %s` or `both`, or join lines that meet to one polyline or polygon",
+            "its layers, %.3g m thick, are on the %s, seen from its first point towards its last: keep the liquid on "
+            "the %s, try `liquid: %s` or `both`, or join lines that meet into one polyline or polygon",
             sph2d__layer_thickness(&sim->scene), dry, wet, dry);
     return SPH2D_SCENE;
 }

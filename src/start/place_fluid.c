@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_fluid.c
- *  The particles of a scene: those of its blocks, kept free of obstacles, and single ones. */
+ *  The fluid particles of a scene: those of its blocks, outside obstacles, and single ones. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,7 @@ static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
     return false;
 }
 
-/** The scene's single particles: as they are, wrapped into periodic sides, or refused. */
+/** Places the scene's single particles, wrapped at periodic sides; reports those in a block or obstacle. */
 static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_particles *particles = &sim->scene.particles;
@@ -33,7 +33,7 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
                          sph2d__period_wrap(p->y, period->low_y, period->length_y)};
         if (in_block(&sim->scene, at))
             return sph2d__sim_refuse_particle(k, "inside a block", at, report);
-        if (sph2d__sim_taken(sim, at, 0) != SPH2D__FREE)
+        if (sph2d__sim_occupancy(sim, at, 0) != SPH2D__FREE)
             return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
         size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
@@ -43,7 +43,7 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
     return SPH2D_OK;
 }
 
-/** Displaces the particles of a block, from `first` on, at random; what leaves a periodic side comes in opposite. */
+/** Displaces the particles of a block, from `first` on, at random, wrapping them at periodic sides. */
 static void perturb_block(sph2d_sim *sim, size_t index, size_t first)
 {
     const sph2d_perturb *perturb = &sim->scene.blocks[index].perturb;
@@ -80,7 +80,7 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         return status;
     if (fluid->count == 0 && scene->source_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, scene->block_count > 0 ? "blocks" : "particles",
-                         "there is no particle");
+                         "the scene has no particles and no source");
         return SPH2D_SCENE;
     }
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||

@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_layers.c
- *  Generalised walls: layers of boundary particles behind a surface, half a spacing, one and a half ... away from it,
- *  as many as a support radius reaches. Each stands for the area of its piece of its layer.
+ *  Generalised walls: layers of boundary particles 1/2, 3/2, ... spacings behind the surface, over a support radius.
+ *  Each particle represents the area of its part of the layer.
  *
- *  Closed outlines are solids, with layers inside. Lines and polylines are walls with the liquid on one side, layers on
- *  the other, and a back that nothing passes. Sides of the domain have layers outside, on the continued lattice of the
- *  spacing. */
+ *  Closed outlines are solids, with layers inside. Lines and polylines are walls with liquid on one side, layers on the
+ *  other, and an impermeable back. Sides of the domain have layers outside, on the continued lattice. */
 #include <math.h>
 
 #include "kernels/kernel.h"
 #include "start/start.h"
 
-/* Boundary particles nearer than this many spacings to an earlier one would count twice. */
-static const double CROWDED = 0.6;
-/* A layer goes on around a corner up to this many spacings. */
+/* Boundary particles nearer than this many spacings to an earlier one are left out: their area would count twice. */
+static const double MIN_DISTANCE = 0.6;
+/* Mitre limit: a layer extends around a corner by at most this many spacings. */
 static const double MITRE = 4;
 
 static int layer_count(const sph2d_sim *sim)
@@ -21,27 +20,27 @@ static int layer_count(const sph2d_sim *sim)
     return (int)ceil(sim->system.support / sim->scene.spacing - 1e-9);
 }
 
-/** Whether there is an earlier boundary particle so near that a new one has no place. */
-static bool is_crowded(const sph2d_sim *sim, size_t first, sph2d_vec2 p)
+/** Whether an earlier boundary particle is too near to a new one. */
+static bool is_too_near(const sph2d_sim *sim, size_t first, sph2d_vec2 p)
 {
     const sph2d__store *w = &sim->system.walls;
-    double nearest = CROWDED * sim->scene.spacing;
+    double nearest = MIN_DISTANCE * sim->scene.spacing;
     for (size_t i = 0; i < first; ++i)
         if (hypot(w->x[i] - p.x, w->y[i] - p.y) < nearest)
             return true;
     return false;
 }
 
-/** Where a boundary particle is, on whose behalf, and which way and how far the surface is. */
-typedef struct place {
+/** A boundary particle: position, area, and unit normal to and depth below the surface. */
+typedef struct boundary_particle {
     sph2d_vec2 at;
     double area;
     sph2d_vec2 normal;
     double depth;
-    double skin; /**< length of the surface that it stands for, in the layer next to it */
-} place;
+    double skin; /**< length of surface that it represents, in the first layer */
+} boundary_particle;
 
-static sph2d_status add_particle(sph2d_sim *sim, const place *p, sph2d_report *report)
+static sph2d_status add_particle(sph2d_sim *sim, const boundary_particle *p, sph2d_report *report)
 {
     sph2d__system *s = &sim->system;
     if (sph2d__sim_too_many(sim, (double)s->walls.count + 1, "obstacles", report))
@@ -92,8 +91,8 @@ static sph2d_vec2 direction_of(sph2d__segment s)
     return (sph2d_vec2){(s.b.x - s.a.x) / length, (s.b.y - s.a.y) / length};
 }
 
-/** By how much a layer at distance d is shorter at the corner between two directions. */
-static double shortened(const contour *c, sph2d_vec2 from, sph2d_vec2 to, double d)
+/** The length by which a layer at distance d is cut at the corner between two directions; negative: extended. */
+static double corner_cut(const contour *c, sph2d_vec2 from, sph2d_vec2 to, double d)
 {
     double angle = atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
     return fmax(c->side * d * tan(angle / 2), -MITRE * c->spacing);
@@ -107,11 +106,11 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d)
     double start = 0, end = 0;
     if (index > 0 || c->closed) {
         size_t before = (index + c->pieces - 1) % c->pieces;
-        start = shortened(c, direction_of(sph2d__outline_piece(c->outline, c->spacing, before)), u, d);
+        start = corner_cut(c, direction_of(sph2d__outline_piece(c->outline, c->spacing, before)), u, d);
     }
     if (index + 1 < c->pieces || c->closed) {
         size_t after = (index + 1) % c->pieces;
-        end = shortened(c, u, direction_of(sph2d__outline_piece(c->outline, c->spacing, after)), d);
+        end = corner_cut(c, u, direction_of(sph2d__outline_piece(c->outline, c->spacing, after)), d);
     }
     double nx = -u.y * c->side * d, ny = u.x * c->side * d;
     sph2d__segment layer = {{piece.a.x + start * u.x + nx, piece.a.y + start * u.y + ny},
@@ -122,7 +121,7 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d)
     return layer;
 }
 
-/** Whether a piece of a solid is on the other side of it, as of a plate. */
+/** Whether another piece of a solid is on the opposite side of it, as in a plate. */
 static bool is_opposite(const contour *c, size_t index, size_t other)
 {
     size_t apart = index > other ? index - other : other - index;
@@ -133,8 +132,8 @@ static bool is_opposite(const contour *c, size_t index, size_t other)
     return u.x * v.x + u.y * v.y < 0;
 }
 
-/** Whether a place at distance d from its own piece is nearer to another one. A circle's layers never are. */
-static bool belongs_elsewhere(const contour *c, size_t index, sph2d_vec2 p, double d)
+/** Whether a position at distance d from its own piece is nearer to another one. A circle's layers never are. */
+static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     if (c->outline->kind == SPH2D_OUTLINE_CIRCLE)
         return d >= c->outline->circle.radius;
@@ -146,15 +145,15 @@ static bool belongs_elsewhere(const contour *c, size_t index, sph2d_vec2 p, doub
     return c->outline->kind == SPH2D_OUTLINE_POLYGON && !sph2d__outline_encloses(c->outline, p);
 }
 
-/** How much of a layer's thickness, d - 1/2 to d + 1/2 spacings deep, is on this side of the middle of a solid: 1 but
- *  in thin ones, whose layers meet there. */
-static double share_of(const contour *c, size_t index, sph2d_vec2 p, double d)
+/** The part of a layer's thickness, d - 1/2 to d + 1/2 spacings deep, on this side of the midline of a solid: 1 except
+ *  in thin solids, whose layers meet there. */
+static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     double other = INFINITY;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         double distance = c->closed ? sph2d__segment_distance(&piece, p) : INFINITY;
-        if (c->side * sph2d__segment_side(&piece, p) < 0) /* beyond it */
+        if (c->side * sph2d__segment_side(&piece, p) < 0) /* p is beyond that piece */
             distance = -distance;
         if (distance < fmin(other, d + c->spacing) && is_opposite(c, index, k))
             other = distance;
@@ -162,31 +161,31 @@ static double share_of(const contour *c, size_t index, sph2d_vec2 p, double d)
     return fmin(fmax(((other - d) / c->spacing + 1) / 2, 0), 1);
 }
 
-/** A boundary particle of a layer whose place is p; false where it has none. */
-static bool fit_particle(const contour *c, size_t index, sph2d_vec2 p, double d, place *here)
+/** Sets the boundary particle of a layer at p; false if there is none. */
+static bool set_particle(const contour *c, size_t index, sph2d_vec2 p, double d, boundary_particle *particle)
 {
-    if (belongs_elsewhere(c, index, p, d))
+    if (is_nearer_to_another(c, index, p, d))
         return false;
-    double share = share_of(c, index, p, d), out = (1 - share) / 2 * c->spacing; /* to the middle of what is left */
+    double share = thickness_share(c, index, p, d), out = (1 - share) / 2 * c->spacing; /* to the middle of its share */
     sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
-    here->normal = (sph2d_vec2){u.y * c->side, -u.x * c->side};
-    here->at = (sph2d_vec2){p.x + out * here->normal.x, p.y + out * here->normal.y};
-    here->area *= share;
-    here->depth = d - out;
+    particle->normal = (sph2d_vec2){u.y * c->side, -u.x * c->side};
+    particle->at = (sph2d_vec2){p.x + out * particle->normal.x, p.y + out * particle->normal.y};
+    particle->area *= share;
+    particle->depth = d - out;
     return share > 0.01;
 }
 
-/** Length of the surface in front of particle k of `count` of the layer next to a piece; the first and the last have
- *  what is beyond them, so that all together have the whole piece. */
-static double skin_of(const contour *c, size_t index, sph2d__segment layer, double k, double count)
+/** Length of surface in front of particle k of `count` in the first layer of a piece. The first and last particle also
+ *  get the ends, so that the sum is the length of the piece. */
+static double surface_length(const contour *c, size_t index, sph2d__segment layer, double k, double count)
 {
     sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, index);
     sph2d_vec2 u = direction_of(piece);
-    double whole = hypot(piece.b.x - piece.a.x, piece.b.y - piece.a.y);
+    double length = hypot(piece.b.x - piece.a.x, piece.b.y - piece.a.y);
     double start = (layer.a.x - piece.a.x) * u.x + (layer.a.y - piece.a.y) * u.y;
     double step = hypot(layer.b.x - layer.a.x, layer.b.y - layer.a.y) / count;
-    double from = k == 0 ? 0 : fmin(fmax(start + k * step, 0), whole);
-    double to = k == count - 1 ? whole : fmin(fmax(start + (k + 1) * step, 0), whole);
+    double from = k == 0 ? 0 : fmin(fmax(start + k * step, 0), length);
+    double to = k == count - 1 ? length : fmin(fmax(start + (k + 1) * step, 0), length);
     return to - from;
 }
 
@@ -203,12 +202,12 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
         for (double k = 0; k < count; ++k) {
             double t = (k + 0.5) / count;
             sph2d_vec2 p = {layer.a.x + t * (layer.b.x - layer.a.x), layer.a.y + t * (layer.b.y - layer.a.y)};
-            place here = {.area = length / count * c->spacing};
+            boundary_particle particle = {.area = length / count * c->spacing};
             if (d < c->spacing)
-                here.skin = skin_of(c, index, layer, k, count);
-            if (!fit_particle(c, index, p, d, &here) || is_crowded(sim, first, here.at))
+                particle.skin = surface_length(c, index, layer, k, count);
+            if (!set_particle(c, index, p, d, &particle) || is_too_near(sim, first, particle.at))
                 continue;
-            sph2d_status status = add_particle(sim, &here, report);
+            sph2d_status status = add_particle(sim, &particle, report);
             if (status != SPH2D_OK)
                 return status;
         }
@@ -216,9 +215,8 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
     return SPH2D_OK;
 }
 
-/** Adds the back of the layers behind an open line to its barrier, with the two ends: what comes round the line from
- *  behind must not get between the layers. Where the line turns so sharply that they lie in front of another piece
- *  there is no back. */
+/** Adds the back and the two ends of an open line's layers to its barrier, so that liquid from behind cannot enter the
+ *  layers. Where a sharp corner puts the back in front of another piece it is left out. */
 static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
 {
     double thickness = layer_count(sim) * c->spacing;
@@ -226,8 +224,8 @@ static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
         sph2d__segment front = sph2d__outline_piece(c->outline, c->spacing, k), back = layer_piece(c, k, thickness);
         sph2d_vec2 middle = {(back.a.x + back.b.x) / 2, (back.a.y + back.b.y) / 2};
         if (hypot(back.b.x - back.a.x, back.b.y - back.a.y) < 0.01 * c->spacing ||
-            belongs_elsewhere(c, k, back.a, thickness) || belongs_elsewhere(c, k, back.b, thickness) ||
-            belongs_elsewhere(c, k, middle, thickness))
+            is_nearer_to_another(c, k, back.a, thickness) || is_nearer_to_another(c, k, back.b, thickness) ||
+            is_nearer_to_another(c, k, middle, thickness))
             continue;
         if (!sph2d__barrier_add(barrier, back, &sim->memory) ||
             (k == 0 && !sph2d__barrier_add(barrier, (sph2d__segment){front.a, back.a}, &sim->memory)) ||
@@ -252,7 +250,7 @@ sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obsta
 
 /* ---- sides of the domain ----------------------------------------------------------------------------------------- */
 
-/** One direction of the domain's lattice: cells 0 to count - 1 inside, low to high with walls and open room. */
+/** One direction of the domain's lattice: cells 0 to count - 1 inside; low to high - 1 with walls and open space. */
 typedef struct extent {
     double origin, size;
     long count, low, high;
@@ -276,15 +274,15 @@ static bool is_behind(const extent *e, long k)
     return (k < 0 && e->wall_low) || (k >= e->count && e->wall_high);
 }
 
-/** The next column at or after `i` of a row that may hold a boundary particle: rows that no wall covers have them only
+/** The next column at or after `i` that may have a boundary particle; rows inside the domain have them only
  *  beyond the two ends. */
 static long next_column(const extent *x, bool row_behind, long i)
 {
     return !row_behind && i >= 0 && i < x->count ? x->count : i;
 }
 
-/** Normal and depth of a boundary particle of a side; in a corner there is no one surface. */
-static void look_at_surface(place *p, const extent *x, long i, const extent *y, long j)
+/** Sets normal and depth of a boundary particle of a side; in corners there is no single surface. */
+static void set_surface(boundary_particle *p, const extent *x, long i, const extent *y, long j)
 {
     bool beside_x = is_behind(x, i), beside_y = is_behind(y, j);
     if (beside_x && !beside_y) {
@@ -299,9 +297,9 @@ static void look_at_surface(place *p, const extent *x, long i, const extent *y, 
     }
 }
 
-/** f(q) of the kernel summed over the lattice that fills the room, corners included, around a place; each value counts
- *  as a cell's area over H^2. */
-static double room_around(const sph2d_sim *sim, const extent *x, const extent *y, sph2d_vec2 p)
+/** Kernel sum, of f(q) times the area of a cell over H^2, over the lattice of liquid that fills all space in front of
+ *  the walls. */
+static double filled_sum(const sph2d_sim *sim, const extent *x, const extent *y, sph2d_vec2 p)
 {
     double h = sim->system.support, sum = 0;
     long i1 = (long)floor((p.x + h - x->origin) / x->size), j1 = (long)floor((p.y + h - y->origin) / y->size);
@@ -315,7 +313,7 @@ static double room_around(const sph2d_sim *sim, const extent *x, const extent *y
     return sum * x->size * y->size / (h * h);
 }
 
-/** Gives the last boundary particle the speed of its side; in corners the walls rest. */
+/** Sets the velocity of the last boundary particle to that of its side; corners are at rest. */
 static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, long j)
 {
     const sph2d_side_speeds *speeds = &sim->scene.wall_speeds;
@@ -327,7 +325,7 @@ static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, 
         w->vx[w->count - 1] = j < 0 ? speeds->bottom : speeds->top;
 }
 
-sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
+sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_box d = sim->scene.domain;
     sph2d_boundary b = sim->scene.boundary;
@@ -348,16 +346,16 @@ sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report)
             if (!is_behind(&x, i) && !is_behind(&y, j))
                 continue;
             sph2d_vec2 p = {x.origin + ((double)i + 0.5) * x.size, y.origin + ((double)j + 0.5) * y.size};
-            if (is_crowded(sim, first, p))
+            if (is_too_near(sim, first, p))
                 continue;
-            place here = {p, x.size * y.size, {0, 0}, INFINITY, 0};
-            look_at_surface(&here, &x, i, &y, j);
-            sph2d_status status = add_particle(sim, &here, report);
+            boundary_particle particle = {p, x.size * y.size, {0, 0}, INFINITY, 0};
+            set_surface(&particle, &x, i, &y, j);
+            sph2d_status status = add_particle(sim, &particle, report);
             if (status != SPH2D_OK)
                 return status;
             set_speed(sim, &x, i, &y, j);
             if (sim->system.walls.filled)
-                sim->system.walls.filled[sim->system.walls.count - 1] = room_around(sim, &x, &y, p);
+                sim->system.walls.filled[sim->system.walls.count - 1] = filled_sum(sim, &x, &y, p);
         }
     return SPH2D_OK;
 }

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file place_walls.c
- *  Walls of a scene: boundary particles along obstacles and sides, pieces for the backstop, springs. */
+ *  Walls of a scene: boundary particles along obstacles and sides, barriers for continuous collision, springs. */
 #include <math.h>
 
 #include "kernels/kernel.h"
 #include "scene/resolve.h"
 #include "start/start.h"
 
-/* Distance at which the backstop holds a particle, in spacings: well inside what pressure and springs keep free. */
+/* Clearance of the barriers [spacings]: well within the distance that pressure and springs maintain. */
 static const double CLEARANCE = 0.05;
-/* Sides made of boundary particles have them this far outside the domain, in spacings, so that a lattice that starts
- * half a spacing inside is one spacing away. */
+/* Distance of a single row of boundary particles outside a side of the domain [spacings]: a lattice that starts half a
+ * spacing inside is then one spacing away. */
 static const double SIDE_OFFSET = 0.5;
 
 /** A piece of wall with boundary particles along it. */
@@ -18,7 +18,7 @@ typedef struct wall_piece {
     sph2d__segment segment;
     sph2d_wall_form form;
     double restitution;
-    bool with_end; /**< the last particle is this piece's too, not the first of the next piece */
+    bool with_end; /**< with a particle at b, where no next piece begins */
 } wall_piece;
 
 static double piece_intervals(const sph2d__segment *s, double spacing)
@@ -49,7 +49,7 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     return SPH2D_OK;
 }
 
-/** The boundary particles of an obstacle, and its pieces for a backstop. */
+/** Places the boundary particles of an obstacle and adds its pieces to a barrier. */
 static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                   sph2d_report *report)
 {
@@ -63,7 +63,8 @@ static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle
         wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
                             open && k + 1 == pieces};
         sph2d__segment wall = piece.segment;
-        if (obstacle->liquid == SPH2D_LIQUID_RIGHT) /* the backstop keeps what starts on a wall on its left */
+        if (obstacle->liquid ==
+            SPH2D_LIQUID_RIGHT) /* the barrier keeps particles that start on a segment on its left */
             wall = (sph2d__segment){wall.b, wall.a};
         if (!sph2d__barrier_add(barrier, wall, &sim->memory))
             return SPH2D_NOMEM;
@@ -95,7 +96,7 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
     return status;
 }
 
-/** Sum of a kernel over a straight row of particles, a spacing apart, at a distance [spacings]. */
+/** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]. */
 static double row_sum(const sph2d_method_options *m, double distance)
 {
     int reach = (int)m->support_ratio + 1;
@@ -105,10 +106,10 @@ static double row_sum(const sph2d_method_options *m, double distance)
     return sum;
 }
 
-/** How far outside the domain the boundary particles of its sides are, in spacings. A row of them that has the rest
- *  density by itself (Akinci et al. 2012, eq. 4) stands for all rows behind it. With methods that sum density over
- *  both, it has to be so far from a lattice that the first row of that has the rest density, too, 1.18 spacings by
- *  default: at one spacing liquid would start 12 % compressed along its walls, and 20 % in corners. */
+/** Distance of the boundary particles of a side outside the domain [spacings]. A row with rest density by itself
+ *  (Akinci et al. 2012, eq. 4) represents all rows behind it. With methods that sum density over liquid and walls, its
+ *  distance from a lattice must give the first row of liquid the rest density, too; by default it is 1.18 spacings. At
+ *  one spacing liquid would start 12 % compressed along its walls, and 20 % in corners. */
 static double side_offset(const sph2d_sim *sim)
 {
     const sph2d_method_options *m = &sim->scene.method;
@@ -118,7 +119,7 @@ static double side_offset(const sph2d_sim *sim)
     for (int k = 1; k <= (int)m->support_ratio + 1; ++k)
         behind += row_sum(m, k);
     lattice += 2 * behind;
-    double low = 0.5, high = 2; /* what is missing behind the first row falls with the distance */
+    double low = 0.5, high = 2; /* the sum over the wall's row falls with the distance */
     for (int n = 0; n < 50; ++n) {
         double gap = (low + high) / 2;
         *(row_sum(m, gap) * lattice / row > behind ? &low : &high) = gap;
@@ -126,7 +127,7 @@ static double side_offset(const sph2d_sim *sim)
     return low - SIDE_OFFSET;
 }
 
-/** One side of the domain that is a wall. `shift` leads outwards. */
+/** Places one side of the domain that is a wall. `shift` points outwards. */
 static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 shift, sph2d_report *report)
 {
     if (!sph2d__barrier_add(&sim->barrier, (sph2d__segment){a, b}, &sim->memory))
@@ -141,8 +142,8 @@ static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d
     return place_piece(sim, &piece, report);
 }
 
-/** The domain and, beyond its open sides, the room in which liquid is still followed: walls go on for as far. */
-static sph2d_box followed(const sph2d_scene *scene)
+/** The domain and, beyond its open sides, the area in which particles are kept: walls extend as far. */
+static sph2d_box extended_domain(const sph2d_scene *scene)
 {
     sph2d_box d = scene->domain;
     double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
@@ -153,10 +154,10 @@ static sph2d_box followed(const sph2d_scene *scene)
     return d;
 }
 
-/** Each side has the liquid to the left of its way from a to b, where the backstop keeps what starts on it. */
+/** Each side has the liquid on the left of a to b, where the barrier keeps particles that start on it. */
 static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
 {
-    sph2d_box d = followed(&sim->scene);
+    sph2d_box d = extended_domain(&sim->scene);
     sph2d_boundary sides = sim->scene.boundary;
     struct {
         sph2d_side side;
@@ -192,7 +193,7 @@ static void set_springs(sph2d_sim *sim)
     w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
 }
 
-/** Sorts the boundary particles, once all are placed, and builds the backstops. */
+/** Sorts the boundary particles, once all are placed, and builds the barriers. */
 static bool finish_walls(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
@@ -218,7 +219,7 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
     for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
         status = place_obstacle(sim, i, report);
     if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
-        status = sph2d__sim_place_rings(sim, report);
+        status = sph2d__sim_place_side_layers(sim, report);
     if (status != SPH2D_OK)
         return status;
     set_springs(sim);

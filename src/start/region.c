@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /** @file region.c
- *  The area that a block's liquid fills. */
+ *  The area of a block's liquid on a grid. */
 #include "start/region.h"
 
 #include <math.h>
 
 #include "scene/resolve.h"
 
-/* A side lies on a line between cells that is so many cells away at most. */
+/* A side that is at most so many cells from a grid line lies on it. */
 static const double ON_LINE = 0.02;
 
-/** Point `k` of a cell of size 1: a Hammersley set, one point in each sixteenth by sixteenth, each in a column and a
- *  row of its own, so that edges of any slope are seen. */
+/** Point `k` of a cell of size 1: a Hammersley set, with one point in each of 16 x 16 subcells and no two in one row or
+ *  column, so that edges of any slope are resolved. */
 static sph2d_vec2 point_of(unsigned k)
 {
     unsigned reversed = 0;
     for (int bit = 0; bit < 8; ++bit)
         reversed |= (k >> bit & 1) << (7 - bit);
-    return (sph2d_vec2){(k + 0.5) / SPH2D__REGION_WHOLE, (reversed + 0.5) / SPH2D__REGION_WHOLE};
+    return (sph2d_vec2){(k + 0.5) / SPH2D__REGION_POINTS, (reversed + 0.5) / SPH2D__REGION_POINTS};
 }
 
 bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
@@ -42,9 +42,9 @@ bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
 
-enum { UNKNOWN = 255 }; /* in the first quarter of a cell: an edge may pass through it */
+enum { UNKNOWN = 255 }; /* in the first quarter of a cell: an edge may cut it */
 
-/** Marks the cells around a straight piece of an edge: in each row those that it passes, and their neighbours. */
+/** Marks the cells along a segment of an edge: in each row those that it crosses, and their neighbours. */
 static void mark_piece(sph2d__region *r, sph2d__segment s)
 {
     sph2d_vec2 a = sph2d__region_in_cells(r, s.a), b = sph2d__region_in_cells(r, s.b);
@@ -104,18 +104,18 @@ static void mark_edges(sph2d__region *r)
     }
 }
 
-static void look_at_points(sph2d__region *r, size_t cell)
+static void sample_cell(sph2d__region *r, size_t cell)
 {
     unsigned char *quarters = r->quarters + 4 * cell;
     quarters[0] = 0;
-    for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
+    for (unsigned k = 0; k < SPH2D__REGION_POINTS; ++k) {
         sph2d_vec2 p = point_of(k);
-        sph2d_vec2 at = sph2d__region_place(r, (double)(cell % r->nx) + p.x, (double)(cell / r->nx) + p.y);
+        sph2d_vec2 at = sph2d__region_position(r, (double)(cell % r->nx) + p.x, (double)(cell / r->nx) + p.y);
         quarters[2 * (p.y > 0.5) + (p.x > 0.5)] += sph2d__region_contains(r, at);
     }
 }
 
-/** Cells that no edge passes are all in or all out, like the one before. */
+/** Cells that no edge cuts are inside or outside like the cell before. */
 static void fill_rows(sph2d__region *r)
 {
     for (size_t j = 0; j < r->ny; ++j) {
@@ -123,15 +123,15 @@ static void fill_rows(sph2d__region *r)
         for (size_t i = 0; i < r->nx; ++i) {
             size_t cell = j * r->nx + i;
             if (r->quarters[4 * cell] == UNKNOWN) {
-                look_at_points(r, cell);
+                sample_cell(r, cell);
                 known = false;
                 continue;
             }
             if (!known)
-                inside = sph2d__region_contains(r, sph2d__region_place(r, (double)i + 0.5, (double)j + 0.5));
+                inside = sph2d__region_contains(r, sph2d__region_position(r, (double)i + 0.5, (double)j + 0.5));
             known = true;
             for (int q = 0; q < 4; ++q)
-                r->quarters[4 * cell + (size_t)q] = inside ? SPH2D__REGION_QUARTER : 0;
+                r->quarters[4 * cell + (size_t)q] = inside ? SPH2D__QUARTER_POINTS : 0;
         }
     }
 }
@@ -157,7 +157,7 @@ static sph2d__segment side_in_cells(const sph2d__region *r, size_t k, bool turne
     return turned ? (sph2d__segment){{a.y, a.x}, {b.y, b.x}} : (sph2d__segment){a, b};
 }
 
-/** Length of a polygon's sides that lie on columns of cells which begin at x = `from`, or on rows. */
+/** Length of a polygon's sides that lie on grid lines through x = `from`; `rows`: y. */
 static double length_on_lines(const sph2d__region *r, double from, bool rows)
 {
     double length = 0;
@@ -170,8 +170,8 @@ static double length_on_lines(const sph2d__region *r, double from, bool rows)
     return length;
 }
 
-/** Where the columns of cells, or the rows, begin so that the most of a polygon's sides lie on them; in cells. */
-static double best_begin(const sph2d__region *r, bool rows)
+/** The offset of the columns, or rows, for which most of the polygon's sides lie on grid lines; in cells. */
+static double best_offset(const sph2d__region *r, bool rows)
 {
     double best = 0, longest = length_on_lines(r, 0, rows);
     for (size_t k = 0; k < r->shape->polygon.count; ++k) {
@@ -208,13 +208,13 @@ bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const s
         double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
         region->axis = (sph2d_vec2){(side.b.x - side.a.x) / length, (side.b.y - side.a.y) / length};
         region->origin = side.a;
-        region->origin = sph2d__region_place(region, best_begin(region, false), best_begin(region, true));
+        region->origin = sph2d__region_position(region, best_offset(region, false), best_offset(region, true));
     }
     sph2d_box b = bounds_in_cells(region);
     double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;
     region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
     region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
-    region->origin = sph2d__region_place(region, i, j);
+    region->origin = sph2d__region_position(region, i, j);
     region->quarters = sph2d__alloc(memory, region->nx * region->ny, 4);
     if (!region->quarters)
         return false;
@@ -232,19 +232,19 @@ void sph2d__region_free(sph2d__region *region, sph2d__memory *memory)
 
 double sph2d__region_area(const sph2d__region *r)
 {
-    double points = 0; /* a whole number, exact */
+    double points = 0; /* an integer, exact */
     for (size_t cell = 0; cell < r->nx * r->ny; ++cell)
-        points += sph2d__region_cover(r, cell);
-    return points / SPH2D__REGION_WHOLE * r->size * r->size;
+        points += sph2d__region_covered(r, cell);
+    return points / SPH2D__REGION_POINTS * r->size * r->size;
 }
 
-sph2d_vec2 sph2d__region_middle(const sph2d__region *r, size_t cell)
+sph2d_vec2 sph2d__region_centroid(const sph2d__region *r, size_t cell)
 {
     double x = 0, y = 0, count = 0, i = (double)(cell % r->nx), j = (double)(cell / r->nx);
-    if (sph2d__region_cover(r, cell) == SPH2D__REGION_WHOLE)
-        return sph2d__region_place(r, i + 0.5, j + 0.5);
-    for (unsigned k = 0; k < SPH2D__REGION_WHOLE; ++k) {
-        sph2d_vec2 p = point_of(k), at = sph2d__region_place(r, i + p.x, j + p.y);
+    if (sph2d__region_covered(r, cell) == SPH2D__REGION_POINTS)
+        return sph2d__region_position(r, i + 0.5, j + 0.5);
+    for (unsigned k = 0; k < SPH2D__REGION_POINTS; ++k) {
+        sph2d_vec2 p = point_of(k), at = sph2d__region_position(r, i + p.x, j + p.y);
         if (!sph2d__region_contains(r, at))
             continue;
         x += at.x;

@@ -1,43 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 /** @file start.h
- *  How a simulation gets its particles: walls first, then liquid. */
+ *  Initial particles of a simulation: walls first, then liquid. */
 #ifndef SPH2D_START_START_H
 #define SPH2D_START_START_H
 
 #include "sim/simulation.h"
 
-/** Whether so many particles are more than this machine's memory holds or a 32-bit index can name; then it is reported
- *  at `path`. */
+/** Whether a number of particles exceeds this machine's memory or 32-bit indices; if so, it is reported at `path`. */
 bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report);
 
 /** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
-/** Places the layers of a generalised wall: along an obstacle, whose back goes into its barrier, and around the sides
- *  of the domain that are walls. The same errors. */
+/** Place the layers of generalised walls: along an obstacle, adding the back of an open line to its barrier, and
+ *  outside the sides of the domain that are walls. The same errors. */
 sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                      sph2d_report *report);
-sph2d_status sph2d__sim_place_rings(sph2d_sim *sim, sph2d_report *report);
-/** Places the particles of one block, and of all with the single ones. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report);
+/** Place the particles of one block; all blocks and the single particles. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report);
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);
 
-/** What an obstacle does to a place: leaves it free, encloses it, has it within the distance that it keeps free behind
- *  its own layers, or without layers. */
-typedef enum sph2d__taken { SPH2D__FREE, SPH2D__ENCLOSED, SPH2D__BESIDE_LAYERS, SPH2D__BESIDE_LINE } sph2d__taken;
+/** A position relative to an obstacle: free, inside one with layers, within the clearance of one with layers, or inside
+ *  or within the clearance of one without layers. */
+typedef enum sph2d__occupancy { SPH2D__FREE, SPH2D__ENCLOSED, SPH2D__NEAR_LAYERS, SPH2D__NEAR_LINE } sph2d__occupancy;
 
-/** What the obstacles do to a place, or to one of its images beyond periodic sides: the last of the above that one of
- *  them does. They keep `part` of their distance free. */
-sph2d__taken sph2d__sim_taken(const sph2d_sim *sim, sph2d_vec2 p, double part);
+/** The largest of these values over all obstacles and periodic images of a position; `factor` multiplies the
+ *  clearance. */
+sph2d__occupancy sph2d__sim_occupancy(const sph2d_sim *sim, sph2d_vec2 p, double factor);
 
-/** Faults of placed particles. Block `index`, whose particles start at `first`, against those before it; particles in
- *  one place, ids from `first` on being those of single ones; liquid in the layers of an obstacle, both once the cells
- *  are built; that single particle k cannot be where it is. Errors: SPH2D_SCENE. */
+/** Errors of placed particles: overlap of block `index`, whose particles start at `first`, with earlier blocks;
+ *  coincident particles, where single particles have ids from `first` on; liquid in the layers of an obstacle (the last
+ *  two need the cells). The last function reports a single particle k. Errors: SPH2D_SCENE. */
 sph2d_status sph2d__sim_check_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
 sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report);
 sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report);
 sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report);
 
-/** Gives the particles of a block, from `first` on, the velocity and pressure of the flow that it starts with. Errors:
+/** Sets velocity and pressure of a block's particles, from `first` on, to those of its initial flow. Errors:
  *  SPH2D_SCENE. */
 sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
 

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /** @file start_flow.c
- *  Blocks that start as a known flow. */
+ *  Blocks that start with a known flow. */
 #include <math.h>
 
 #include "methods/common/state_equation.h"
 #include "scene/method_table.h"
 #include "start/start.h"
 
-/** Height of a place against gravity, over the origin [m]. */
+/** Height of a position against gravity, from the origin [m]. */
 static double height_of(const sph2d_scene *scene, double x, double y)
 {
     double g = hypot(scene->gravity.x, scene->gravity.y);
     return g > 0 ? -(scene->gravity.x * x + scene->gravity.y * y) / g : 0;
 }
 
-/** Where the ground below the particles from `first` on is: half a spacing below the lowest one. */
-static double lowest_of(const sph2d_sim *sim, size_t first)
+/** Height of the bottom: half a spacing at_bottom the lowest particle from `first` on. */
+static double bottom_of(const sph2d_sim *sim, size_t first)
 {
     const sph2d__store *f = &sim->system.fluid;
     double lowest = INFINITY;
@@ -24,9 +24,9 @@ static double lowest_of(const sph2d_sim *sim, size_t first)
     return lowest - sim->scene.spacing / 2;
 }
 
-/** Moves a particle of liquid that is still, or was until a blow, down to where the liquid below it, compressed by the
- *  weight on it, leaves it: spacing and density then agree, and the column does not sink when it is let go. A height s
- *  of the lattice becomes y with dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
+/** Moves a particle of initially hydrostatic liquid down by the compression of the liquid below it. Spacing and density
+ *  then agree, and the column does not sink when it is released. A height s of the lattice becomes y with
+ *  dy/ds = rho0/rho, where the pressure is rho0 g (S - s), S the height of the surface:
  *
  *      linear   y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2))
  *      tait     y = 7/(6k) ((1 + k S)^(6/7) - (1 + k (S - s))^(6/7)),  k = 7 g/c0^2 */
@@ -35,13 +35,13 @@ static void settle(sph2d_sim *sim, size_t i, double pressure, double bottom)
     const sph2d_scene *scene = &sim->scene;
     sph2d__store *f = &sim->system.fluid;
     double g = hypot(scene->gravity.x, scene->gravity.y), c2 = sim->system.sound_speed * sim->system.sound_speed;
-    double s = height_of(scene, f->x[i], f->y[i]) - bottom, above = pressure / (scene->fluid.density * g);
+    double s = height_of(scene, f->x[i], f->y[i]) - bottom, head = pressure / (scene->fluid.density * g);
     if (!(g > 0 && pressure > 0))
         return;
-    double whole = g * (above + s) / c2, rest = g * above / c2;
-    double y = c2 / g * log((1 + whole) / (1 + rest));
+    double at_bottom = g * (head + s) / c2, at_particle = g * head / c2;
+    double y = c2 / g * log((1 + at_bottom) / (1 + at_particle));
     if (scene->method.state_equation == SPH2D_STATE_TAIT)
-        y = c2 / (6 * g) * (pow(1 + 7 * whole, 6.0 / 7) - pow(1 + 7 * rest, 6.0 / 7));
+        y = c2 / (6 * g) * (pow(1 + 7 * at_bottom, 6.0 / 7) - pow(1 + 7 * at_particle, 6.0 / 7));
     f->x[i] -= scene->gravity.x / g * (y - s);
     f->y[i] -= scene->gravity.y / g * (y - s);
 }
@@ -52,7 +52,7 @@ sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, 
     sph2d__store *f = &sim->system.fluid;
     if (flow->kind == SPH2D_FLOW_NONE)
         return SPH2D_OK;
-    double bottom = lowest_of(sim, first);
+    double bottom = bottom_of(sim, first);
     sph2d_flow_context context = sph2d__sim_flow_context(sim);
     for (size_t i = first; i < f->count; ++i) {
         double vx, vy, pressure;

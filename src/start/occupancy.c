@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/** @file taken.c
- *  Which places obstacles leave free. */
+/** @file occupancy.c
+ *  Which positions are free of obstacles. */
 #include <math.h>
 
 #include "scene/resolve.h"
 #include "start/start.h"
 
-/* Places closer to an obstacle than this many spacings stay free: beside layers of boundary particles, which begin half
- * a spacing behind the surface, the lattice goes on. */
-static const double FREE_DISTANCE = 0.7, FREE_DISTANCE_OF_LAYERS = 0.49;
+/* Clearance of the liquid from an obstacle's surface [spacings]. Layers of boundary particles begin half a spacing
+ * behind the surface, so that the lattice continues in them. */
+static const double CLEARANCE = 0.7, CLEARANCE_OF_LAYERS = 0.49;
 
-/** Whether a piece of an outline is nearer to a place than a distance. */
-static bool is_beside(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
+/** Whether a position is within a distance of an outline. */
+static bool is_near(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
 {
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
         return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) <
@@ -25,29 +25,29 @@ static bool is_beside(const sph2d_outline *outline, double spacing, double dista
     return false;
 }
 
-static sph2d__taken taken_by(const sph2d_sim *sim, const sph2d_obstacle *obstacle, double part, sph2d_vec2 p)
+static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle *obstacle, double factor, sph2d_vec2 p)
 {
     bool layers = sph2d__obstacle_form(&sim->scene, obstacle) == SPH2D_WALL_GENERALISED;
-    double distance = part * (layers ? FREE_DISTANCE_OF_LAYERS : FREE_DISTANCE) * sim->scene.spacing;
+    double distance = factor * (layers ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
     if (sph2d__outline_encloses(&obstacle->outline, p))
-        return layers ? SPH2D__ENCLOSED : SPH2D__BESIDE_LINE;
-    if (!is_beside(&obstacle->outline, sim->scene.spacing, distance, p))
+        return layers ? SPH2D__ENCLOSED : SPH2D__NEAR_LINE;
+    if (!is_near(&obstacle->outline, sim->scene.spacing, distance, p))
         return SPH2D__FREE;
-    return layers ? SPH2D__BESIDE_LAYERS : SPH2D__BESIDE_LINE;
+    return layers ? SPH2D__NEAR_LAYERS : SPH2D__NEAR_LINE;
 }
 
-sph2d__taken sph2d__sim_taken(const sph2d_sim *sim, sph2d_vec2 p, double part)
+sph2d__occupancy sph2d__sim_occupancy(const sph2d_sim *sim, sph2d_vec2 p, double factor)
 {
     const sph2d_scene *scene = &sim->scene;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     int across = period->length_x > 0, along = period->length_y > 0;
-    sph2d__taken taken = SPH2D__FREE;
+    sph2d__occupancy occupancy = SPH2D__FREE;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         for (int image_x = -across; image_x <= across; ++image_x)
             for (int image_y = -along; image_y <= along; ++image_y) {
                 sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
-                sph2d__taken now = taken_by(sim, &scene->obstacles[i], part, image);
-                taken = now > taken ? now : taken;
+                sph2d__occupancy other = occupancy_by(sim, &scene->obstacles[i], factor, image);
+                occupancy = other > occupancy ? other : occupancy;
             }
-    return taken;
+    return occupancy;
 }

@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/** @file packing_descent.c
- *  The descent of packed places to where no gradient of concentration is left, with the neighbours that it goes by. */
+/** @file packing_relax.c
+ *  Gradient descent with momentum of packed particles to a vanishing concentration gradient, and its neighbour
+ *  lists. */
 #include <math.h>
 #include <string.h>
 
-#include "start/packer.h"
+#include "start/packing_state.h"
 
-/* The descent: length of a step for a gradient of 1 over the spacing, the part of the last step that goes on, both in
- * spacings; the farthest step; and when it is done. */
-static const double RATE = 0.5, INERTIA = 0.9, FARTHEST = 0.1, DONE = 3e-4;
-enum { MOST_ROUNDS = 400 };
+/* Step for a gradient of 1/dx [dx]; momentum, the fraction of the last step that is kept; longest step [dx]; gradient
+ * at convergence [1/dx]. */
+static const double RATE = 0.5, MOMENTUM = 0.9, MAX_STEP = 0.1, TOLERANCE = 3e-4;
+enum { MAX_ITERATIONS = 400 };
 
 /* ---- neighbours -------------------------------------------------------------------------------------------------- */
 
-/** The bucket of a number of cells from the first. */
-static size_t bucket_of(const sph2d__packer *p, double cells, size_t n)
+/** The row or column of the bucket at a distance of so many cells from the first. */
+static size_t bucket_of(const sph2d__packing_state *p, double cells, size_t n)
 {
     return (size_t)fmin(fmax(floor(cells * p->size / p->bucket), 0), (double)n - 1);
 }
 
-/** Sorts the places into buckets, in their order. */
-static void fill_buckets(sph2d__packer *p)
+/** Sorts the particles into buckets, keeping their order. */
+static void fill_buckets(sph2d__packing_state *p)
 {
     size_t buckets = p->bx * p->by;
     memset(p->start, 0, (buckets + 1) * sizeof *p->start);
@@ -40,22 +41,22 @@ static void fill_buckets(sph2d__packer *p)
     p->start[0] = 0;
 }
 
-static bool add_partner(sph2d__packer *p, size_t used, uint32_t j)
+static bool add_neighbour(sph2d__packing_state *p, size_t used, uint32_t j)
 {
-    if (used == p->partner_capacity) {
-        void *block = p->partner;
-        size_t grown = 2 * p->partner_capacity + 64 * p->movers;
-        if (!sph2d__resize(&p->sim->memory, &block, p->partner_capacity, grown, sizeof *p->partner))
+    if (used == p->neighbour_capacity) {
+        void *block = p->neighbour;
+        size_t grown = 2 * p->neighbour_capacity + 64 * p->movers;
+        if (!sph2d__resize(&p->sim->memory, &block, p->neighbour_capacity, grown, sizeof *p->neighbour))
             return false;
-        p->partner = block;
-        p->partner_capacity = grown;
+        p->neighbour = block;
+        p->neighbour_capacity = grown;
     }
-    p->partner[used] = j;
+    p->neighbour[used] = j;
     return true;
 }
 
-/** Finds the neighbours of each mover; false when memory is short. */
-static bool find_partners(sph2d__packer *p)
+/** Builds the neighbour lists of the movers; false when memory is short. */
+static bool find_neighbours(sph2d__packing_state *p)
 {
     size_t used = 0;
     fill_buckets(p);
@@ -72,7 +73,7 @@ static bool find_partners(sph2d__packer *p)
                 uint32_t j = p->order[k];
                 if (j == i || hypot(p->at[i].x - p->at[j].x, p->at[i].y - p->at[j].y) > p->bucket)
                     continue;
-                if (!add_partner(p, used++, j))
+                if (!add_neighbour(p, used++, j))
                     return false;
             }
         }
@@ -81,11 +82,11 @@ static bool find_partners(sph2d__packer *p)
     return true;
 }
 
-static bool partners_are_old(const sph2d__packer *p)
+static bool neighbours_are_stale(const sph2d__packing_state *p)
 {
     for (size_t m = 0; m < p->movers; ++m) {
         size_t i = p->mover[m];
-        if (hypot(p->at[i].x - p->old[i].x, p->at[i].y - p->old[i].y) > SPH2D__PACKER_SKIN / 2 * p->size)
+        if (hypot(p->at[i].x - p->old[i].x, p->at[i].y - p->old[i].y) > SPH2D__PACKING_SKIN / 2 * p->size)
             return true;
     }
     return false;
@@ -93,27 +94,26 @@ static bool partners_are_old(const sph2d__packer *p)
 
 /* ---- the descent ------------------------------------------------------------------------------------------------- */
 
-/** The gradient at each mover. Returns the largest, times the spacing. */
-static double take_gradients(sph2d__packer *p)
+/** Evaluates the gradient at each mover. Returns the largest one times the spacing. */
+static double evaluate_gradients(sph2d__packing_state *p)
 {
     double largest = 0;
     for (size_t m = 0; m < p->movers; ++m) {
         size_t i = p->mover[m];
         sph2d_vec2 sum = {0, 0};
         for (uint32_t k = p->first[m]; k < p->first[m + 1]; ++k) {
-            sph2d_vec2 other = p->at[p->partner[k]];
-            sph2d__packer_add_area(p, p->at[i].x - other.x, p->at[i].y - other.y, 1, &sum);
+            sph2d_vec2 other = p->at[p->neighbour[k]];
+            sph2d__packing_add_area(p, p->at[i].x - other.x, p->at[i].y - other.y, 1, &sum);
         }
-        sph2d__packer_add_walls(p, p->at[i], &sum);
-        sph2d__packer_add_missing(p, p->at[i], &sum);
+        sph2d__packing_add_walls(p, p->at[i], &sum);
+        sph2d__packing_add_missing(p, p->at[i], &sum);
         p->gradient[i] = sum;
         largest = fmax(largest, hypot(sum.x, sum.y) * p->size);
     }
     return largest;
 }
 
-/** Distance to the nearest side of the domain that is a wall of springs; they push what is nearer than half a spacing.
- */
+/** Distance to the nearest side of the domain with a spring wall, which repels particles within half a spacing. */
 static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
 {
     const sph2d_boundary b = sim->scene.boundary;
@@ -127,48 +127,48 @@ static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
     return fmin(fmin(left, right), fmin(bottom, top));
 }
 
-/** Whether a place may be taken: in the area, on its side of every wall, not into springs. */
-static bool may_go(const sph2d__packer *p, sph2d_vec2 from, sph2d_vec2 to)
+/** Whether a particle may move: within the area, not across a wall, not into the range of spring walls. */
+static bool may_move(const sph2d__packing_state *p, sph2d_vec2 from, sph2d_vec2 to)
 {
-    double apart = distance_to_springs(p->sim, to);
-    if (apart < p->size / 2 && apart < distance_to_springs(p->sim, from))
+    double distance = distance_to_springs(p->sim, to);
+    if (distance < p->size / 2 && distance < distance_to_springs(p->sim, from))
         return false;
-    if (p->near_edge[sph2d__packer_cell(p, to)] && !sph2d__region_contains(p->region, to))
+    if (p->near_edge[sph2d__packing_cell(p, to)] && !sph2d__region_contains(p->region, to))
         return false;
     return !sph2d__sim_crosses_wall(p->sim, from, to);
 }
 
-/** Moves all down their gradients. Inertia is lost where it leads up. */
-static void descend(sph2d__packer *p)
+/** Makes one step of the descent. Momentum is dropped when it leads uphill. */
+static void descend(sph2d__packing_state *p)
 {
     double downhill = 0;
     for (size_t m = 0; m < p->movers; ++m) {
         size_t i = p->mover[m];
         downhill -= p->velocity[i].x * p->gradient[i].x + p->velocity[i].y * p->gradient[i].y;
     }
-    double keep = downhill < 0 ? 0 : INERTIA;
+    double momentum = downhill < 0 ? 0 : MOMENTUM;
     for (size_t m = 0; m < p->movers; ++m) {
         size_t i = p->mover[m];
-        double x = keep * p->velocity[i].x - RATE * p->size * p->size * p->gradient[i].x;
-        double y = keep * p->velocity[i].y - RATE * p->size * p->size * p->gradient[i].y;
-        double shorten = fmin(FARTHEST * p->size / fmax(hypot(x, y), 1e-300), 1);
+        double x = momentum * p->velocity[i].x - RATE * p->size * p->size * p->gradient[i].x;
+        double y = momentum * p->velocity[i].y - RATE * p->size * p->size * p->gradient[i].y;
+        double shorten = fmin(MAX_STEP * p->size / fmax(hypot(x, y), 1e-300), 1);
         sph2d_vec2 to = {p->at[i].x + shorten * x, p->at[i].y + shorten * y};
-        bool goes = may_go(p, p->at[i], to);
-        p->velocity[i] = goes ? (sph2d_vec2){shorten * x, shorten * y} : (sph2d_vec2){0, 0};
-        p->at[i] = goes ? to : p->at[i];
+        bool moves = may_move(p, p->at[i], to);
+        p->velocity[i] = moves ? (sph2d_vec2){shorten * x, shorten * y} : (sph2d_vec2){0, 0};
+        p->at[i] = moves ? to : p->at[i];
     }
 }
 
-bool sph2d__packer_relax(sph2d__packer *p, double *residual)
+bool sph2d__packing_relax(sph2d__packing_state *p, double *residual)
 {
     *residual = 0;
     if (p->movers == 0)
         return true;
-    for (int round = 0; round < MOST_ROUNDS; ++round) {
-        if ((round == 0 || partners_are_old(p)) && !find_partners(p))
+    for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
+        if ((iteration == 0 || neighbours_are_stale(p)) && !find_neighbours(p))
             return false;
-        *residual = take_gradients(p);
-        if (*residual < DONE)
+        *residual = evaluate_gradients(p);
+        if (*residual < TOLERANCE)
             break;
         descend(p);
     }
