@@ -35,6 +35,7 @@
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
     X(projection)                                                                                                      \
+    X(reported_pressure)                                                                                               \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

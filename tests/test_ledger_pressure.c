@@ -156,7 +156,7 @@ START_TEST(pressure_holds_elastic_energy)
         sim->record.steps = 1;
         for (size_t i = 0; i < f->count; ++i) {
             f->density[i] = 1050;
-            f->pressure[i] = 1000 * c2 * held[k];
+            f->acting_pressure[i] = 1000 * c2 * held[k];
         }
         double e = fmin(held[k], 0.05) - unknown, want = mass * c2 * e * e / 2;
         ck_assert_double_eq_tol(sph2d_sim_summary(sim).elastic, want, 1e-9 * want);

@@ -171,7 +171,7 @@ static sph2d__system *passing(sph2d_isa isa)
     for (size_t i = 0; i < s->fluid.count; ++i) {
         s->fluid.vx[i] = test_random(&random, -2, 2);
         s->fluid.vy[i] = test_random(&random, -2, 2);
-        s->fluid.multiplier[i] = s->fluid.pressure[i] = s->fluid.ax[i] = s->fluid.ay[i] = 0;
+        s->fluid.multiplier[i] = s->fluid.acting_pressure[i] = s->fluid.ax[i] = s->fluid.ay[i] = 0;
         s->fluid.diagonal[i] = 1 / s->fluid.diagonal[i];
     }
     return s;
@@ -236,7 +236,7 @@ START_TEST(corrections_push_like_multipliers)
     sph2d__stragglers_correct(s, 0.05, 0);
     for (size_t i = 0; i < f->count; ++i) {
         ck_assert_double_ge(f->multiplier[i], 0);
-        ck_assert_double_le(f->pressure[i], 0); /* none is raised above the largest */
+        ck_assert_double_le(f->acting_pressure[i], 0); /* none is raised above the largest */
         f->direction[i] = sph2d__splat(f->multiplier[i]);
         most = fmax(most, hypot(f->ax[i], f->ay[i]));
         x += f->ax[i];
@@ -260,11 +260,11 @@ START_TEST(corrections_raise_pressures)
     sph2d__system *s = passing(SPH2D_ISA_AUTO);
     sph2d__store *f = &s->fluid;
     const double share = s->moment * RHO0 / (s->step * s->step);
-    f->pressure[0] = 1e12;
+    f->acting_pressure[0] = 1e12;
     sph2d__stragglers_correct(s, 0.05, 0);
     double most = 0;
     for (size_t i = 1; i < f->count; ++i) {
-        ck_assert_double_eq_tol(f->pressure[i], share * f->multiplier[i], 1e-9 * share);
+        ck_assert_double_eq_tol(f->acting_pressure[i], share * f->multiplier[i], 1e-9 * share);
         most = fmax(most, f->multiplier[i]);
     }
     ck_assert_double_gt(most, 1e-6);
@@ -283,7 +283,7 @@ START_TEST(walls_that_come_push_stragglers)
     sph2d__store *f = &s->fluid, *w = &s->walls;
     s->step = 1e-3;
     for (size_t i = 0; i < f->count; ++i) {
-        f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = f->multiplier[i] = f->pressure[i] = 0;
+        f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = f->multiplier[i] = f->acting_pressure[i] = 0;
         f->diagonal[i] = 1 / f->diagonal[i];
     }
     for (size_t b = 0; b < w->count; ++b)

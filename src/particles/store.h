@@ -24,7 +24,7 @@ enum { SPH2D__PADDING = 16 };
     X(old_ax) /* acceleration of the previous step, while a step needs both */                                             \
     X(old_ay)                                                                                                              \
     X(density)      /* [kg/m^3] */                                                                                         \
-    X(pressure)     /* [Pa] */                                                                                             \
+    X(pressure)     /* that is reported [Pa]; by which pairs act, too, where acting_pressure is missing */                 \
     X(volume)       /* mass over density [m^2] */                                                                          \
     X(mass)         /* of a boundary particle [kg/m]; 0 if it only reflects. All fluid particles have one mass */          \
     X(bounce)       /* restitution of a boundary particle that reflects; negative: it exerts pressure */                   \
@@ -56,10 +56,10 @@ enum { SPH2D__PADDING = 16 };
     X(surface_distance) /* distance to the nearest particle of the free surface, at most the support radius [m] */         \
     X(density_grad_x)   /* gradient of density [kg/m^4] */                                                                 \
     X(density_grad_y)                                                                                                      \
-    X(excess)        /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3] */           \
-    X(push)          /* D' times the pressures or the search direction: two floats, lanes.h */                             \
-    X(pair_pressure) /* that acts in pairs of particles [Pa] */                                                            \
-    X(next_x)        /* position predicted by a pressure solver */                                                         \
+    X(excess)          /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3] */         \
+    X(push)            /* D' times the pressures or the search direction: two floats, lanes.h */                           \
+    X(acting_pressure) /* by which pairs act, where another one is reported [Pa]: muller.h, projection.h */                \
+    X(next_x)          /* position predicted by a pressure solver */                                                       \
     X(next_y)                                                                                                              \
     X(filled)       /* density over rest density at a boundary particle from liquid that fills all in front of it */       \
     X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                             \

@@ -67,6 +67,12 @@ static const row rows[] = {
      0},
     {"Accelerations", "acceleration", {1, 0, -2}, F64_2(ax, ay), FLUID, 0},
     /* Values that time schemes carry from step to step. */
+    {"ActingPressures",
+     "pressure by which particles act on each other, before it is averaged to be reported",
+     {-1, 1, -2},
+     F64_1(acting_pressure),
+     FLUID | WALL,
+     SPH2D__BIT(acting_pressure)},
     {"SurfaceDistances",
      "distance to the free surface during the last step, at most H",
      {1, 0, 0},
@@ -106,7 +112,7 @@ static const row rows[] = {
 };
 
 enum { ROWS = sizeof rows / sizeof rows[0] };
-_Static_assert(ROWS + 4 <= SPH2D__FIELDS_OF_STATE, "all fields of the fluid, and four of the walls");
+_Static_assert(ROWS + 5 <= SPH2D__FIELDS_OF_STATE, "all fields of the fluid, and five of the walls");
 
 size_t sph2d_field_count(sph2d_group group)
 {

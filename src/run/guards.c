@@ -39,6 +39,7 @@ static void add_extremes(void *with, size_t first, size_t last)
 {
     search *s = with;
     const sph2d__store *f = &s->sim->system.fluid;
+    const double *acting = f->acting_pressure ? f->acting_pressure : f->pressure;
     const sph2d_box box = s->box;
     double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
     size_t not_finite = SIZE_MAX, escaped = SIZE_MAX, implausible = SIZE_MAX;
@@ -49,7 +50,7 @@ static void add_extremes(void *with, size_t first, size_t last)
         speed2 = v2 > speed2 ? v2 : speed2;
         acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
         density = f->density[i] > density ? f->density[i] : density;
-        pressure = f->pressure[i] > pressure ? f->pressure[i] : pressure;
+        pressure = acting[i] > pressure ? acting[i] : pressure;
         if (!isfinite(v2 + a2 + x + y) && i < not_finite)
             not_finite = i;
         if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)

@@ -105,7 +105,7 @@ static void set_pressures(void *system, size_t first, size_t last)
     sph2d__store *fluid = &s->fluid;
     for (size_t i = first; i < last; ++i) {
         fluid->pressure[i] = pressure_of(s, fluid->density[i]);
-        fluid->pair_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];
+        fluid->acting_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];
         fluid->volume[i] = s->mass / fluid->density[i];
     }
 }
@@ -154,7 +154,7 @@ const sph2d__method sph2d__muller = {
     .name = "muller",
     .step = sph2d__leapfrog,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) |
-             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(pair_pressure) | SPH2D__BIT(volume),
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(volume),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) |
              SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume),

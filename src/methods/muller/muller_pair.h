@@ -60,7 +60,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, const group_state
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
     sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
     sph2d__lanes wv = w * from->volume[j];
-    sph2d__lanes press = wv * w * (own->pressure + from->pair_pressure[j]) / r;
+    sph2d__lanes press = wv * w * (own->pressure + from->acting_pressure[j]) / r;
     sums->press_x += press * dx;
     sums->press_y += press * dy;
     sph2d__drag_add(&sums->drag, wv, from->vx[j] - own->vx, from->vy[j] - own->vy);

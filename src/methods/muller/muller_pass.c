@@ -66,7 +66,7 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *
     force_sums sums = {{0}, {0}, {{0}, {0}}};
     group_state own = {.vx = sph2d__lanes_load(fluid->vx + g->first),
                        .vy = sph2d__lanes_load(fluid->vy + g->first),
-                       .pressure = sph2d__lanes_load(fluid->pair_pressure + g->first)};
+                       .pressure = sph2d__lanes_load(fluid->acting_pressure + g->first)};
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, ranges, s->support);
     while (sph2d__sift(&sieve, g, ranges, from->x, from->y)) {

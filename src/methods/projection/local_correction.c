@@ -92,7 +92,8 @@ static void push(sph2d__system *s, const correction *c, const row *r, size_t i, 
     }
     move(s, c, i, x, y);
     f->multiplier[i] += more;
-    f->pressure[i] = fmin(f->pressure[i] + c->pressure * more, fmax(f->pressure[i], c->max_pressure));
+    f->acting_pressure[i] =
+        fmin(f->acting_pressure[i] + c->pressure * more, fmax(f->acting_pressure[i], c->max_pressure));
 }
 
 /** Looks at the particles that want it. True when none was corrected. */
@@ -120,7 +121,7 @@ static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     double dt = s->step;
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        sum->most = f->pressure[i] > sum->most ? f->pressure[i] : sum->most;
+        sum->most = f->acting_pressure[i] > sum->most ? f->acting_pressure[i] : sum->most;
         f->next_x[i] = f->x[i] + dt * (f->vx[i] + dt * f->ax[i]);
         f->next_y[i] = f->y[i] + dt * (f->vy[i] + dt * f->ay[i]);
     }

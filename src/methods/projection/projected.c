@@ -145,6 +145,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_SOLVE);
     sph2d__over_fluid(&sim->system, keep_slab, NULL);
     sim->method->project(&sim->system);
+    sph2d__projection_average(&sim->system);
     split(sim, dt);
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_MOVE);
     sim->record.iterations += sim->system.iterations;

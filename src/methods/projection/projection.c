@@ -135,7 +135,8 @@ static void begin_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     sph2d__store *t = slab->rows;
     (void)sum;
     for (size_t i = slab->first; i < slab->last; ++i)
-        t->direction[i] = sph2d__splat(t->multiplier[i] = t->pressure[i] > 0 ? factor * t->pressure[i] : 0);
+        t->direction[i] =
+            sph2d__splat(t->multiplier[i] = t->acting_pressure[i] > 0 ? factor * t->acting_pressure[i] : 0);
 }
 
 void sph2d__projection_begin(sph2d__system *s, double part)
@@ -151,8 +152,15 @@ static void end_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
     (void)sum;
     for (size_t i = slab->first; i < slab->last; ++i) {
         t->multiplier[i] = t->multiplier[i] > 0 ? t->multiplier[i] : 0;
-        t->pressure[i] = factor * t->multiplier[i];
+        t->acting_pressure[i] = t->pressure[i] = factor * t->multiplier[i];
     }
+}
+
+static void average_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    (void)sum;
+    sph2d__projection_passes_find(s->isa)->average(s, slab->first, slab->last);
 }
 
 void sph2d__projection_end(sph2d__system *s)
@@ -162,13 +170,21 @@ void sph2d__projection_end(sph2d__system *s)
     sph2d__over_fluid(s, press_slab, &share);
 }
 
+void sph2d__projection_average(sph2d__system *s)
+{
+    if (s->fluid.capacity > 0) /* of the particle that shorter lists end with */
+        s->fluid.acting_pressure[s->fluid.count] = 0;
+    sph2d__over_fluid(s, average_slab, NULL);
+}
+
 sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     double h2 = s->support * s->support, q = hypot(dx, dy) / s->support;
     double weight = s->calibration * s->walls.mass[b] / s->rest_density;
     double g =
         weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) * sph2d__kernel_slope_at(s->method.kernel, q);
-    double press = s->mass / (s->moment * s->rest_density) * (s->fluid.pressure[i] + s->walls.pressure[b]);
+    double press =
+        s->mass / (s->moment * s->rest_density) * (s->fluid.acting_pressure[i] + s->walls.acting_pressure[b]);
     return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
 }
 
@@ -177,7 +193,7 @@ double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
     double c2 = s->sound_speed * s->sound_speed, held = s->fluid.density[i] / s->rest_density - 1;
     double unknown = sph2d__method_row_of(&s->method)->free_compression ? s->method.max_compression : 0;
     if (pressed)
-        held = fmin(held, s->fluid.pressure[i] / (s->rest_density * c2));
+        held = fmin(held, s->fluid.acting_pressure[i] / (s->rest_density * c2));
     return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;
 }
 

@@ -93,6 +93,44 @@ SPH2D__INLINE sph2d__float2 apply_pair(sph2d__float2 own, sph2d__float2 other, s
     return (own - other) * gradient;
 }
 
+/* ---- reported pressure ------------------------------------------------------------------------------------------- */
+
+/** Sums of a linear least-squares fit around the particles of a slice: w = 1 - q, distances in units of H, pressures
+ *  from the particle's own. */
+typedef struct mean_sums {
+    sph2d__lanes weight, x, y, xx, xy, yy;
+    sph2d__lanes p, px, py;
+} mean_sums;
+
+/** Adds neighbours at (dx, dy) from the particles, in units of H, whose pressure is `dp` above theirs. */
+SPH2D__INLINE void mean_pair(mean_sums *sum, sph2d__lanes dx, sph2d__lanes dy, sph2d__lanes dp)
+{
+    sph2d__lanes w = sph2d__above_zero(1 - sph2d__lanes_sqrt(dx * dx + dy * dy));
+    sph2d__lanes wx = w * dx, wy = w * dy;
+    sum->weight += w;
+    sum->x += wx;
+    sum->y += wy;
+    sum->xx += wx * dx;
+    sum->xy += wx * dy;
+    sum->yy += wy * dy;
+    sum->p += w * dp;
+    sum->px += wx * dp;
+    sum->py += wy * dp;
+}
+
+/** What the fit's value at the particle in lane l is above its own pressure; of the plain mean where the neighbours are
+ *  on a line. */
+SPH2D__INLINE double finish_mean(const mean_sums *sum, int l)
+{
+    const double min_condition = 0.01; /* det/tr^2 is 0.25 inside and 0.1 at a flat surface */
+    double weight = 1 + sum->weight[l], x = sum->x[l], y = sum->y[l], p = sum->p[l];
+    double xx = sum->xx[l], xy = sum->xy[l], yy = sum->yy[l], det = xx * yy - xy * xy;
+    if (!(det > min_condition * (xx + yy) * (xx + yy)))
+        return p / weight;
+    double ux = (yy * x - xy * y) / det, uy = (xx * y - xy * x) / det;
+    return (p - ux * (double)sum->px[l] - uy * (double)sum->py[l]) / (weight - ux * x - uy * y);
+}
+
 /* ---- density at the end of a step -------------------------------------------------------------------------------- */
 
 /** f(q) for particles that will be at (x, y), and at (jx, jy). */

@@ -89,6 +89,39 @@ static void press(sph2d__system *s, double share, size_t first, size_t last)
     }
 }
 
+/* ---- reported pressure ------------------------------------------------------------------------------------------- */
+
+static void average(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__period *period = &s->fluid_cells.period;
+    const sph2d__store *w = &s->walls;
+    sph2d__store *f = &s->fluid;
+    const double unit = 1 / s->support;
+    FOR_SLICES (first, last, i) {
+        ends at = ends_of(n, i);
+        mean_sums sum = {0};
+        sph2d__lanes x = sph2d__lanes_load(f->x + i), y = sph2d__lanes_load(f->y + i);
+        sph2d__lanes p = sph2d__lanes_load(f->acting_pressure + i);
+        for (size_t k = at.begin; k < at.fluid; k += SPH2D__LANES) {
+            const uint32_t *j = n->index + k;
+            sph2d__lanes dx = sph2d__shortest(sph2d__lanes_gather(f->x, j) - x, period->length_x) * unit;
+            sph2d__lanes dy = sph2d__shortest(sph2d__lanes_gather(f->y, j) - y, period->length_y) * unit;
+            mean_pair(&sum, dx, dy, sph2d__lanes_gather(f->acting_pressure, j) - p);
+        }
+        for (size_t k = at.fluid; k < at.walls; k += SPH2D__LANES) {
+            const uint32_t *b = n->index + k;
+            sph2d__lanes dx = sph2d__shortest(sph2d__lanes_gather(w->x, b) - x, period->length_x) * unit;
+            sph2d__lanes dy = sph2d__shortest(sph2d__lanes_gather(w->y, b) - y, period->length_y) * unit;
+            sph2d__lanes pb = sph2d__lanes_gather(w->acting_pressure, b), none = {0};
+            dx += sph2d__lanes_below(pb, 1e-300, none + 2, none); /* a dry one is too far */
+            mean_pair(&sum, dx, dy, pb - p);
+        }
+        for (int l = 0; l < SPH2D__LANES && i + (size_t)l < f->count; ++l)
+            f->pressure[i + (size_t)l] = fmax(p[l] + finish_mean(&sum, l), 0);
+    }
+}
+
 /* ---- collecting -------------------------------------------------------------------------------------------------- */
 
 /** D over the pairs with fluid particles from `first` to `end`, of particles that move by u. */
@@ -205,6 +238,7 @@ const sph2d__projection_passes SPH2D__OF_ISA(sph2d__projection_passes) = {
     .remaining_motion = remaining_motion,
     .move = move,
     .press = press,
+    .average = average,
     .apply_fluid = apply_fluid,
     .apply_walls = apply_walls,
     .predict_fluid = {SPH2D_KERNEL_MAP(FLUID_ENTRY)},
