@@ -20,7 +20,7 @@ START_TEST(sharing_keeps_weight_and_centre)
     for (int i = 0; i < 200; ++i) {
         sph2d__lumps_reset(&lumps, COLUMNS, ROWS, texel);
         const float pixel[2] = {(float)test_random(&seed, 4.6, 58.4), (float)test_random(&seed, 4.6, 40.4)};
-        ck_assert(sph2d__lumps_take(&lumps, pixel));
+        ck_assert(sph2d__lumps_add(&lumps, pixel));
         double weight = 0.0, x = 0.0, y = 0.0;
         for (int k = 0; k < COLUMNS * ROWS; ++k) {
             const double node_x = (k % COLUMNS + 0.5) * texel, node_y = (k / COLUMNS + 0.5) * texel;
@@ -46,7 +46,7 @@ START_TEST(beside_the_grid_nothing_is_taken)
     ck_assert_int_eq(sph2d__lumps_create(&lumps, 7, 5, NULL), SPH2D_OK);
     sph2d__lumps_reset(&lumps, 7, 5, 9.0);
     for (size_t i = 0; i < sizeof beside / sizeof *beside; ++i)
-        ck_assert(!sph2d__lumps_take(&lumps, beside[i]));
+        ck_assert(!sph2d__lumps_add(&lumps, beside[i]));
     for (int k = 0; k < 7 * 5; ++k)
         ck_assert_float_eq(lumps.weights[k], 0.0F);
     sph2d__lumps_destroy(&lumps);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file canvas.c
- *  A font of strokes: every glyph is a few polylines on a small grid, drawn as lines with round ends and soft edges, so
+ *  A stroke font: every glyph is a few polylines on a small grid, drawn as lines with round ends and smooth edges, so
  *  that one table serves every size. */
 #include "render/canvas.h"
 
@@ -9,8 +9,8 @@
 #include <stddef.h>
 #include <string.h>
 
-/* For each character from '!' to '~' its strokes, separated by spaces; a point is two digits, x from 0 to 4 and y from
- * 0 to 9 with the baseline at 2, small letters to 6, capitals to 8. */
+/* The strokes of each character from '!' to '~', separated by spaces; a point is two digits, x from 0 to 4 and y from
+ * 0 to 9, with the baseline at 2, the x-height at 6 and the cap height at 8. */
 static const char *const glyphs[] = {
     "0804 0202",                        /* ! */
     "0806 1816",                        /* " */
@@ -119,7 +119,7 @@ static const char *glyph_of(char character)
     return index < sizeof glyphs / sizeof glyphs[0] ? glyphs[index] : unknown_glyph;
 }
 
-/* How far to the right a glyph reaches, grid units. */
+/* Width of a glyph, grid units. */
 static int glyph_width(const char *glyph)
 {
     int widest = 0;

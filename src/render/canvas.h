@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file canvas.h
- *  Text and boxes on finished pixels, drawn by the processor: a legend is small, and it looks the same everywhere. */
+ *  Text and boxes on rendered pixels, drawn by the CPU: a legend is small, and so it is identical on all drivers. */
 #ifndef SPH2D_RENDER_CANVAS_H
 #define SPH2D_RENDER_CANVAS_H
 
@@ -14,14 +14,14 @@ typedef struct sph2d__ink {
     double opacity; /**< 0 to 1 */
 } sph2d__ink;
 
-/** Fills a rectangle; what lies outside the canvas is cut off. */
+/** Fills a rectangle, clipped to the canvas. */
 void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink);
 
 /** Writes ASCII text (other characters become boxes) with its baseline's left end at (x, y) [px]; `unit` is a sixth of
  *  the height of a capital letter [px]. */
 void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text, sph2d__ink ink);
 
-/** How wide a text would be [px]. */
+/** Width of a text [px]. */
 double sph2d__canvas_text_width(double unit, const char *text);
 
 #endif

@@ -11,9 +11,9 @@
 
 #include "render/colormap.h"
 
-enum { TICKS_WANTED = 5, TICKS_MAX = 16, DIGITS_SIZE = 24, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
+enum { TICKS_TARGET = 5, TICKS_MAX = 16, DIGITS_SIZE = 24, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
 
-/* Numbers closer to each other than this fraction of their size are equal as far as a legend goes. */
+/* Relative difference below which two numbers count as equal in a legend. */
 static const double resolution = 1.0e-9;
 
 void sph2d__color_range(const double *values, size_t count, double *min, double *max)
@@ -38,7 +38,7 @@ void sph2d__color_range(const double *values, size_t count, double *min, double 
     *max = high;
 }
 
-/* Digits and a power of ten to "-0.25", "1500" or "1.5e7". By hand, since printf's point depends on the locale. */
+/* Formats digits and a power of ten as "-0.25", "1500" or "1.5e7". Not by printf, whose point depends on the locale. */
 static void write_number(char *text, size_t size, long long digits, int exponent)
 {
     char all[DIGITS_SIZE];
@@ -72,7 +72,7 @@ typedef struct tick {
 /* Ticks at multiples of 1, 2 or 5 times a power of ten. */
 static int place_ticks(double min, double max, tick ticks[TICKS_MAX])
 {
-    const double raw = (max - min) / TICKS_WANTED;
+    const double raw = (max - min) / TICKS_TARGET;
     int exponent = (int)floor(log10(raw));
     const double lead = raw / pow(10.0, exponent);
     int factor = lead < 1.5 ? 1 : lead < 3.5 ? 2 : 5;
@@ -94,11 +94,11 @@ static int place_ticks(double min, double max, tick ticks[TICKS_MAX])
 /* Sizes in units, a sixth of the height of a capital letter each. */
 enum { PAD = 6, BAR = 9, TICK = 3, TITLE = 14, NUMBERS = 48 };
 
-/* Where the legend lies [px]. */
+/* Layout of the legend [px]. */
 typedef struct layout {
     double unit;
-    char title[LABEL_SIZE]; /* as much of the label as there is room for */
-    int width;              /* of the columns that it has to itself; 0: no room */
+    char title[LABEL_SIZE]; /* the label, truncated to fit */
+    int width;              /* of the columns reserved for it; 0: it does not fit */
     int bar_x, bar_y, bar_width, bar_height;
 } layout;
 
@@ -109,13 +109,13 @@ static layout arrange(int width, int height, const char *label)
     snprintf(at.title, sizeof at.title, "%s", label != NULL ? label : "");
     size_t length = strlen(at.title);
     while (length > 0 && sph2d__canvas_text_width(at.unit, at.title) > most)
-        at.title[--length] = '\0'; /* whoever named it so */
+        at.title[--length] = '\0';
     at.width = (int)ceil(fmax(numbers, sph2d__canvas_text_width(at.unit, at.title)) + pads);
     at.bar_width = (int)lrint(BAR * at.unit);
     at.bar_height = (int)lrint(0.4 * height);
     at.bar_x = width - at.width + (int)lrint(PAD * at.unit);
     at.bar_y = (int)lrint((PAD + TITLE) * at.unit);
-    const bool fits = numbers <= most && at.bar_height >= 10 * TICKS_WANTED * at.unit &&
+    const bool fits = numbers <= most && at.bar_height >= 10 * TICKS_TARGET * at.unit &&
                       at.bar_y + at.bar_height + PAD * at.unit < height;
     if (!fits)
         at.width = 0;

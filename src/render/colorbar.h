@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file colorbar.h
- *  The legend of the colours: which numbers they stand for. */
+ *  The legend: a colour bar. */
 #ifndef SPH2D_RENDER_COLORBAR_H
 #define SPH2D_RENDER_COLORBAR_H
 
@@ -11,8 +11,8 @@
 /** The smallest and largest finite value, widened where they are (nearly) equal, so that min < max. */
 void sph2d__color_range(const double *values, size_t count, double *min, double *max);
 
-/** How many columns at the right of an image the legend wants for itself [px]: the same for all numbers, so that a
- *  sequence of pictures stands still. 0 where an image has no room for one. */
+/** Width of the legend at the right of an image [px]: independent of the numbers, so that the view is the same in all
+ *  frames of a sequence. 0 where an image is too small for a legend. */
 int sph2d__colorbar_width(int width, int height, const char *label);
 
 /** Draws a bar from `min` to `max` > `min` with round numbers beside it and a label (or NULL) above into those columns.

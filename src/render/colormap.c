@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file colormap.c
- *  Viridis: equal steps of the number look like equal steps of colour, in grey and to most colour-blind eyes too. */
+ *  The colour map viridis: perceptually uniform, also in grey and with most kinds of colour blindness. */
 #include "render/colormap.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file colormap.h
- *  Colours for numbers. */
+ *  Maps numbers to colours. */
 #ifndef SPH2D_RENDER_COLORMAP_H
 #define SPH2D_RENDER_COLORMAP_H
 

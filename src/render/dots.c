@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file dots.c
- *  Triangles around particles. Point sprites would be simpler, but software renderers cap their size and drop them when
- *  their centre leaves the picture. Software renderers start anew for every instance, so a vertex has all that its
- *  particle has; and a triangle costs them as much as the pixels in it, so one around a disc is better than two. */
+ *  Draws a triangle around each particle. Point sprites would be simpler, but software renderers limit their size and
+ *  drop them when their centre leaves the image. Instancing is slow in software renderers, so each vertex repeats its
+ *  particle's attributes; and the cost is that of the pixels, so one triangle around a disc is better than a square of
+ *  two. */
 #include "render/dots.h"
 
 #include <stdlib.h>
@@ -10,15 +11,15 @@
 
 #include "render/colormap.h"
 
-/* Vertices per draw call: enough that calls cost little. Mesa's software drivers go over all vertices of a call again
- * and again; with sixteen times as many a frame of 16,000 particles takes 4 ms longer. */
-enum { PART = 768 };
-_Static_assert(PART % SPH2D__TRIANGLE == 0 && PART % SPH2D__SQUARE == 0, "a figure is cut in two");
+/* Vertices per draw call: enough to make calls cheap. Mesa's software drivers visit all vertices of a call several
+ * times; with sixteen times as many a frame of 16,000 particles takes 4 ms longer. */
+enum { BATCH = 768 };
+_Static_assert(BATCH % SPH2D__TRIANGLE == 0 && BATCH % SPH2D__SQUARE == 0, "a batch has whole figures");
 
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report)
 {
-    *dots = (sph2d__dots){.part = malloc(PART * sizeof *dots->part)};
-    if (dots->part == NULL) {
+    *dots = (sph2d__dots){.batch = malloc(BATCH * sizeof *dots->batch)};
+    if (dots->batch == NULL) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing particles");
         return SPH2D_NOMEM;
     }
@@ -48,17 +49,17 @@ void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots)
 {
     if (dots->filled == 0)
         return;
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(dots->filled * sizeof *dots->part), dots->part, GL_STREAM_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(dots->filled * sizeof *dots->batch), dots->batch, GL_STREAM_DRAW);
     gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)dots->filled);
     dots->filled = 0;
 }
 
 void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__dot *dot)
 {
-    if (dots->filled == PART)
+    if (dots->filled == BATCH)
         sph2d__dots_end(gl, dots);
     for (int i = 0; i < (int)dots->figure; ++i)
-        dots->part[dots->filled++] = *dot;
+        dots->batch[dots->filled++] = *dot;
 }
 
 void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list)
@@ -82,6 +83,6 @@ void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots)
 {
     gl->DeleteVertexArrays(1, &dots->vertex_array); /* 0 is ignored */
     gl->DeleteBuffers(1, &dots->buffer);
-    free(dots->part);
+    free(dots->batch);
     *dots = (sph2d__dots){0};
 }

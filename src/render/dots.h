@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file dots.h
- *  Draws many figures, one a particle, with the program in use: what fills one is the program's affair. */
+ *  Draws one figure per particle with the shader program in use, which determines its pixels. */
 #ifndef SPH2D_RENDER_DOTS_H
 #define SPH2D_RENDER_DOTS_H
 
@@ -11,16 +11,16 @@
 typedef struct sph2d__dot {
     float pixel[2];         /**< centre [px] */
     unsigned char color[4]; /**< red, green, blue, opacity */
-    float weight;           /**< how many particles it stands for */
+    float weight;           /**< number of particles that it represents */
 } sph2d__dot;
 
-/** What is drawn around a centre, by the number of its vertices. A program tells them apart by gl_VertexID. */
+/** The figure around a centre, by its number of vertices, which a program distinguishes by gl_VertexID. */
 typedef enum sph2d__figure { SPH2D__TRIANGLE = 3, SPH2D__SQUARE = 6 } sph2d__figure;
 
-/** The vertex array that feeds them to OpenGL, and room for a part of them: memory does not grow with the particles. */
+/** The vertex array, and a buffer for one draw call: memory does not grow with the number of particles. */
 typedef struct sph2d__dots {
     GLuint vertex_array, buffer;
-    sph2d__dot *part;
+    sph2d__dot *batch;
     size_t filled; /**< vertices */
     sph2d__figure figure;
 } sph2d__dots;
@@ -29,8 +29,8 @@ typedef struct sph2d__dots {
 typedef struct sph2d__dot_list {
     size_t count;
     const double *x, *y;    /**< [m] */
-    double reach;           /**< of what is drawn [px]: what lies farther outside the image is skipped */
-    unsigned char color[4]; /**< for all of them, where there are no values */
+    double reach;           /**< radius of the figures [px]; those entirely outside the image are skipped */
+    unsigned char color[4]; /**< of all particles, if there are no values */
     const double *values;   /**< one a particle, coloured from `value_min` to `value_max`; NULL for none */
     double value_min, value_max;
 } sph2d__dot_list;
@@ -41,12 +41,12 @@ sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_re
 /** Draws a list in its order, a triangle each, with the program, target and blending in use. */
 void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list);
 
-/** The same one by one: begin, add as often as you like, end. */
+/** The same one by one: begin, add any number, end. */
 void sph2d__dots_begin(const sph2d__gl *gl, sph2d__dots *dots, sph2d__figure figure);
 void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__dot *dot);
 void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots);
 
-/** Frees it; zeros are fine. */
+/** Frees it; it may be zeroed. */
 void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context.c
- *  Choosing among the ways to an OpenGL context. */
+ *  Choice of the backend that provides an OpenGL context. */
 #include "render/gl_context.h"
 
 #include <stdio.h>
@@ -9,12 +9,12 @@
 #include "render/gl_loader.h"
 #include "sph2d/render.h"
 
-/* A way to a context. One that this build lacks has no `open`. */
+/* A backend. `open` is NULL for one that is not in this build. */
 typedef struct backend {
     const char *name;
     sph2d__gl_opener *open;
-    const char *missing; /* what to do when this build lacks it ... */
-    const char *broken;  /* ... or when it does not work */
+    const char *missing; /* hint if it is not in this build ... */
+    const char *broken;  /* ... or if it does not work */
 } backend;
 
 #ifdef SPH2D_HAVE_OSMESA
@@ -37,7 +37,7 @@ typedef struct backend {
 #define BETWEEN ""
 #endif
 
-/* Best first. */
+/* In order of preference. */
 static const backend backends[] = {
     {"osmesa", OPEN_OSMESA, "install OSMesa (Debian: apt install libosmesa6-dev) and build sph2d again, or use egl",
      "install a Mesa whose OSMesa has OpenGL 3.3 (Debian: apt install libosmesa6), or use egl"},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context.h
- *  An OpenGL context without a window, behind four functions. Only gl_context_osmesa.c and gl_context_egl.c know
- *  what is behind it. We draw into framebuffers of our own, so a context has no size. */
+ *  An off-screen OpenGL context behind four functions, implemented by gl_context_osmesa.c and gl_context_egl.c. Frames
+ *  are drawn into framebuffer objects, so a context has no size. */
 #ifndef SPH2D_RENDER_GL_CONTEXT_H
 #define SPH2D_RENDER_GL_CONTEXT_H
 
@@ -20,7 +20,7 @@ typedef struct sph2d__gl_context {
     void (*destroy)(void *impl);
 } sph2d__gl_context;
 
-/** Opens a context of OpenGL 3.3 core or newer. Fails with a sentence in `why`. */
+/** Opens a context of OpenGL 3.3 core or newer. On failure `why` has a message. */
 typedef bool sph2d__gl_opener(sph2d__gl_context *context, char *why, size_t size);
 
 sph2d__gl_opener sph2d__gl_open_osmesa;

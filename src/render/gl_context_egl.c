@@ -15,10 +15,10 @@
 typedef struct egl {
     EGLDisplay display;
     EGLContext context;
-    bool counted; /* the display counts its users: ours may be given back */
+    bool counted; /* the display counts references: it may be terminated */
 } egl;
 
-/* A plain strstr would take one extension's name for the start of a longer one. */
+/* Compares whole words: one extension's name may be the start of another's. */
 static bool has_extension(EGLDisplay display, const char *name)
 {
     const char *list = eglQueryString(display, EGL_EXTENSIONS);
@@ -36,7 +36,7 @@ static bool has_extension(EGLDisplay display, const char *name)
 static bool make_current(void *impl)
 {
     egl *self = impl;
-    /* The API is a choice of the thread, and the program around us may have made another. */
+    /* The API is bound per thread, and the calling program may have bound another. */
     return eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
            eglMakeCurrent(self->display, EGL_NO_SURFACE, EGL_NO_SURFACE, self->context) == EGL_TRUE;
 }
@@ -57,14 +57,14 @@ static void destroy(void *impl)
     egl *self = impl;
     if (self->context != EGL_NO_CONTEXT)
         eglDestroyContext(self->display, self->context);
-    /* Every renderer of a process shares one display. Where it does not count its users, closing it would take the
-     * others' contexts with it, so it stays open until the process ends. */
+    /* All renderers of a process share one display. If it does not count references, terminating it would destroy the
+     * others' contexts, so it stays open until the process ends. */
     if (self->counted)
         eglTerminate(self->display);
     free(self);
 }
 
-/* Steps of opening; each returns NULL or what is missing. */
+/* Steps of opening; each returns NULL or an error message. */
 static const char *open_display(egl *self)
 {
     if (!has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))

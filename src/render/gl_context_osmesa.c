@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_context_osmesa.c
- *  A context from OSMesa, Mesa's software renderer as a plain library. <GL/osmesa.h> brings <GL/gl.h>, which hides
- *  types of <GL/glcorearb.h>: it must stay in this file. */
+ *  A context from OSMesa, Mesa's off-screen software renderer. <GL/osmesa.h> includes <GL/gl.h>, which conflicts with
+ *  <GL/glcorearb.h>, so it must only be included in this file. */
 #include "render/gl_context.h"
 
 #ifdef SPH2D_HAVE_OSMESA
@@ -10,18 +10,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* OSMesa insists on a picture of its own. Ours are framebuffers, so a stamp will do. */
-enum { STAMP = 4 };
+/* OSMesa requires a colour buffer, which is not used: frames are drawn into framebuffer objects. */
+enum { UNUSED_SIDE = 4 };
 
 typedef struct osmesa {
     OSMesaContext context;
-    unsigned char stamp[STAMP * STAMP * 4];
+    unsigned char unused[UNUSED_SIDE * UNUSED_SIDE * 4];
 } osmesa;
 
 static bool make_current(void *impl)
 {
     osmesa *self = impl;
-    return OSMesaMakeCurrent(self->context, self->stamp, GL_UNSIGNED_BYTE, STAMP, STAMP) == GL_TRUE;
+    return OSMesaMakeCurrent(self->context, self->unused, GL_UNSIGNED_BYTE, UNUSED_SIDE, UNUSED_SIDE) == GL_TRUE;
 }
 
 static void release(void *impl)

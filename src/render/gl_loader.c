@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_loader.c
- *  Fetching OpenGL functions, and asking OpenGL what went wrong. */
+ *  Loads OpenGL functions, and reports OpenGL errors. */
 #include "render/gl_loader.h"
 
 #include <stdio.h>
 
-/* OSMesa returns a pointer for any name at all, so a pointer proves nothing. The two functions that every OpenGL has
- * come first; only when they tell of a version that has the rest is the rest fetched. */
+/* OSMesa returns a pointer for any name, so a pointer does not show that a function exists. The version is checked
+ * first, by two functions that every OpenGL has. */
 static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size)
 {
     gl->GetIntegerv = (PFNGLGETINTEGERVPROC)context->get_proc("glGetIntegerv");
@@ -59,10 +59,10 @@ static const char *error_text(GLenum error)
     }
 }
 
-/* A lost context may report errors for ever: no loop here is endless. */
+/* A lost context may report errors endlessly, so the loop is limited. */
 enum { ERRORS_MAX = 32 };
 
-void sph2d__gl_forget_errors(const sph2d__gl *gl)
+void sph2d__gl_clear_errors(const sph2d__gl *gl)
 {
     for (int i = 0; i < ERRORS_MAX && gl->GetError() != GL_NO_ERROR; ++i)
         continue;
@@ -73,7 +73,7 @@ sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report
     const GLenum error = gl->GetError();
     if (error == GL_NO_ERROR)
         return SPH2D_OK;
-    sph2d__gl_forget_errors(gl);
+    sph2d__gl_clear_errors(gl);
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL, "OpenGL failed while %s: %s (0x%04x)", what,
                      error_text(error), (unsigned)error);
     return error == GL_OUT_OF_MEMORY ? SPH2D_NOMEM : SPH2D_RENDER;

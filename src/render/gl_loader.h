@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file gl_loader.h
- *  The OpenGL functions that we call, one line each, fetched from whatever context is in use. */
+ *  The OpenGL functions in use, one line each, loaded from the current context. */
 #ifndef SPH2D_RENDER_GL_LOADER_H
 #define SPH2D_RENDER_GL_LOADER_H
 
@@ -81,11 +81,11 @@ typedef struct sph2d__gl {
  *  Errors: SPH2D_INVALID (another name), SPH2D_RENDER. */
 sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report);
 
-/** Fills `gl` from the current context and checks that it is OpenGL 3.3 or newer. Fails with a sentence in `why`. */
+/** Fills `gl` from the current context and checks that it is OpenGL 3.3 or newer. On failure `why` has a message. */
 bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size);
 
-/** Forgets errors that OpenGL holds, so that the next sph2d__gl_check blames the right one. */
-void sph2d__gl_forget_errors(const sph2d__gl *gl);
+/** Clears OpenGL's pending errors, so that the next sph2d__gl_check reports only new ones. */
+void sph2d__gl_clear_errors(const sph2d__gl *gl);
 
 /** Reports the errors since the last call: "OpenGL failed while WHAT: ...". Errors: SPH2D_RENDER, SPH2D_NOMEM. */
 sph2d_status sph2d__gl_check(const sph2d__gl *gl, const char *what, sph2d_report *report);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lumps.c
- *  Particles shared among the nodes of a grid. */
+ *  Cloud-in-cell assignment of particles to the nodes of a grid. */
 #include "render/lumps.h"
 
 #include <stdlib.h>
@@ -24,7 +24,7 @@ void sph2d__lumps_reset(sph2d__lumps *lumps, int columns, int rows, double texel
     memset(lumps->weights, 0, (size_t)columns * (size_t)rows * sizeof *lumps->weights);
 }
 
-bool sph2d__lumps_take(sph2d__lumps *lumps, const float pixel[2])
+bool sph2d__lumps_add(sph2d__lumps *lumps, const float pixel[2])
 {
     const double x = pixel[0] / lumps->texel - 0.5, y = pixel[1] / lumps->texel - 0.5;
     if (!(x >= 0.0 && y >= 0.0 && x < lumps->columns - 1 && y < lumps->rows - 1))
@@ -59,7 +59,7 @@ void sph2d__lumps_draw(const sph2d__gl *gl, sph2d__lumps *lumps, sph2d__dots *do
     for (size_t i = 0; i < list->count; ++i) {
         sph2d__dot dot = {.weight = 1.0F};
         if (sph2d__view_place(view, list->x[i], list->y[i], list->reach, dot.pixel) &&
-            !sph2d__lumps_take(lumps, dot.pixel))
+            !sph2d__lumps_add(lumps, dot.pixel))
             sph2d__dots_add(gl, dots, &dot);
     }
     add_nodes(gl, lumps, dots);

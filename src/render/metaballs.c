@@ -1,41 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 /** @file metaballs.c
- *  Drawing metaballs. What water looks like is in the shaders; what counts as water is here.
+ *  Draws metaballs. The appearance of water is in the shaders; its extent is determined here.
  *
- *  The first pass draws every particle as a disc with its field r^4 - r^2 + 1/4 (r in units of R) and adds them up in
- *  a texture of floats, the "field". The second makes the picture of it. At a few pixels a particle the field alone
- *  knows water only from its very rim, so the first pass is drawn once more on a coarse grid, the "depth", with much
- *  wider balls, of several particles each: it rises slowly from the surface inwards, and light and colour follow it. */
+ *  The first pass draws every particle as a disc with its field r^4 - r^2 + 1/4 (r in units of R) and adds them up in a
+ *  texture of floats, the "field". The second pass shades it. With few pixels per particle the field alone varies only
+ *  in a thin rim, so the first pass is repeated on a coarse grid, the "depth", with much wider balls of several
+ *  particles each: it rises slowly from the surface inwards, and lighting and colour follow it. */
 #include "render/metaballs.h"
 
 #include <math.h>
 
 #include "render/shader.h"
 
-/* Where the summed field exceeds this there is water. A lone ball is then drawn with radius R sqrt(1/2 - sqrt T); this
- * T makes that R/(2 sqrt pi), so that at the usual R of two spacings a lone particle covers its own area, the square of
- * the spacing: sqrt T = 1/2 - 1/(4 pi). The edge of a body of water comes out where its outer particles' areas end. */
+/* There is water where the summed field exceeds T. An isolated ball is then drawn with radius R sqrt(1/2 - sqrt T);
+ * this T makes that R/(2 sqrt pi), so that with the usual R of two spacings an isolated particle covers its own area,
+ * the square of the spacing: sqrt T = 1/2 - 1/(4 pi). The edge of a body of water is where its outer particles' areas
+ * end. */
 static const double threshold = 0.17675;
 
-/* The field inside a body of water, in the mean: pi R^2 / 24 per spacing squared, at R = 2 spacings. A square lattice
+/* Mean field inside a body of water: pi R^2 / 24 per spacing squared, at R = 2 spacings. A square lattice
  * has 0.50 to 0.56. */
 static const double field_inside = 0.5236;
 
 /* Smaller balls would fall between the pixels. */
 static const double smallest_radius = 3.6; /* [px] */
 
-/* The depth: balls this many times wider, on a grid of squares of a fraction of their radius. */
+/* The depth: balls wider by this factor, on a grid of squares that are a fraction of their radius. */
 static const double depth_ratio = 9.0, texels_per_radius = 6.0;
 static const double finest_texel = 4.0; /* [px] */
 enum { MARGIN = 2 };                    /* texels around the image, to interpolate with at its edge */
 
-/* How many squares of `texel` pixels cover so many pixels. */
+/* Number of squares of `texel` pixels that cover a length. */
 static GLsizei texels(double pixels, double texel)
 {
     return (GLsizei)ceil(pixels / texel);
 }
 
-/* The same for the depth at its finest; its margins may need one more where sizes are rounded. */
+/* The same for the finest grid of the depth; its margins may need one more by rounding. */
 static GLsizei depth_texels(GLsizei pixels)
 {
     return texels(pixels, finest_texel) + 2 * MARGIN + 1;
@@ -62,8 +63,7 @@ sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *ball
     return status;
 }
 
-/* First pass: what is drawn now are fields of balls of a radius [px], to be added up on a grid of squares of `texel`
- * pixels. */
+/* First pass: prepares to add up the fields of balls of a radius [px] on a grid of squares of `texel` pixels. */
 static void begin_adding(const sph2d__gl *gl, GLuint program, const sph2d__target *target, GLsizei columns,
                          GLsizei rows, double radius, double texel)
 {
@@ -79,7 +79,7 @@ static void begin_adding(const sph2d__gl *gl, GLuint program, const sph2d__targe
     sph2d__program_set_float(gl, program, "radius", radius);
 }
 
-/* The depth, of balls of a radius [px], on a grid of squares of `texel` pixels. */
+/* Draws the depth by balls of a radius [px] on a grid of squares of `texel` pixels. */
 static void add_depth(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__view *view,
                       const sph2d__dot_list *list, double radius, double texel)
 {
@@ -96,7 +96,7 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
 {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
     gl->UseProgram(program);
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, balls->depth.texture);
@@ -112,7 +112,7 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
     sph2d__program_set_float(gl, program, "margin", MARGIN);
     sph2d__program_set_float(gl, program, "depth_inside", field_inside * depth_ratio * depth_ratio);
     sph2d__tiles_draw(gl, &balls->tiles, dots);
-    gl->BindTexture(GL_TEXTURE_2D, 0); /* the next picture draws into them */
+    gl->BindTexture(GL_TEXTURE_2D, 0); /* the next frame draws into them */
     gl->ActiveTexture(GL_TEXTURE1);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->ActiveTexture(GL_TEXTURE0);
@@ -128,7 +128,7 @@ void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__
     sph2d__dots_draw(gl, dots, view, &list);
 
     const double wide = pixels * depth_ratio;
-    /* Balls larger than the image have a depth without a shape in it: the grid need not grow with them for ever. */
+    /* Balls larger than the image give a nearly uniform depth: no need for a larger grid. */
     const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
     list.reach = wide * sqrt(0.5);
     add_depth(gl, balls, dots, view, &list, wide, texel);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file metaballs.h
- *  The two passes of the metaballs: every particle's field added up, and the sum drawn as lit water. */
+ *  The two passes of the metaballs: summing the fields of all particles, and shading the sum as water. */
 #ifndef SPH2D_RENDER_METABALLS_H
 #define SPH2D_RENDER_METABALLS_H
 
@@ -11,7 +11,7 @@
 typedef struct sph2d__metaballs {
     GLuint ball_program, surface_program;
     sph2d__target field; /**< one float a pixel */
-    sph2d__target depth; /**< coarser: the field of wide balls, which tells the inside from the rim */
+    sph2d__target depth; /**< coarser: the field of wide balls, a measure of the depth below the surface */
     sph2d__lumps lumps;
     sph2d__tiles tiles;
 } sph2d__metaballs;
@@ -20,11 +20,11 @@ typedef struct sph2d__metaballs {
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
                                      GLsizei width, GLsizei height, sph2d_report *report);
 
-/** Draws a list of particles over what `target` holds. `radius` is R [m]; the list's reach is set here. */
+/** Draws a list of particles over the contents of `target`. `radius` is R [m]; the list's reach is set here. */
 void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__target *target,
                            const sph2d__view *view, sph2d__dot_list list, double radius);
 
-/** Frees it; zeros are fine. */
+/** Frees it; it may be zeroed. */
 void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file png_file.c
- *  Writing PNG with libpng, whose way of failing is longjmp: it stays inside one small function. */
+ *  Writes PNG with libpng. Its errors are longjmps, which are confined to one small function. */
 #include "render/png_file.h"
 
 #include <errno.h>
@@ -11,15 +11,15 @@
 
 #include "base/atomic_file.h"
 
-/* Measured on frames of 1280 x 720 of both styles, against every filter with levels 1 to 6: runs of equal bytes behind
- * the Paeth filter take 14 to 23 ms and 60 to 400 kB; libpng's defaults take three times as long and save nothing;
- * filter Up with level 1 is a little faster on smooth water and half as large again. */
+/* The best of all filters with levels 1 to 6 on frames of 1280 x 720 of both styles: run-length encoding after the
+ * Paeth filter takes 14 to 23 ms and 60 to 400 kB; libpng's defaults take three times as long for the same size; filter
+ * Up with level 1 is a little faster on smooth water, but files are half as large again. */
 enum { FILTER = PNG_FILTER_PAETH, STRATEGY = Z_RLE, COMPRESSION_LEVEL = 1, CHUNK_BYTES = 1 << 16 };
 
 /* libpng's default prints to stderr. */
 static void on_error(png_structp png, png_const_charp message)
 {
-    (void)message; /* writing fails for want of disk or memory: errno tells which */
+    (void)message; /* out of disk space or memory: errno has the reason */
     png_longjmp(png, 1);
 }
 
@@ -29,7 +29,7 @@ static void on_warning(png_structp png, png_const_charp message)
     (void)message;
 }
 
-/* False where libpng jumped out. Nothing here is changed after setjmp and used after the jump. */
+/* False when libpng failed. No variable is changed after setjmp and used after the jump. */
 static bool encode(png_structp png, png_infop info, FILE *file, const unsigned char *pixels, unsigned width,
                    unsigned height)
 {
@@ -50,7 +50,7 @@ static bool encode(png_structp png, png_infop info, FILE *file, const unsigned c
     return true;
 }
 
-/* Writes an open file and leaves the reason of a failure in errno. */
+/* Writes an open file; on failure errno has the reason. */
 static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, unsigned height)
 {
     errno = 0;
@@ -59,7 +59,7 @@ static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, u
     const bool written = info != NULL && encode(png, info, file, pixels, width, height);
     const int error = errno;
     png_destroy_write_struct(&png, &info);
-    errno = error != 0 ? error : ENOMEM; /* libpng's other reason */
+    errno = error != 0 ? error : ENOMEM; /* the only other reason */
     return written;
 }
 

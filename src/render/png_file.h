@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file png_file.h
- *  Pixels to a PNG file. */
+ *  Writes pixels to a PNG file. */
 #ifndef SPH2D_RENDER_PNG_FILE_H
 #define SPH2D_RENDER_PNG_FILE_H
 
 #include "sph2d/status.h"
 
-/** Writes width * height pixels of 4 bytes (the fourth is ignored), top row first, as an 8-bit RGB PNG, whole or not at
- *  all. The same pixels give the same bytes. Errors: SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
+/** Writes width * height pixels of 4 bytes (the fourth is ignored), top row first, atomically as an 8-bit RGB PNG
+ *  file. The same pixels give the same bytes. Errors: SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 sph2d_status sph2d__png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
                               sph2d_report *report);
 

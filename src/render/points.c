@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file points.c
- *  Drawing dots: fluid particles in point style, boundary particles in every style. */
+ *  Draws round dots: fluid particles in style points, boundary particles in all styles. */
 #include "render/points.h"
 
 #include <math.h>
 
 #include "render/shader.h"
 
-/* Smaller dots would fade into the background. */
+/* Smaller dots would be hard to see. */
 static const double smallest_radius = 0.7; /* [px] */
 
 void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
@@ -18,7 +18,7 @@ void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, 
     sph2d__target_bind(gl, target);
     gl->Enable(GL_BLEND);
     gl->BlendEquation(GL_FUNC_ADD);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the picture stays opaque */
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
     gl->UseProgram(program);
     sph2d__program_set_vec2(gl, program, "image_size", view->width, view->height);
     sph2d__program_set_float(gl, program, "radius", pixels);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file renderer.c
- *  The public face of rendering: checks what it is given, opens a context, draws, reads back. */
+ *  The public interface: checks its arguments, opens a context, draws, reads the pixels back. */
 #include "sph2d/render.h"
 
 #include <math.h>
@@ -54,7 +54,7 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
     if (options == NULL || options->struct_size != sizeof *options)
         return invalid(report, "render options do not come from sph2d_render_options_default()");
     if (options->style != SPH2D_STYLE_METABALLS && options->style != SPH2D_STYLE_POINTS)
-        return invalid(report, "the style of the renderer is none that exists");
+        return invalid(report, "the style of the renderer is unknown");
     if (options->width < SIDE_MIN || options->width > SIDE_MAX || options->height < SIDE_MIN ||
         options->height > SIDE_MAX) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
@@ -85,7 +85,7 @@ static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, 
 sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer, sph2d_report *report)
 {
     if (renderer == NULL)
-        return invalid(report, "no place for the renderer was given");
+        return invalid(report, "the pointer for the renderer is NULL");
     *renderer = NULL;
     sph2d_status status = check_options(options, report);
     if (status != SPH2D_OK)
@@ -137,7 +137,7 @@ void sph2d_renderer_destroy(sph2d_renderer *renderer)
 static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *report)
 {
     if (picture == NULL)
-        return invalid(report, "there is no picture to draw");
+        return invalid(report, "the picture is NULL");
     if (picture->count > 0 && (picture->x == NULL || picture->y == NULL))
         return invalid(report, "the picture has particles without positions");
     if (picture->count > 0 && !(picture->radius > 0.0 && isfinite(picture->radius)))
@@ -149,20 +149,20 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
     const bool automatic = picture->value_min == 0.0 && picture->value_max == 0.0;
     if (picture->values != NULL && !automatic &&
         !(picture->value_min < picture->value_max && isfinite(picture->value_max - picture->value_min)))
-        return invalid(report, "the ends of the picture's colour bar are not two numbers in rising order");
+        return invalid(report, "the picture's colour range is not two finite numbers in increasing order");
     return SPH2D_OK;
 }
 
-/* How a picture lies in the image, and its legend. */
+/* Position of a picture in the image, and its legend. */
 typedef struct layout {
     sph2d__view view;
     bool legend;
-    double min, max; /* ends of the colours */
+    double min, max; /* ends of the colour range */
 } layout;
 
 static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *picture, layout *out, sph2d_report *report)
 {
-    /* Before the first particle comes there may be no array yet, and the view must not jump when it does. */
+    /* Before the first particle there may be no array of values, but the view must stay the same. */
     const bool colored = picture->values != NULL || (picture->count == 0 && picture->value_label != NULL);
     *out = (layout){
         .legend = self->style == SPH2D_STYLE_POINTS && colored, .min = picture->value_min, .max = picture->value_max};
@@ -182,7 +182,7 @@ static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const float colo
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/* Paper, and a shade darker what lies beside the view. */
+/* A light background, slightly darker outside the view. */
 static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box)
 {
     static const float inside[3] = {0.965F, 0.976F, 0.984F}, outside[3] = {0.906F, 0.922F, 0.937F};
@@ -219,11 +219,11 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
                                  sph2d_report *report)
 {
     const sph2d__gl *gl = &self->gl;
-    sph2d__gl_forget_errors(gl);
+    sph2d__gl_clear_errors(gl);
     draw_background(gl, &self->target, &at->view, picture->view);
     draw_particles(self, picture, at);
     sph2d__target_bind(gl, &self->target);
-    gl->Finish(); /* or reading would draw what was put off */
+    gl->Finish(); /* so that the time of reading does not include drawing */
     const double begun = seconds();
     gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl->ReadPixels(0, 0, self->target.width, self->target.height, GL_RGBA, GL_UNSIGNED_BYTE, self->pixels);
@@ -234,7 +234,7 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
 sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report)
 {
     if (renderer == NULL)
-        return invalid(report, "there is no renderer");
+        return invalid(report, "the renderer is NULL");
     layout at;
     sph2d_status status = check_picture(picture, report);
     if (status == SPH2D_OK)
@@ -270,7 +270,7 @@ const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer)
 sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report)
 {
     if (path == NULL)
-        return invalid(report, "no path for the picture was given");
+        return invalid(report, "the path of the picture is NULL");
     if (sph2d_renderer_pixels(renderer) == NULL)
         return invalid(report, "there is no picture to write: draw one first");
     const double begun = seconds();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file shader.c
- *  Compiling and linking GLSL, and turning the compiler's log into located diagnostics. */
+ *  Compiles and links GLSL, and converts the compiler's log to diagnostics with line numbers. */
 #include "render/shader.h"
 
 #include <errno.h>
@@ -13,7 +13,7 @@
 
 enum { NAME_SIZE = 64, LOG_SIZE = 4096, SOURCE_MAX = 1 << 20 };
 
-/* One shader's text and what to call it in messages. */
+/* A shader's text, and its name in messages. */
 typedef struct source {
     char *file;
     char *text;
@@ -54,8 +54,8 @@ static sph2d_status read_built_in(const char *name, source *into, sph2d_report *
     return SPH2D_RENDER;
 }
 
-/* Reads all of an open file into into->text; errno says why it cannot. */
-static bool slurp(FILE *file, source *into)
+/* Reads an open file into into->text; on failure errno has the reason. */
+static bool read_all(FILE *file, source *into)
 {
     into->text = malloc(SOURCE_MAX + 1);
     if (into->text == NULL)
@@ -63,7 +63,7 @@ static bool slurp(FILE *file, source *into)
     errno = 0;
     const size_t length = fread(into->text, 1, SOURCE_MAX + 1, file);
     if (ferror(file))
-        return false; /* a folder, for one */
+        return false; /* for example a folder */
     if (length > SOURCE_MAX) {
         errno = EFBIG;
         return false;
@@ -81,7 +81,7 @@ static sph2d_status read_file(const char *dir, const char *name, source *into, s
     snprintf(into->file, size, "%s/%s", dir, name);
 
     FILE *file = fopen(into->file, "rb");
-    const bool read = file != NULL && slurp(file, into);
+    const bool read = file != NULL && read_all(file, into);
     const int error = errno;
     if (file != NULL)
         fclose(file);
@@ -92,12 +92,12 @@ static sph2d_status read_file(const char *dir, const char *name, source *into, s
     return SPH2D_OK;
 }
 
-/* Mesa writes "0:12(5): error: text", others "0(12) : error ..." or "ERROR: 0:12: ...": in each the line is the second
- * number, and only Mesa has a third right behind it, the column. */
+/* Mesa writes "0:12(5): error: text", others "0(12) : error ..." or "ERROR: 0:12: ...": the line is always the second
+ * number, and only Mesa has a third directly after it, the column. */
 static void locate(const char *message, int *line, int *column)
 {
     char *at = NULL;
-    strtol(message + strcspn(message, "0123456789"), &at, 10); /* which of the sources: we have one */
+    strtol(message + strcspn(message, "0123456789"), &at, 10); /* index of the source string: there is one */
     if (*at != ':' && *at != '(')
         return;
     const bool mesa = *at == ':';
@@ -117,7 +117,7 @@ static void excerpt_line(const char *text, int line, char *excerpt, size_t size)
         snprintf(excerpt, size, "%.*s", (int)strcspn(text, "\r\n"), text);
 }
 
-/* One diagnostic for each line of the log that is no warning; at least one. */
+/* Adds a diagnostic for each line of the log except warnings, and at least one. */
 static void report_log(sph2d_report *report, const source *from, const char *log)
 {
     bool any = false;

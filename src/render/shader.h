@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file shader.h
- *  From GLSL text, built in or in a folder, to a program. */
+ *  Shader programs from GLSL text, built in or in a folder. */
 #ifndef SPH2D_RENDER_SHADER_H
 #define SPH2D_RENDER_SHADER_H
 
@@ -12,7 +12,7 @@
 sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *name, GLuint *program,
                                   sph2d_report *report);
 
-/** Set a uniform of the program in use by its name. A shader under development may lack one: that is no error. */
+/** Set a uniform of the program in use by name. A missing one is no error, for shaders under development. */
 void sph2d__program_set_int(const sph2d__gl *gl, GLuint program, const char *name, int value);
 void sph2d__program_set_float(const sph2d__gl *gl, GLuint program, const char *name, double value);
 void sph2d__program_set_vec2(const sph2d__gl *gl, GLuint program, const char *name, double x, double y);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file target.c
- *  Framebuffers: the picture itself, and the float texture that the metaballs' field is summed in. */
+ *  Framebuffers: the image, and the float textures in which the metaballs' fields are summed. */
 #include "render/target.h"
 
 static const char *framebuffer_text(GLenum framebuffer_status)
@@ -23,13 +23,13 @@ static const char *framebuffer_text(GLenum framebuffer_status)
     case GL_FRAMEBUFFER_INCOMPLETE_LAYER_TARGETS:
         return "the attachments differ in their layers";
     case 0:
-        return "asking for its status failed";
+        return "its status is not available";
     default:
-        return "for a reason unknown";
+        return "unknown reason";
     }
 }
 
-/* Ends a creation: the errors so far, the limits, the framebuffer's own word. */
+/* Ends a creation: checks for errors and for completeness of the framebuffer. */
 static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const char *what, sph2d_report *report)
 {
     sph2d_status status = sph2d__gl_check(gl, what, report);
@@ -47,7 +47,7 @@ static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const cha
     return status;
 }
 
-/* A driver may have smaller limits than ours, and answers a size beyond them in various ways: ask before. */
+/* Drivers may have smaller limits than the renderer, and react differently to larger sizes, so the limit is checked. */
 static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei width, GLsizei height,
                                 sph2d_report *report)
 {
@@ -77,8 +77,7 @@ sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *targ
     return finish(gl, target, "making the picture", report);
 }
 
-/* R32F and not R16F: half precision rounds a sum of ten balls to three digits, and a driver that blends 32-bit floats
- * does so as fast. */
+/* R32F, not R16F: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats is as fast. */
 sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
                                         GLsizei height, sph2d_report *report)
 {

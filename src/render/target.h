@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file target.h
- *  What we draw into: framebuffers of our own. Rows run downwards: row 0 is the top of the picture. */
+ *  Render targets: framebuffer objects. Row 0 is the top of the image. */
 #ifndef SPH2D_RENDER_TARGET_H
 #define SPH2D_RENDER_TARGET_H
 
@@ -22,10 +22,10 @@ sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *targ
 sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
                                         GLsizei height, sph2d_report *report);
 
-/** Draws go there from now on. */
+/** Makes it the target of the following draw calls. */
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target);
 
-/** Frees it; a target of zeros is fine. */
+/** Frees it; it may be zeroed. */
 void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tiles.c
- *  The part of the image that particles touch. */
+ *  The tiles of the image that particles touch. */
 #include "render/tiles.h"
 
 #include <stdlib.h>

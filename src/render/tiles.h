@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tiles.h
- *  Which square tiles of the image particles touch. The second pass of the metaballs is dear, and a software renderer
- *  pays for every pixel that it looks at, water or not: so it looks at these tiles only. */
+ *  The square tiles of the image that particles touch. The second pass of the metaballs is expensive for every pixel,
+ *  water or not, in a software renderer, so it draws these tiles only. */
 #ifndef SPH2D_RENDER_TILES_H
 #define SPH2D_RENDER_TILES_H
 
@@ -17,13 +17,13 @@ typedef struct sph2d__tiles {
 /** Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report);
 
-/** Finds the tiles that squares as far as a list's reach touch. */
+/** Finds the tiles that touch a square of half side `reach` around any particle of a list. */
 void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list);
 
 /** Draws the tiles found, as squares, with the program, target and blending in use. */
 void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots);
 
-/** Frees it; zeros are fine. */
+/** Frees it; it may be zeroed. */
 void sph2d__tiles_destroy(sph2d__tiles *tiles);
 
 #endif

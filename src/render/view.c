@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file view.c
- *  Fitting a part of the plane into an image. */
+ *  Fits a rectangle of the plane into an image. */
 #include "render/view.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file view.h
- *  From metres to pixels, in double precision, so that a scene far from the origin looks like one at it. */
+ *  Conversion from metres to pixels, in double precision, so that scenes far from the origin are drawn as precisely. */
 #ifndef SPH2D_RENDER_VIEW_H
 #define SPH2D_RENDER_VIEW_H
 
@@ -11,8 +11,8 @@
 /** Pixels are counted from the top left corner, y downwards. */
 typedef struct sph2d__view {
     unsigned width, height; /**< of the image [px] */
-    sph2d_vec2 middle;      /**< a place in the image [px] ... */
-    sph2d_vec2 center;      /**< ... and what is there [m] */
+    sph2d_vec2 middle;      /**< a point of the image [px] ... */
+    sph2d_vec2 center;      /**< ... and its position [m] */
     double scale;           /**< [px/m] */
 } sph2d__view;
 
@@ -25,13 +25,13 @@ typedef struct sph2d__pixel_box {
  *  where the box is empty, not finite or so small or large that nothing can be drawn. */
 bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved);
 
-/** The same view in an image with `border` more pixels on all sides, and the rest of a pixel at the far ones. */
+/** The same view in an image with at least `border` more pixels on all sides. */
 sph2d__view sph2d__view_widen(const sph2d__view *view, double border);
 
-/** Places a point. False where it is not finite or lies more than `margin` pixels outside the image. */
+/** Converts a position. False if it is not finite or more than `margin` pixels outside the image. */
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]);
 
-/** The part of the image that a box covers, to the nearest whole pixel. */
+/** The part of the image that a box covers, rounded to pixels. */
 sph2d__pixel_box sph2d__view_cover(const sph2d__view *view, sph2d_box box);
 
 #endif
