@@ -53,8 +53,8 @@ START_TEST(a_row_says_what_a_scene_needs)
         ck_assert(row->wall_forms >> all->obstacle_form & 1);
         ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1);
         ck_assert(all->max_density > 1 && all->min_density < 1 && all->energy_rise > 0);
-        ck_assert(*row->use && *row->scheme && *row->source && *all->calmed_by);
-        ck_assert_int_eq(all->ended_by != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));
+        ck_assert(*row->use && *row->scheme && *row->source && *all->damping_hint);
+        ck_assert_int_eq(all->convergence_hint != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));
     }
 }
 END_TEST
@@ -98,7 +98,8 @@ START_TEST(every_feature_has_a_key_and_a_method)
 }
 END_TEST
 
-/** A scene by each method, with its own defaults, is fine; with a key of others it is refused with a hint that helps. */
+/** A scene by each method, with its own defaults, is fine; with a key of others it is refused with a hint that
+ *  helps. */
 START_TEST(keys_of_other_methods_are_refused)
 {
     const sph2d_method_info *row = sph2d_method_row((size_t)_i);

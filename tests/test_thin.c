@@ -78,7 +78,7 @@ START_TEST(several_walls_are_one_warning)
     obstacles[2].outline.box.min.y = 0.6; /* beside the liquid on the left alone */
     scene.obstacle_count = 3;
     ck_assert(is_warned("obstacles[0].box"));
-    ck_assert_ptr_nonnull(strstr(report.items[0].message, "thick; and so through 1 more"));
+    ck_assert_ptr_nonnull(strstr(report.items[0].message, "thick; the same holds for 1 more"));
 }
 END_TEST
 

@@ -115,6 +115,6 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
     sph2d_diagnostic_hint(d,
                           "check the scene at that position; %s or a smaller spacing damps the liquid, and "
                           "run.max_energy_rise allows more than %g times the scale",
-                          sph2d__method_row_of(&sim->scene.method)->calmed_by, largest);
+                          sph2d__method_row_of(&sim->scene.method)->damping_hint, largest);
     return false;
 }

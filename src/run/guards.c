@@ -137,7 +137,8 @@ static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
                          "the pressure solver did not converge in %d consecutive steps: its compression error is %.3g, "
                          "the tolerance is %.3g (step %llu, time %g s)",
                          UNCONVERGED_STEPS, s->residual, s->wanted_residual, (unsigned long long)r->steps, r->time);
-    sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s", sph2d__method_row_of(&sim->scene.method)->ended_by);
+    sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s",
+                          sph2d__method_row_of(&sim->scene.method)->convergence_hint);
     return false;
 }
 

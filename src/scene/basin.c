@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file basin.c
- *  How far the liquid of a scene can fall: it spreads over the squares of a grid, from neighbour to neighbour where no
- *  wall stands between their middles, as high as its energy lets it. */
+ *  The height from which the liquid of a scene can fall: a flood fill over the cells of a grid, between neighbours
+ *  whose centres no wall separates, up to the height that the liquid's energy allows. */
 #include "scene/basin.h"
 
 #include <math.h>
@@ -11,17 +11,17 @@
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
-/* More squares, or squares times pieces of liquid, are not looked at. */
-static const double MOST_CELLS = 4e6, MOST_VISITS = 4e7;
+/* Maximum number of cells, and of cells times liquids, for the flood fill. */
+static const double MAX_CELLS = 4e6, MAX_VISITS = 4e7;
 
-/* Where in a cell its "middle" is: not where walls with round numbers pass, so that no rounding decides on which side
- * of them it is. */
-static const double MIDDLE_X = 0.5 + 0.0014142, MIDDLE_Y = 0.5 + 0.0017321;
+/* The "centre" of a cell, slightly off its centre, so that walls with round coordinates do not pass through it and its
+ * side does not depend on rounding. */
+static const double CENTRE_X = 0.5 + 0.0014142, CENTRE_Y = 0.5 + 0.0017321;
 
-/** A grid over the domain. Walls close the way from a cell to its neighbour in +x (1) or +y (2). */
+/** A grid over the domain. `closed`: bits of each cell for a wall to its neighbour in +x (1) or +y (2). */
 typedef struct grid {
     const sph2d_scene *scene;
-    double ux, uy, lowest; /**< upwards; height of the domain's lowest corner along it */
+    double ux, uy, lowest; /**< unit vector upwards; height of the domain's lowest corner along it */
     sph2d_vec2 origin;
     double size_x, size_y;
     size_t nx, ny;
@@ -55,46 +55,46 @@ static sph2d_box cell_box(const grid *g, size_t i, size_t j)
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** Closes the ways between neighbours that a piece of wall crosses: in each row, or column, of middles at most one.
- *  A piece that ends on a row belongs to one side of it, so that pieces that meet leave no gap. */
-static void close_ways(grid *g, sph2d__segment s, bool columns)
+/** Marks the pairs of neighbours whose connection a wall segment crosses: at most one in each row, or column, of
+ *  centres. A segment that ends on a row belongs to one side of it, so that segments that meet leave no gap. */
+static void mark_crossings(grid *g, sph2d__segment s, bool columns)
 {
     double a = columns ? s.a.x : s.a.y, b = columns ? s.b.x : s.b.y, c = columns ? s.a.y : s.a.x;
     double d = columns ? s.b.y : s.b.x;
     double from = columns ? g->origin.x : g->origin.y, size = columns ? g->size_x : g->size_y;
     double across = columns ? g->origin.y : g->origin.x, step = columns ? g->size_y : g->size_x;
-    double in_row = columns ? MIDDLE_X : MIDDLE_Y, in_way = columns ? MIDDLE_Y : MIDDLE_X;
-    size_t rows = columns ? g->nx : g->ny, ways = columns ? g->ny : g->nx;
+    double in_row = columns ? CENTRE_X : CENTRE_Y, in_gap = columns ? CENTRE_Y : CENTRE_X;
+    size_t rows = columns ? g->nx : g->ny, gaps = columns ? g->ny : g->nx;
     double first = fmax(floor((fmin(a, b) - from) / size - in_row), 0);
     double last = fmin(ceil((fmax(a, b) - from) / size - in_row), (double)rows - 1);
     for (double row = first; row <= last; ++row) {
-        double middle = from + (row + in_row) * size;
-        if ((a > middle) == (b > middle))
+        double centre = from + (row + in_row) * size;
+        if ((a > centre) == (b > centre))
             continue;
-        double way = floor((c + (d - c) * (middle - a) / (b - a) - across) / step - in_way);
-        if (way < -1 || way >= (double)ways)
+        double gap = floor((c + (d - c) * (centre - a) / (b - a) - across) / step - in_gap);
+        if (gap < -1 || gap >= (double)gaps)
             continue;
         /* before the first: across the period */
-        size_t k = (size_t)(way < 0 ? (double)ways - 1 : way), r = (size_t)row;
+        size_t k = (size_t)(gap < 0 ? (double)gaps - 1 : gap), r = (size_t)row;
         g->closed[columns ? k * g->nx + r : r * g->nx + k] |= columns ? 2 : 1;
     }
 }
 
-static bool stands(const sph2d_obstacle *obstacle)
+static bool is_fixed(const sph2d_obstacle *obstacle)
 {
     const sph2d_motion *m = &obstacle->motion;
     return m->path.count == 0 && !(m->frequency > 0 && (m->amplitude.x != 0 || m->amplitude.y != 0));
 }
 
-static void close_all(grid *g)
+static void mark_walls(grid *g)
 {
     for (size_t i = 0; i < g->scene->obstacle_count; ++i) {
         const sph2d_outline *outline = &g->scene->obstacles[i].outline;
-        size_t pieces = stands(&g->scene->obstacles[i]) ? sph2d__outline_pieces(outline, g->scene->spacing) : 0;
+        size_t pieces = is_fixed(&g->scene->obstacles[i]) ? sph2d__outline_pieces(outline, g->scene->spacing) : 0;
         for (size_t k = 0; k < pieces; ++k) {
             sph2d__segment s = sph2d__outline_piece(outline, g->scene->spacing, k);
-            close_ways(g, s, false);
-            close_ways(g, s, true);
+            mark_crossings(g, s, false);
+            mark_crossings(g, s, true);
         }
     }
 }
@@ -109,13 +109,13 @@ static void visit(grid *g, size_t i, size_t j)
     g->visited[cell] = 1;
 }
 
-static void visit_place(grid *g, sph2d_vec2 p)
+static void visit_position(grid *g, sph2d_vec2 p)
 {
     double i = floor((p.x - g->origin.x) / g->size_x), j = floor((p.y - g->origin.y) / g->size_y);
     visit(g, (size_t)fmin(fmax(i, 0), (double)g->nx - 1), (size_t)fmin(fmax(j, 0), (double)g->ny - 1));
 }
 
-/** Visits the squares whose middles are in a block. */
+/** Visits the cells whose centres are in a block. */
 static void visit_block(grid *g, const sph2d_shape *shape)
 {
     sph2d_box b = sph2d__shape_bounds(shape);
@@ -125,15 +125,15 @@ static void visit_block(grid *g, const sph2d_shape *shape)
     double j1 = fmin(ceil((b.max.y - g->origin.y) / g->size_y), (double)g->ny);
     for (double j = j0; j < j1; ++j)
         for (double i = i0; i < i1; ++i) {
-            sph2d_vec2 middle = {g->origin.x + (i + MIDDLE_X) * g->size_x, g->origin.y + (j + MIDDLE_Y) * g->size_y};
-            if (sph2d__shape_contains(shape, middle))
+            sph2d_vec2 centre = {g->origin.x + (i + CENTRE_X) * g->size_x, g->origin.y + (j + CENTRE_Y) * g->size_y};
+            if (sph2d__shape_contains(shape, centre))
                 visit(g, (size_t)i, (size_t)j);
         }
     if (g->queued == 0)
-        visit_place(g, (sph2d_vec2){(b.min.x + b.max.x) / 2, (b.min.y + b.max.y) / 2});
+        visit_position(g, (sph2d_vec2){(b.min.x + b.max.x) / 2, (b.min.y + b.max.y) / 2});
 }
 
-/** Lowest height that liquid gets to from the squares in the queue without rising above a level. */
+/** Lowest height that liquid reaches from the cells in the queue without rising above a level. */
 static double spread(grid *g, double level)
 {
     double lowest = INFINITY;
@@ -161,13 +161,13 @@ static double spread(grid *g, double level)
     return lowest < 1e-6 * g->scene->spacing ? 0 : lowest;
 }
 
-/** Heights of the lowest and highest place of a block. Squares do not get into the tips of corners. */
+/** Heights of the lowest and highest point of a block; cells do not resolve the tips of corners. */
 static sph2d_vec2 extremes_of(const grid *g, const sph2d_shape *shape)
 {
     sph2d_vec2 h = {INFINITY, -INFINITY};
     if (shape->kind == SPH2D_SHAPE_DISC) {
-        double middle = height_of(g, shape->disc.center);
-        return (sph2d_vec2){middle - shape->disc.radius, middle + shape->disc.radius};
+        double centre = height_of(g, shape->disc.center);
+        return (sph2d_vec2){centre - shape->disc.radius, centre + shape->disc.radius};
     }
     if (shape->kind == SPH2D_SHAPE_BOX)
         return heights_of(g, shape->box);
@@ -178,26 +178,26 @@ static sph2d_vec2 extremes_of(const grid *g, const sph2d_shape *shape)
     return h;
 }
 
-/** Height of each liquid over the place that it falls to, or over the lowest corner where `walled` is not set. */
-static double highest_fall(grid *g, double spare, bool walled)
+/** Largest height of a liquid above the lowest point it reaches, or above the lowest corner if not `walled`. */
+static double highest_fall(grid *g, double extra_head, bool walled)
 {
     const sph2d_scene *scene = g->scene;
     double fall = 0, top = -INFINITY;
     for (size_t i = 0; i < scene->block_count; ++i) {
         const sph2d_shape *shape = &scene->blocks[i].shape;
-        sph2d_vec2 own = extremes_of(g, shape);
+        sph2d_vec2 heights = extremes_of(g, shape);
         double low = 0;
         if (walled) {
             visit_block(g, shape);
-            low = fmin(spread(g, own.y + spare), fmax(own.x, 0));
+            low = fmin(spread(g, heights.y + extra_head), fmax(heights.x, 0));
         }
-        fall = fmax(fall, own.y - low);
+        fall = fmax(fall, heights.y - low);
     }
     for (size_t i = 0; i < scene->source_count; ++i) {
         double height = height_of(g, scene->sources[i].at), low = 0;
         if (walled) {
-            visit_place(g, scene->sources[i].at);
-            low = spread(g, height + spare);
+            visit_position(g, scene->sources[i].at);
+            low = spread(g, height + extra_head);
         }
         fall = fmax(fall, height - low);
     }
@@ -205,24 +205,24 @@ static double highest_fall(grid *g, double spare, bool walled)
         sph2d_vec2 p = {scene->particles.items[i].x, scene->particles.items[i].y};
         top = fmax(top, height_of(g, p));
         if (walled)
-            visit_place(g, p);
+            visit_position(g, p);
     }
-    return top > 0 ? fmax(fall, top - (walled ? spread(g, top + spare) : 0)) : fall;
+    return top > 0 ? fmax(fall, top - (walled ? spread(g, top + extra_head) : 0)) : fall;
 }
 
-double sph2d__basin_height(const sph2d_scene *scene, double spare)
+double sph2d__basin_height(const sph2d_scene *scene, double extra_head)
 {
     double strength = hypot(scene->gravity.x, scene->gravity.y);
     sph2d_box d = scene->domain;
     grid g = {.scene = scene, .ux = -scene->gravity.x / strength, .uy = -scene->gravity.y / strength, .origin = d.min};
     g.lowest = heights_of(&g, d).x;
-    size_t standing = 0;
+    size_t fixed = 0;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
-        standing += stands(&scene->obstacles[i]);
+        fixed += is_fixed(&scene->obstacles[i]);
     double nx = fmax(ceil((d.max.x - d.min.x) / scene->spacing - 1e-9), 1);
     double ny = fmax(ceil((d.max.y - d.min.y) / scene->spacing - 1e-9), 1);
     double liquids = (double)scene->block_count + (double)scene->source_count + 1;
-    bool walled = standing > 0 && nx * ny <= MOST_CELLS && nx * ny * liquids <= MOST_VISITS;
+    bool walled = fixed > 0 && nx * ny <= MAX_CELLS && nx * ny * liquids <= MAX_VISITS;
     size_t cells = walled ? (size_t)(nx * ny) : 0;
     g.nx = walled ? (size_t)nx : 0;
     g.ny = walled ? (size_t)ny : 0;
@@ -236,8 +236,8 @@ double sph2d__basin_height(const sph2d_scene *scene, double spare)
     g.queue = blocks[2];
     walled = walled && g.closed && g.visited && g.queue;
     if (walled)
-        close_all(&g);
-    double fall = highest_fall(&g, spare, walled);
+        mark_walls(&g);
+    double fall = highest_fall(&g, extra_head, walled);
     sph2d__release(&memory, &blocks[0], cells, 1);
     sph2d__release(&memory, &blocks[1], cells, 1);
     sph2d__release(&memory, &blocks[2], cells, sizeof(uint32_t));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check.c
- *  Finds the faults of a scene: first every number's range, then what only the meaning shows. */
+ *  Checks a scene: first the range of every number, then consistency. */
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,25 +12,25 @@
 #include "scene/shape.h"
 #include "sph2d/key.h"
 
-/* Smallest spacing over the largest coordinate: three digits are left for the distance between neighbours. */
-static const double FINENESS = 1e-13;
+/* Smallest spacing over the largest coordinate: leaves three digits for the distance between neighbours. */
+static const double MIN_SPACING = 1e-13;
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
 
-/** Whether numbers are fine enough for the spacing at the domain's coordinates. */
-static bool check_frame(checker *c)
+/** Whether doubles resolve the spacing at the domain's coordinates. */
+static bool check_precision(checker *c)
 {
     sph2d_box d = c->scene->domain;
     double reach = fmax(fmax(fabs(d.min.x), fabs(d.max.x)), fmax(fabs(d.min.y), fabs(d.max.y)));
-    if (reach < 1e150 && c->scene->spacing >= FINENESS * reach)
+    if (reach < 1e150 && c->scene->spacing >= MIN_SPACING * reach)
         return true;
     sph2d_diagnostic *d1 =
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is too small for coordinates so far from 0");
-    sph2d_diagnostic_hint(d1, "move the domain: spacing must be at least %g of its largest coordinate", FINENESS);
+    sph2d_diagnostic_hint(d1, "move the domain: spacing must be at least %g of its largest coordinate", MIN_SPACING);
     return false;
 }
 
-/** A shape is given, sound, and (if wanted) inside the domain. */
+/** Checks that a shape is given, valid, and (if `inside`) inside the domain. */
 static void check_shape(checker *c, const sph2d_shape *shape, const char *list, size_t index, bool inside)
 {
     char path[PATH_SIZE];
@@ -111,7 +111,7 @@ static void check_source(checker *c, size_t i)
     else if (near_side(c->scene, source->at)) {
         sph2d_diagnostic *w =
             sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "sources", i, ".at"),
-                             "a nozzle on a side of the domain finds no room there");
+                             "a nozzle on a side of the domain cannot emit particles");
         sph2d_diagnostic_hint(w, "move it half a spacing inwards");
     }
     if (source->direction.x == 0 && source->direction.y == 0)
@@ -132,10 +132,10 @@ static void check_interaction(checker *c, size_t i)
     sph2d__check_path(path, "interactions", i, ".path");
     if (c->scene->interactions[i].path.count == 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
-    sph2d__check_way(c, c->scene->interactions[i].path, path);
+    sph2d__check_times(c, c->scene->interactions[i].path, path);
 }
 
-static bool name_is_sound(const char *name)
+static bool is_valid_name(const char *name)
 {
     size_t length = strlen(name);
     for (size_t i = 0; i < length; ++i)
@@ -144,8 +144,8 @@ static bool name_is_sound(const char *name)
     return length > 0 && length <= 64;
 }
 
-/** Whether the place of a probe means something and lies in the domain. Of an elevation's only x does. */
-static bool place_is_sound(const sph2d_scene *scene, const sph2d_probe *probe)
+/** Whether a probe's position, if its kind uses it, lies in the domain; of an elevation only x matters. */
+static bool is_valid_position(const sph2d_scene *scene, const sph2d_probe *probe)
 {
     switch (probe->kind) {
     case SPH2D_PROBE_SPEED:
@@ -158,7 +158,7 @@ static bool place_is_sound(const sph2d_scene *scene, const sph2d_probe *probe)
     }
 }
 
-/** What makes a probe a gauge belongs to pressure; a face has a direction and lies in the domain. */
+/** Checks that only pressure probes are gauges, and that a face has a direction and lies in the domain. */
 static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
 {
     char path[PATH_SIZE];
@@ -181,7 +181,7 @@ static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
     if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x - x, probe->at.y - y}) ||
         !sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x + x, probe->at.y + y}))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
-                           "the gauge's face reaches out of the domain");
+                           "the gauge's face extends beyond the domain");
 }
 
 static void check_probe(checker *c, size_t i)
@@ -189,7 +189,7 @@ static void check_probe(checker *c, size_t i)
     const sph2d_probe *probe = &c->scene->probes[i];
     char path[PATH_SIZE];
     sph2d__check_path(path, "probes", i, ".name");
-    if (!probe->name || !name_is_sound(probe->name))
+    if (!probe->name || !is_valid_name(probe->name))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     for (size_t k = 0; k < i && probe->name; ++k)
         if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
@@ -200,13 +200,13 @@ static void check_probe(checker *c, size_t i)
     check_rate(c, probe->rate, path);
     if (sph2d_rate_interval(probe->rate) <= 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
-    if (!place_is_sound(c->scene, probe))
+    if (!is_valid_position(c->scene, probe))
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
     else
         check_gauge(c, probe, i);
 }
 
-static void check_whole(checker *c)
+static void check_contents(checker *c)
 {
     const sph2d_scene *scene = c->scene;
     if (scene->block_count == 0 && scene->source_count == 0 && !scene->particles.file && scene->particles.count == 0) {
@@ -221,8 +221,8 @@ static void check_whole(checker *c)
                            "the sound speed that follows from the scene is not finite");
     if (!(c0 > 0)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, "method.stiffness",
-                                                 "without gravity and speeds nothing gives the sound speed");
-        sph2d_diagnostic_hint(d, "name the stiffness k = c0^2, in m^2/s^2, or the sound_speed c0, in m/s");
+                                                 "without gravity and speeds the sound speed is not determined");
+        sph2d_diagnostic_hint(d, "give the stiffness k = c0^2, in m^2/s^2, or the sound_speed c0, in m/s");
     }
 }
 
@@ -235,8 +235,8 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         return SPH2D_SCENE;
     }
     sph2d__check_ranges(&c);
-    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_frame(&c))
-        return SPH2D_SCENE; /* what follows measures against these */
+    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c))
+        return SPH2D_SCENE; /* the other checks depend on these */
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(&c, i);
     sph2d__check_particles(&c);
@@ -254,6 +254,6 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
     check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
     check_rate(&c, scene->run.frames.rate, "run.frames");
     sph2d__check_method(&c);
-    check_whole(&c);
+    check_contents(&c);
     return c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_obstacles.c
- *  Faults of a scene's obstacles: their lines, their ways, and on which side of them the liquid is. */
+ *  Checks of obstacles: their outlines, their motions, and the side of the liquid. */
 #include <math.h>
 
 #include "base/pi.h"
@@ -31,7 +31,7 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
     for (size_t i = 1; i < points.count; ++i) {
         sph2d_vec2 p = points.items[i];
         if (p.x == points.items[i - 1].x && p.y == points.items[i - 1].y)
-            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two points in a row are the same");
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "two consecutive points are the same");
     }
 }
 
@@ -45,11 +45,11 @@ static void check_obstacle(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
-    sph2d__check_way(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
+    sph2d__check_times(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
-                               "springs are for the sides of the domain only");
+                               "only sides of the domain can be springs");
         sph2d_diagnostic_hint(d, "use heavy or reflect");
     }
     switch (outline->kind) {
@@ -64,7 +64,7 @@ static void check_obstacle(checker *c, size_t i)
             sph2d__check_outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
         if (outline->circle.radius > domain_diagonal(c->scene))
             sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
-                               "is larger than the whole domain");
+                               "is larger than the domain");
         break;
     case SPH2D_OUTLINE_BOX:
         sph2d__check_path(path, "obstacles", i, ".box");
@@ -100,7 +100,7 @@ static bool can_be_solid(const sph2d_scene *scene, sph2d_points line)
     return can;
 }
 
-/** The side of a line is known, or said; what is said to be wet on both sides can be. All else is sound. */
+/** Checks that the wet side of a line is given or can be found, and that a line wet on both sides can be a solid. */
 static void check_side(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
@@ -123,47 +123,49 @@ static void check_side(checker *c, size_t i)
     }
 }
 
-/** A change of velocity at once [m/s], and when [s]. */
-typedef struct blow {
+/** A jump of velocity [m/s], and its time [s]. */
+typedef struct velocity_jump {
     double speed, time;
-} blow;
+} velocity_jump;
 
-/** The max_pressure blow of a motion: where straight lines of its path meet, and where a swing starts in motion. */
-static blow hardest_blow(const sph2d_motion *m)
+/** The largest velocity jump of a motion: at a corner of its path, or at the start of an oscillation. */
+static velocity_jump largest_jump(const sph2d_motion *m)
 {
     double omega = 2 * SPH2D__PI * m->frequency * cos(m->phase);
     sph2d_vec2 before = {0, 0}, swing = {omega * m->amplitude.x, omega * m->amplitude.y};
-    blow most = {hypot(swing.x, swing.y), 0};
+    velocity_jump largest = {hypot(swing.x, swing.y), 0};
     for (size_t k = 1; k <= m->path.count; ++k) {
         const sph2d_path_point *p = &m->path.items[k - 1], *q = p + 1;
         sph2d_vec2 v = {0, 0};
         if (k < m->path.count)
             v = (sph2d_vec2){(q->x - p->x) / (q->t - p->t), (q->y - p->y) / (q->t - p->t)};
         double speed = hypot(v.x - before.x, v.y - before.y);
-        if (speed > most.speed && p->t >= 0)
-            most = (blow){speed, p->t};
+        if (speed > largest.speed && p->t >= 0)
+            largest = (velocity_jump){speed, p->t};
         before = v;
     }
-    return most;
+    return largest;
 }
 
-/** Warns of walls that start or stop at once where sound carries the blow: by v/c0, which is rho c0 v of pressure. */
-static void check_blow(checker *c, size_t i)
+/** Warns of velocity jumps of walls with methods that have sound: they compress liquid by v/c0, a pressure of rho c0
+ *  v. */
+static void check_velocity_jump(checker *c, size_t i)
 {
     sph2d_method_options m = sph2d__method_resolve(c->scene->method);
-    double c0 = sph2d__method_row_of(&m)->sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
-    blow hit = hardest_blow(&c->scene->obstacles[i].motion);
+    double c0 = sph2d__method_row_of(&m)->has_sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
+    velocity_jump hit = largest_jump(&c->scene->obstacles[i].motion);
     if (!(hit.speed > m.max_compression * c0))
         return;
     char path[PATH_SIZE];
     sph2d_diagnostic *w = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
-        "its velocity jumps by %.2g m/s at t = %g s, a blow that compresses liquid in its way by %.2g %%, to %.2g Pa",
+        "its velocity jumps by %.2g m/s at t = %g s, which compresses the liquid in front by %.2g %%, to %.2g Pa",
         hit.speed, hit.time, 100 * hit.speed / c0, c->scene->fluid.density * c0 * hit.speed);
-    sph2d_diagnostic_hint(w,
-                          "let it come to its speed by more points of a path, in %.2g s or longer, or start a swing at "
-                          "rest by `phase: -1.5708`",
-                          10 * m.support_ratio * c->scene->spacing / c0);
+    sph2d_diagnostic_hint(
+        w,
+        "let it accelerate over %.2g s or longer, by more points of a path, or start an oscillation at "
+        "rest by `phase: -1.5708`",
+        10 * m.support_ratio * c->scene->spacing / c0);
 }
 
 void sph2d__check_obstacles(checker *c)
@@ -173,7 +175,7 @@ void sph2d__check_obstacles(checker *c)
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
         check_side(c, i);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
-        check_blow(c, i);
+        check_velocity_jump(c, i);
     if (c->errors == 0)
         sph2d__check_thin(c);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_particles.c
- *  Faults of a scene's single particles. */
+ *  Checks of single particles. */
 #include <math.h>
 
 #include "scene/checker.h"
 
-/** A particle's fault: where, and what. */
+/** Checks a particle. */
 static void check_particle(sph2d__checker *c, size_t i)
 {
     const sph2d_particle *p = &c->scene->particles.items[i];
@@ -19,7 +19,7 @@ static void check_particle(sph2d__checker *c, size_t i)
         sph2d__check_outside(c, path, (sph2d_vec2){p->x, p->y});
 }
 
-/** Stops at the first fault: a wrong file may have as many as rows. */
+/** Stops at the first error, as a wrong file may have one in every row. */
 void sph2d__check_particles(sph2d__checker *c)
 {
     const sph2d_particles *p = &c->scene->particles;
@@ -29,7 +29,7 @@ void sph2d__check_particles(sph2d__checker *c)
     if (!(m->sound_speed > 0) && !(m->stiffness > 0)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, "particles",
                                                  "a list of particles does not determine the sound speed");
-        sph2d_diagnostic_hint(d, "name method.sound_speed, ten times the fastest speed that will be there [m/s]");
+        sph2d_diagnostic_hint(d, "give method.sound_speed, ten times the largest speed that you expect [m/s]");
     }
     if (!p->items && p->count > 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "particles", "a count above 0 with a NULL list");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_ranges.c
- *  Every number's range, every word and every list, from the key table. */
+ *  Checks the range of every number, every word and every list by the key table. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file checker.c
- *  What the parts of the scene checker share. */
+ *  Functions that the parts of the scene checker share. */
 #include "scene/checker.h"
 
 #include <stdio.h>
 
 #include "scene/shape.h"
 
-/* Corners of a polygon: the search for crossings compares every side with every other. */
+/* Maximum number of corners of a polygon: the search for crossings compares every side with every other. */
 enum { MAX_CORNERS = 10000 };
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
@@ -58,17 +58,17 @@ bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *p
     }
     if (corners.count > MAX_CORNERS || sph2d__polygon_crosses_itself(corners)) {
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                           "a polygon must not cross or touch itself, and has 10000 corners at most");
+                           "a polygon must not cross or touch itself, and has at most 10000 corners");
         return false;
     }
     return true;
 }
 
-void sph2d__check_way(sph2d__checker *c, sph2d_path way, const char *path)
+void sph2d__check_times(sph2d__checker *c, sph2d_path times, const char *path)
 {
-    for (size_t k = 1; k < way.count; ++k)
-        if (!(way.items[k].t > way.items[k - 1].t)) {
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must grow from point to point");
+    for (size_t k = 1; k < times.count; ++k)
+        if (!(times.items[k].t > times.items[k - 1].t)) {
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must increase from point to point");
             break;
         }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file checker.h
- *  What the parts of the scene checker share. */
+ *  Functions that the parts of the scene checker share. */
 #ifndef SPH2D_SCENE_CHECKER_H
 #define SPH2D_SCENE_CHECKER_H
 
@@ -13,7 +13,7 @@ typedef struct sph2d__checker {
     bool broken;   /**< a list that cannot be read */
 } sph2d__checker;
 
-/** Room for a key path. */
+/** Size of a key path. */
 enum { SPH2D__PATH_SIZE = 256 };
 
 /** Counts and reports an error. Returns its diagnostic, for a hint; NULL without a report. */
@@ -22,34 +22,34 @@ sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const c
 /** "blocks[2].box" from "blocks", 2, ".box". */
 const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
 
-/** Whether a place is in the domain or within round-off of it. */
+/** Whether a position is in the domain, up to round-off. */
 bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p);
 
-/** Counts and reports that a place is not. */
+/** Counts and reports a position outside the domain. */
 void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p);
 
-/** Whether a rectangle is one; otherwise that is counted and reported. */
+/** Whether a rectangle is valid; counts and reports an error otherwise. */
 bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path);
 
-/** Whether a polygon is one; otherwise that is counted and reported. */
+/** Whether a polygon is valid; counts and reports an error otherwise. */
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path);
 
-/** The times of a path grow. */
-void sph2d__check_way(sph2d__checker *c, sph2d_path way, const char *path);
+/** Checks that the times of a path increase. */
+void sph2d__check_times(sph2d__checker *c, sph2d_path times, const char *path);
 
-/** Every obstacle, and where it has its liquid. */
+/** Checks every obstacle, and the side of its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
 
-/** Warns of obstacles so thin that liquids on their two sides feel each other through them. */
+/** Warns of obstacles so thin that liquids on their two sides interact through them. */
 void sph2d__check_thin(sph2d__checker *c);
 
-/** Ranges, words and lists, by the key table. */
+/** Checks ranges, words and lists by the key table. */
 void sph2d__check_ranges(sph2d__checker *c);
 
-/** What the method does not have, and periodic sides. */
+/** Checks the features of the method, and periodic sides. */
 void sph2d__check_method(sph2d__checker *c);
 
-/** Single particles, up to the first fault. */
+/** Checks single particles, up to the first error. */
 void sph2d__check_particles(sph2d__checker *c);
 
 #endif

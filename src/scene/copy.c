@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file copy.c
- *  A deep copy of a scene, driven by the key table: whatever a key points at is copied. */
+ *  Deep copy of a scene by the key table, which lists all pointers. */
 #include "scene/copy.h"
 
 #include <string.h>
@@ -27,7 +27,7 @@ static bool copy_items(copier *c, void *slot, size_t count, size_t size)
     return true;
 }
 
-/** `owner` is a flat copy already; its pointers are still those of the original. */
+/** Copies the pointees of `owner`, which is a shallow copy of the original. */
 static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
 {
     for (size_t k = 0; k < keys->count; ++k) {
@@ -36,7 +36,7 @@ static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
         const size_t *count = (const size_t *)(const void *)(owner + key->count_offset);
         bool ok = true;
         if (key->choice && *(const int *)(const void *)(owner + key->choice_offset) != key->choice)
-            continue; /* what was not chosen may point anywhere */
+            continue; /* the pointer of another choice is not valid */
         switch (key->kind) {
         case SPH2D_KEY_TEXT: {
             const char *text;

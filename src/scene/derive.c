@@ -11,7 +11,7 @@
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
-/* A liquid that is released at its rest density swings to twice its static compression. */
+/* Liquid released at rest density oscillates up to twice its static compression. */
 static const double OVERSHOOT = 2;
 
 /** Largest distance of a block's corners from the centre of the central force. */
@@ -28,7 +28,7 @@ static double farthest_liquid(const sph2d_scene *scene)
     return distance;
 }
 
-/** Fastest wall. */
+/** Largest speed of a wall. */
 static double wall_speed(const sph2d_scene *scene)
 {
     const sph2d_side_speeds *s = &scene->wall_speeds;
@@ -68,8 +68,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.speed = fmax(d.speed, wall_speed(scene));
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
-    double swing = scene->central_force.rate * farthest_liquid(scene);
-    d.pull += swing * swing / 2;
+    double central_speed = scene->central_force.rate * farthest_liquid(scene);
+    d.pull += central_speed * central_speed / 2;
     d.height = g > 0 ? sph2d__basin_height(scene, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));

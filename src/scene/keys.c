@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keys.c
- *  The table of the scene's keys. The reader, the range checks, `sph2d init` and the documentation read it. */
+ *  The table of scene keys, used by the reader, the range checks, `sph2d init` and the key reference. */
 #include "sph2d/key.h"
 
 #include <math.h>
 
 #include "sph2d/method.h"
 
-/* Each row: key(TYPE, member, name, kind, ...). The columns that a kind needs are set by the macros below. */
+/* Macros for the columns of a row. */
 #define AT(type, member) .offset = offsetof(type, member)
 #define ANY .min = -INFINITY, .max = INFINITY
 #define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
@@ -71,7 +71,7 @@ static const sph2d_key disc_items[] = {
 };
 KEYS(disc, sph2d_disc, NULL);
 
-/* The three shapes, directly among the keys of a block or drain. */
+/* The three shapes, as keys of a block or drain. */
 #define SHAPE(type)                                                                                                    \
     {"box",                                                                                                            \
      SPH2D_KEY_GROUP,                                                                                                  \
@@ -95,7 +95,7 @@ KEYS(disc, sph2d_disc, NULL);
     }
 
 static const sph2d_key start_items[] = {
-    {"flow", SPH2D_KEY_WORD, true, AT(sph2d_flow, kind), .words = flow_words, .unit = "", .text = "which known flow"},
+    {"flow", SPH2D_KEY_WORD, true, AT(sph2d_flow, kind), .words = flow_words, .unit = "", .text = "the known flow"},
     {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, speed), ANY, .unit = "m/s", .default_text = "0",
      .text = "its speed U"},
     {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, length), FROM_0, .unit = "m", .default_text = "0",
@@ -120,12 +120,13 @@ static const sph2d_key block_items[] = {
     {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_block, velocity), ANY, .unit = "m/s", .default_text = "[0, 0]",
      .text = "at the start"},
     {"spacing", SPH2D_KEY_NUMBER, false, AT(sph2d_block, spacing), FROM_0, .unit = "m", .default_text = "the scene's",
-     .text = "between this block's particles; their mass stays that of the scene's spacing, so less starts compressed, "
+     .text = "between this block's particles; their mass stays that of the scene's spacing, so a smaller one starts "
+             "compressed, "
              "wcsph by 10 % at most"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .default_text = "none",
      .text = "a known flow that it starts with"},
     {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
-     .default_text = "lattice", .text = "how the particles lie; rings, for discs, have a smooth edge"},
+     .default_text = "lattice", .text = "arrangement of the particles; rings, for discs, have a smooth edge"},
     {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "",
      .default_text = "none", .text = "random displacement of the particles"},
 };
@@ -139,7 +140,7 @@ static const sph2d_key source_items[] = {
      .text = "of the nozzle"},
     {"speed", SPH2D_KEY_NUMBER, true, AT(sph2d_source, speed), ABOVE_0, .unit = "m/s", .text = "of the jet"},
     {"spread", SPH2D_KEY_NUMBER, false, AT(sph2d_source, spread), BETWEEN(0, 1), .unit = "", .default_text = "0",
-     .text = "random change of each velocity component, as a fraction of speed"},
+     .text = "random part of each velocity component, as a fraction of speed"},
     {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_source, rate), FROM_0, .unit = "m^2/s", .default_text = "width * speed",
      .text = "area of liquid per second"},
     {"start", SPH2D_KEY_NUMBER, false, AT(sph2d_source, start), FROM_0, .unit = "s", .default_text = "0",
@@ -162,13 +163,13 @@ KEYS(drain, sph2d_drain, drain_set);
 
 static const sph2d_key motion_items[] = {
     {"path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_motion, path.items, path.count), ANY, .unit = "s, m, m",
-     .default_text = "none", .text = "[t, x, y] displacements with straight lines between; it rests before and after"},
+     .default_text = "none", .text = "[t, x, y] displacements with straight lines between; at rest before and after"},
     {"amplitude", SPH2D_KEY_POINT, false, AT(sph2d_motion, amplitude), ANY, .unit = "m", .default_text = "[0, 0]",
-     .text = "of a swing: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},
+     .text = "of an oscillation: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},
     {"frequency", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, frequency), FROM_0, .unit = "1/s", .default_text = "0",
-     .text = "of the swing"},
+     .text = "of the oscillation"},
     {"phase", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, phase), ANY, .unit = "rad", .default_text = "0",
-     .text = "of the swing; -1.5708 starts at rest"},
+     .text = "of the oscillation; -1.5708 starts at rest"},
 };
 KEYS(motion, sph2d_motion, NULL);
 
@@ -191,10 +192,10 @@ static const sph2d_key obstacle_items[] = {
              "sources lie; both: a solid of the layers' thickness, centred on the line"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .default_text = "the method's",
-     .text =
-         "heavy (not wcsph), generalised (not muller): acts through the pressure; reflect: at once, for large steps"},
+     .text = "heavy (not wcsph), generalised (not muller): repels by pressure; reflect: reverses velocities, for large "
+             "steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
-     .default_text = "0.5", .text = "reflect: normal speed after over before"},
+     .default_text = "0.5", .text = "reflect: ratio of normal speeds after and before"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "",
      .default_text = "none", .text = "how it moves"},
 };
@@ -202,8 +203,8 @@ KEYS(obstacle, sph2d_obstacle, obstacle_set);
 
 static const sph2d_key interaction_items[] = {
     {"path", SPH2D_KEY_PATH, true, LIST_AT(sph2d_interaction, path.items, path.count), ANY, .unit = "s, m, m",
-     .text = "[t, x, y] points with straight lines between; a single one lasts for ever"},
-    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_interaction, radius), ABOVE_0, .unit = "m", .text = "of its reach"},
+     .text = "[t, x, y] points with straight lines between; a single one applies at all times"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_interaction, radius), ABOVE_0, .unit = "m", .text = "of its range"},
     {"acceleration", SPH2D_KEY_NUMBER, true, AT(sph2d_interaction, acceleration), ANY, .unit = "m/s^2",
      .text = "at the point, falling to 0 at radius; positive pulls, negative pushes"},
 };
@@ -230,13 +231,13 @@ static const sph2d_key probe_items[] = {
      .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
              "speed, pressure, elevation of the surface"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
-     .text = "place, for the kinds at a point"},
+     .text = "position, for the kinds at a point"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",
      .text = "pressure: direction of that face"},
     {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .default_text = "0",
-     .text = "pressure: time that the gauge takes from 10 to 90 % of a jump"},
+     .text = "pressure: rise time of the gauge from 10 to 90 % of a step"},
     RATE(sph2d_probe, rate),
 };
 KEYS(probe, sph2d_probe, probe_set);
@@ -253,11 +254,11 @@ static const sph2d_key frames_items[] = {
     {"size", SPH2D_KEY_COUNTS2, false, AT(sph2d_frames, size), BETWEEN(16, 16384), .unit = "pixels",
      .default_text = "[1280, 720]", .text = "width and height"},
     {"style", SPH2D_KEY_WORD, false, AT(sph2d_frames, style), .words = style_words, .unit = "",
-     .default_text = "metaballs", .text = "a liquid surface, or a dot a particle"},
+     .default_text = "metaballs", .text = "a liquid surface, or a dot for each particle"},
     {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
      .default_text = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
     {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .default_text = "one colour",
-     .text = "points: what to colour by: speed, Pressures, Densities"},
+     .text = "points: the field to colour by: speed, Pressures, Densities"},
     {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "",
      .default_text = "each frame's", .text = "values at the two ends of the colour bar"},
 };
@@ -265,13 +266,13 @@ KEYS(frames, sph2d_frames, NULL);
 
 static const sph2d_key run_items[] = {
     {"until", SPH2D_KEY_NUMBER, false, AT(sph2d_run, until), FROM_0, .unit = "s", .default_text = "1",
-     .text = "simulated end"},
+     .text = "simulated time at the end"},
     {"snapshots", SPH2D_KEY_GROUP, false, AT(sph2d_run, snapshots), .keys = &snapshots_keys, .unit = "",
      .default_text = "none", .text = "HDF5 files"},
     {"frames", SPH2D_KEY_GROUP, false, AT(sph2d_run, frames), .keys = &frames_keys, .unit = "", .default_text = "none",
-     .text = "pictures"},
+     .text = "PNG images"},
     {"max_energy_rise", SPH2D_KEY_NUMBER, false, AT(sph2d_run, max_energy_rise), BETWEEN_OR_0(1e-6, 1e9), .unit = "",
-     .default_text = "0.1", .text = "energy from nothing, over the scene's energy scale, that a guard lets pass"},
+     .default_text = "0.1", .text = "bound of the energy guard: energy from nothing over the scene's energy scale"},
     {"impacts", SPH2D_KEY_NUMBERS, false, LIST_AT(sph2d_run, impacts.items, impacts.count), FROM_0, .unit = "s",
      .default_text = "none", .text = "times of known impacts; the mean compression leaves out 0.05 s after each"},
 };
@@ -318,8 +319,9 @@ static void set_material(void *fluid)
 static const sph2d_key fluid_items[] = {
     {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
      .default_text = "none", .stands_alone = true, .preset = set_material,
-     .text = "density and viscosity at 20 C, unless they are given; `fluid: water` does, `help materials` has the "
-             "numbers"},
+     .text =
+         "density and viscosity at 20 C, unless they are given; short form `fluid: water`; `help materials` lists the "
+         "values"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .default_text = "1000",
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",
@@ -331,14 +333,13 @@ KEYS(fluid, sph2d_fluid, NULL);
 
 static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
-     .default_text = "wcsph", .stands_alone = true, .text = "the solver; alone, `method: wcsph`, too"},
+     .default_text = "wcsph", .stands_alone = true, .text = "the solver; short form `method: wcsph`"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .default_text = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
-     .text = "symmetric keep momentum; fitted are of second order where liquid fills "
-             "its room"},
+     .text = "symmetric conserves momentum; fitted is of second order, for liquid that fills "
+             "its domain"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
-     .default_text = "double", .feature = SPH2D_FEATURE_PRECISION,
-     .text = "mixed takes floats for what is summed over pairs"},
+     .default_text = "double", .feature = SPH2D_FEATURE_PRECISION, .text = "mixed uses floats in sums over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
      .default_text = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
@@ -347,11 +348,11 @@ static const sph2d_key method_items[] = {
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
      .unit = "", .default_text = "morris where a block fills a domain without open sides, else monaghan",
      .feature = SPH2D_FEATURE_VISCOSITY_FORM,
-     .text = "morris is exact in shear, monaghan at free surfaces, and keeps angular "
+     .text = "morris is exact in shear; monaghan at free surfaces, and conserves angular "
              "momentum"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
-     .text = "delta; density diffuses with delta c0 H/2"},
+     .text = "delta; the diffusivity of density is delta c0 H/2"},
     {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,
      .unit = "", .default_text = "antuono", .feature = SPH2D_FEATURE_DIFFUSION_FORM,
      .text = "antuono is exact for linear density, fourtakas for liquid at rest; fastest "
@@ -365,42 +366,42 @@ static const sph2d_key method_items[] = {
          "else smagorinsky",
      .feature = SPH2D_FEATURE_TURBULENCE,
      .text = "smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
-             "than the kernel, against what is not strained smoothly"},
+             "than the kernel, where the strain is not smooth"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .default_text = "1", .feature = SPH2D_FEATURE_SHIFTING,
      .text = "strength of particle shifting over the standard one"},
     {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
      .unit = "", .default_text = "on", .feature = SPH2D_FEATURE_TENSILE_CONTROL,
-     .text = "keeps liquid under tension from tearing"},
+     .text = "prevents voids in liquid under tension"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
      .unit = "", .default_text = "muller 0.1, else 0.01",
-     .text = "wanted rho/rho0 - 1, impacts apart; gives the sound speed"},
+     .text = "target of rho/rho0 - 1, except in impacts; determines the sound speed"},
     {"stiffness", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, stiffness), FROM_0, .unit = "m^2/s^2",
      .default_text = "from max_compression",
-     .text = "k in p = k (rho - rho0); c0^2 = k, of muller what its pair force makes of it"},
+     .text = "k in p = k (rho - rho0); c0^2 = k, for muller times the factor of its pair force"},
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
-     .default_text = "from max_compression", .text = "c0 by itself, instead of stiffness"},
+     .default_text = "from max_compression", .text = "c0, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
      .unit = "", .default_text = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
      .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
-             "takes 3 at most where a flow starts with hardly any viscosity"},
+             "at most 3 for flows with little viscosity"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .default_text = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max), without c0 for pcisph and constraint"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .default_text = "adaptive", .text = "a fixed step"},
     {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",
-     .default_text = "2", .feature = SPH2D_FEATURE_DAMPING, .text = "how fast a compression fades"},
+     .default_text = "2", .feature = SPH2D_FEATURE_DAMPING, .text = "decay time of compression errors"},
     {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
      .default_text = "max_compression/100", .feature = SPH2D_FEATURE_TOLERANCE,
-     .text = "mean compression that a step may leave to correct"},
+     .text = "mean compression error allowed after a step"},
     {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
      .default_text = "max", .feature = SPH2D_FEATURE_CRITERION,
-     .text = "which compression is kept below max_compression"},
+     .text = "the compression that is kept below max_compression"},
     {"min_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, min_iterations), BETWEEN(1, 100000), .unit = "",
-     .default_text = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "least iterations of a step"},
+     .default_text = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "minimum number of iterations per step"},
     {"max_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, max_iterations), BETWEEN(1, 100000), .unit = "",
-     .default_text = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "most iterations of a step"},
+     .default_text = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "maximum number of iterations per step"},
 };
 KEYS(method, sph2d_method_options, NULL);
 
@@ -411,40 +412,41 @@ KEYS(method, sph2d_method_options, NULL);
     }
 
 static const sph2d_key scene_items[] = {
-    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_scene, name), .unit = "", .default_text = "scene", .text = "for people"},
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_scene, name), .unit = "", .default_text = "scene",
+     .text = "title of the scene"},
     {"domain", SPH2D_KEY_GROUP, true, AT(sph2d_scene, domain), .keys = &box_keys, .unit = "",
-     .text = "the rectangle where the liquid lives"},
+     .text = "the simulated rectangle"},
     {"boundary", SPH2D_KEY_GROUP, false, AT(sph2d_scene, boundary), .keys = &boundary_keys, .unit = "",
-     .text = "what closes its sides"},
+     .text = "kinds of its sides"},
     {"walls", SPH2D_KEY_WORD, false, AT(sph2d_scene, walls), .words = wall_words, .unit = "",
      .default_text = "muller spring, else generalised", .text = "form of the sides that are walls"},
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
      .default_text = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
-     .text = "generalised walls: free slides, none sticks, smooth rubs by the law of the wall"},
+     .text = "generalised walls: free slip, no slip (none), or friction by the law of the wall (smooth)"},
     {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .default_text = "0",
-     .text = "smooth walls: how far behind them the velocity comes to theirs"},
+     .text = "smooth walls: slip length, distance behind the wall where the velocity equals the wall's"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",
-     .default_text = "none", .text = "how fast sides that are not free-slip move along themselves"},
+     .default_text = "none", .text = "tangential speeds of sides, unless free-slip"},
     {"wall_damping", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, wall_damping), BETWEEN(0, 1), .unit = "",
      .default_text = "0.1", .text = "spring walls: damping over critical damping"},
     {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .default_text = "[0, -9.81]",
      .text = "acceleration"},
     {"central_force", SPH2D_KEY_GROUP, false, AT(sph2d_scene, central_force), .keys = &central_force_keys, .unit = "",
-     .default_text = "none", .text = "a pull towards a centre that grows with the distance"},
+     .default_text = "none", .text = "a pull towards a centre, proportional to distance"},
     {"spacing", SPH2D_KEY_NUMBER, true, AT(sph2d_scene, spacing), ABOVE_0, .unit = "m", .text = "between particles"},
     {"fluid", SPH2D_KEY_GROUP, false, AT(sph2d_scene, fluid), .keys = &fluid_keys, .unit = "", .text = "the liquid"},
     {"method", SPH2D_KEY_GROUP, false, AT(sph2d_scene, method), .keys = &method_keys, .unit = "",
-     .text = "the solver and its numbers"},
+     .text = "the solver and its parameters"},
     LIST("blocks", blocks, block, "liquid at the start"),
     {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .default_text = "none",
-     .text = "a CSV file of particles: x, y, and perhaps vx, vy, density"},
-    LIST("sources", sources, source, "nozzles that feed liquid in"),
-    LIST("drains", drains, drain, "areas where liquid vanishes"),
-    LIST("obstacles", obstacles, obstacle, "walls of boundary particles, at rest or moving"),
+     .text = "a CSV file of particles: x, y, optionally vx, vy, density"},
+    LIST("sources", sources, source, "nozzles that emit liquid"),
+    LIST("drains", drains, drain, "areas that remove liquid"),
+    LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),
     LIST("interactions", interactions, interaction, "pull or push at a moving point"),
     LIST("probes", probes, probe, "time series"),
     {"run", SPH2D_KEY_GROUP, false, AT(sph2d_scene, run), .keys = &run_keys, .unit = "",
-     .text = "how long, and what is written"},
+     .text = "duration and outputs"},
 };
 KEYS(scene, sph2d_scene, scene_set);
 

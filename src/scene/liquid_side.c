@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file liquid_side.c
- *  Which side of an open line is wet, and the solid that a line becomes when both are. */
+ *  Finds the wet side of an open line, and converts lines that are wet on both sides to solids. */
 #include "scene/liquid_side.h"
 
 #include <math.h>
@@ -8,10 +8,10 @@
 
 #include "scene/resolve.h"
 
-/* Places along a piece of wall, and along an edge of a block's bounds, where liquid is looked for at most. */
-static const double MOST_ALONG = 2000, MOST_ACROSS = 40;
-/* A mitre reaches at most this many times as far as the offset: lines that turn by more than 120 degrees have none. */
-static const double LONGEST_MITRE = 2;
+/* Maximum numbers of samples along a wall segment, and along an edge of a block's bounding box. */
+static const double MAX_ALONG = 2000, MAX_ACROSS = 40;
+/* Mitre limit, as a multiple of the offset: lines that turn by more than 120 degrees have no solid. */
+static const double MITRE_LIMIT = 2;
 
 double sph2d__layer_thickness(const sph2d_scene *scene)
 {
@@ -32,9 +32,9 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
     return false;
 }
 
-/** Distance of a place from a line [m]; *side is positive on its left. Where two pieces are equally near, at a corner,
+/** Distance of a position from a line [m]; *side is positive on its left. Of two equally near segments, at a corner,
  *  both count. */
-static double look_at_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
+static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
 {
     double nearest = INFINITY;
     size_t pieces = sph2d__outline_pieces(outline, 0);
@@ -48,31 +48,31 @@ static double look_at_line(const sph2d_outline *outline, sph2d_vec2 p, double *s
     return nearest;
 }
 
-/** Whether blocks lie beside a line, within a thickness of it. */
-static void look_beside(const sph2d_scene *scene, const sph2d_outline *outline, double thickness, bool *left,
-                        bool *right)
+/** Whether there is liquid on the left and right of a line, within a thickness of it. */
+static void find_wet_sides(const sph2d_scene *scene, const sph2d_outline *outline, double thickness, bool *left,
+                           bool *right)
 {
     double dx = scene->spacing, side;
     size_t pieces = sph2d__outline_pieces(outline, dx);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, dx, k);
-        double length = hypot(s.b.x - s.a.x, s.b.y - s.a.y), count = fmin(fmax(floor(length / dx), 1), MOST_ALONG);
+        double length = hypot(s.b.x - s.a.x, s.b.y - s.a.y), count = fmin(fmax(floor(length / dx), 1), MAX_ALONG);
         for (double i = 0.5; i < count; ++i)
             for (double d = 0.5 * dx - thickness; d < thickness; d += dx) {
-                double t = i / count, way = d / length;
-                sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x) - way * (s.b.y - s.a.y),
-                                s.a.y + t * (s.b.y - s.a.y) + way * (s.b.x - s.a.x)};
+                double t = i / count, offset = d / length;
+                sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x) - offset * (s.b.y - s.a.y),
+                                s.a.y + t * (s.b.y - s.a.y) + offset * (s.b.x - s.a.x)};
                 bool *wet = d > 0 ? left : right;
-                if (!*wet && sph2d__in_block(scene, p) && look_at_line(outline, p, &side) >= 0.999 * fabs(d))
+                if (!*wet && sph2d__in_block(scene, p) && distance_to_line(outline, p, &side) >= 0.999 * fabs(d))
                     *wet = true;
             }
     }
     for (size_t i = 0; i < scene->source_count; ++i)
-        if (look_at_line(outline, scene->sources[i].at, &side) < thickness)
+        if (distance_to_line(outline, scene->sources[i].at, &side) < thickness)
             *(side > 0 ? left : right) = true;
 }
 
-/** The side of the liquid that is nearest to a line; left where there is none. */
+/** The side of the liquid nearest to a line; left if there is none. */
 static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_outline *outline)
 {
     double nearest = INFINITY, side = 1, here = 0;
@@ -80,12 +80,12 @@ static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_o
         const sph2d_shape *shape = &scene->blocks[i].shape;
         sph2d_box b = sph2d__shape_bounds(shape);
         double width = b.max.x - b.min.x, height = b.max.y - b.min.y;
-        double nx = fmin(fmax(floor(width / scene->spacing), 1), MOST_ACROSS);
-        double ny = fmin(fmax(floor(height / scene->spacing), 1), MOST_ACROSS);
+        double nx = fmin(fmax(floor(width / scene->spacing), 1), MAX_ACROSS);
+        double ny = fmin(fmax(floor(height / scene->spacing), 1), MAX_ACROSS);
         for (double y = 0.5; y < ny; ++y)
             for (double x = 0.5; x < nx; ++x) {
                 sph2d_vec2 p = {b.min.x + x / nx * width, b.min.y + y / ny * height};
-                double distance = sph2d__shape_contains(shape, p) ? look_at_line(outline, p, &here) : INFINITY;
+                double distance = sph2d__shape_contains(shape, p) ? distance_to_line(outline, p, &here) : INFINITY;
                 if (distance < nearest) {
                     nearest = distance;
                     side = here;
@@ -93,7 +93,7 @@ static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_o
             }
     }
     for (size_t i = 0; i < scene->source_count; ++i) {
-        double distance = look_at_line(outline, scene->sources[i].at, &here);
+        double distance = distance_to_line(outline, scene->sources[i].at, &here);
         if (distance < nearest) {
             nearest = distance;
             side = here;
@@ -107,13 +107,13 @@ sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d_obsta
     if (obstacle->liquid != SPH2D_LIQUID_AUTO)
         return obstacle->liquid;
     bool left = false, right = false;
-    look_beside(scene, &obstacle->outline, sph2d__layer_thickness(scene), &left, &right);
+    find_wet_sides(scene, &obstacle->outline, sph2d__layer_thickness(scene), &left, &right);
     if (left || right)
         return left && right ? SPH2D_LIQUID_BOTH : left ? SPH2D_LIQUID_LEFT : SPH2D_LIQUID_RIGHT;
     return side_of_nearest(scene, &obstacle->outline);
 }
 
-/** Normal of the way from one point to the next, to its left, of length 1. */
+/** Unit normal of a segment of a line, to its left. */
 static sph2d_vec2 normal_of(const sph2d_vec2 *points, size_t k)
 {
     double x = points[k + 1].x - points[k].x, y = points[k + 1].y - points[k].y, length = hypot(x, y);
@@ -126,8 +126,8 @@ bool sph2d__solid_of_line(sph2d_points line, double thickness, sph2d_vec2 *corne
     for (size_t k = 0; k < n; ++k) {
         sph2d_vec2 from = normal_of(line.items, k > 0 ? k - 1 : k);
         sph2d_vec2 to = normal_of(line.items, k + 1 < n ? k : k - 1);
-        double along = 1 + from.x * to.x + from.y * to.y; /* 2 where it goes straight on, 0 where it turns back */
-        if (along < 2 / (LONGEST_MITRE * LONGEST_MITRE))
+        double along = 1 + from.x * to.x + from.y * to.y; /* 2 where the line is straight, 0 where it turns back */
+        if (along < 2 / (MITRE_LIMIT * MITRE_LIMIT))
             return false;
         double x = thickness / 2 * (from.x + to.x) / along, y = thickness / 2 * (from.y + to.y) / along;
         corners[k] = (sph2d_vec2){line.items[k].x + x, line.items[k].y + y};

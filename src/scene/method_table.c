@@ -8,9 +8,9 @@
 #define HAS(feature) (UINT32_C(1) << SPH2D_FEATURE_##feature)
 #define WALL(form) (UINT32_C(1) << SPH2D_WALL_##form)
 
-/** H/dx of pcisph and constraint. Kernels that fall off faster reach farther, so that all are as wide, by the standard
- *  deviation (H over it: Dehnen & Aly 2012, table 1), as Wendland's C2 at 2.4: sums of narrower ones tell a lattice
- *  that is strained to 1:2 to be 7 to 13 % denser than it is, so that liquid swells; these 2 to 3 %. */
+/** H/dx of pcisph and constraint: all kernels have the standard deviation (H over it: Dehnen & Aly 2012, table 1) of
+ *  Wendland's C2 at 2.4. For a lattice strained to 1:2 the density sum of narrower kernels is 7 to 13 % too high, so
+ *  that liquid expands; with these it is 2 to 3 %. */
 static double projected_support(sph2d_kernel kernel)
 {
     switch (kernel) {
@@ -26,27 +26,28 @@ static double projected_support(sph2d_kernel kernel)
     return 2.4;
 }
 
-/* Guards: densities that integrated ones never have in a sound run. Sums over places have no lower bound, and the upper
- * one is of liquid that collapses into a point. Energy: fifteen times what sound scenes do. */
+/* Bounds of the guards. Integrated densities never exceed theirs in a valid run. Summed densities have no lower bound,
+ * and an upper one for liquid that collapses into a point. The energy bound is fifteen times the rise in valid
+ * scenes. */
 #define INTEGRATED_DENSITY .min_density = 0.2, .max_density = 5, .energy_rise = 0.1
 #define SUMMED_DENSITY .summed_density = true, .min_density = 0, .max_density = 20, .energy_rise = 0.1
 
 /* What both operators of wcsph share. */
 #define WEAKLY_COMPRESSIBLE                                                                                            \
-    .side_form = SPH2D_WALL_GENERALISED, .obstacle_form = SPH2D_WALL_GENERALISED, .sound = true,                       \
+    .side_form = SPH2D_WALL_GENERALISED, .obstacle_form = SPH2D_WALL_GENERALISED, .has_sound = true,                   \
     .sound_compression = 1, INTEGRATED_DENSITY
 
 /* What pcisph and constraint share. */
 #define PROJECTED                                                                                                      \
     .support_of_kernel = projected_support, .cfl = 0.4, .cfl_by_spacing = true, .side_form = SPH2D_WALL_GENERALISED,   \
-    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .calmed_by = "a smaller method.cfl"
+    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .damping_hint = "a smaller method.cfl"
 
 static const sph2d__method_row rows[] = {
     {.info = {.method = SPH2D_METHOD_WCSPH,
               .operators = SPH2D_OPERATORS_SYMMETRIC,
               .word = "wcsph",
               .name = "wcsph with symmetric operators",
-              .use = "water with a free surface, by default: pressures and waves with an error that is known",
+              .use = "water with a free surface, the default: pressures and waves with known errors",
               .scheme = "density by the continuity equation with diffusion, pressure by an equation of state",
               .source = "Molteni & Colagrossi 2009; Antuono et al. 2010; Sun et al. 2017, 2019; Adami et al. 2012",
               .support_ratio = 3,
@@ -57,14 +58,14 @@ static const sph2d__method_row rows[] = {
                           HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.3,
-     .calmed_by = "method.artificial_viscosity: 0.05",
+     .damping_hint = "method.artificial_viscosity: 0.05",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_WCSPH,
               .operators = SPH2D_OPERATORS_FITTED,
               .word = "wcsph",
               .name = "wcsph with fitted operators",
-              .use = "liquid that fills a closed or periodic domain: of second order",
-              .scheme = "quadratic least-squares derivatives, Adams and Bashforth's third order in time",
+              .use = "liquid that fills a closed or periodic domain: second order",
+              .scheme = "quadratic least-squares derivatives, third-order Adams-Bashforth in time",
               .source = "Lancaster & Salkauskas 1981; Lind et al. 2012; Sun et al. 2019",
               .support_ratio = 2.5,
               .max_compression = 0.01,
@@ -72,13 +73,13 @@ static const sph2d__method_row rows[] = {
                           HAS(SHIFTING) | HAS(WALL_SLIP),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.25,
-     .calmed_by = "more fluid.dynamic_viscosity",
+     .damping_hint = "more fluid.dynamic_viscosity",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_CONSTRAINT,
               .word = "constraint",
               .name = "constraint",
-              .use = "stiff liquid at large steps: pictures in a fraction of the time of wcsph",
-              .scheme = "density kept by constraints, pressure by conjugate gradients",
+              .use = "nearly incompressible liquid at large steps: images in a fraction of the time of wcsph",
+              .scheme = "density constraints, solved by conjugate gradients",
               .source = "Bodin, Lacoursiere & Servin 2011",
               .support_ratio = 2.4,
               .max_compression = 0.01,
@@ -86,13 +87,13 @@ static const sph2d__method_row rows[] = {
                           HAS(FREE_SURFACE),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .sound_compression = 1,
-     .ended_by = "method.tolerance",
+     .convergence_hint = "method.tolerance",
      PROJECTED},
     {.info = {.method = SPH2D_METHOD_PCISPH,
               .word = "pcisph",
               .name = "pcisph",
-              .use = "the same by prediction and correction: no matrix, for comparisons with the literature",
-              .scheme = "density kept by pressures that are corrected until it is",
+              .use = "the same by prediction and correction, without a matrix, for comparison with the literature",
+              .scheme = "pressure corrected iteratively until the density error is small",
               .source = "Solenthaler & Pajarola 2009",
               .support_ratio = 2.4,
               .max_compression = 0.01,
@@ -100,13 +101,13 @@ static const sph2d__method_row rows[] = {
                           HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .free_compression = true,
-     .sound_compression = 0.1, /* the loop keeps the whole */
-     .ended_by = "method.max_compression",
+     .sound_compression = 0.1, /* the iteration keeps max_compression */
+     .convergence_hint = "method.max_compression",
      PROJECTED},
     {.info = {.method = SPH2D_METHOD_MULLER,
               .word = "muller",
               .name = "muller",
-              .use = "soft liquid in real time: splashes that look right, with compressions of per cents",
+              .use = "compressible liquid in real time: plausible splashes, with compressions of several per cent",
               .scheme = "density as a sum, p = c0^2 (rho - rho0), leapfrog",
               .source = "Mueller, Charypar & Gross 2003, with two-dimensional kernel constants",
               .support_ratio = 2,
@@ -117,10 +118,10 @@ static const sph2d__method_row rows[] = {
      .artificial_viscosity = 0.1,
      .side_form = SPH2D_WALL_SPRING,
      .obstacle_form = SPH2D_WALL_HEAVY,
-     .sound = true,
+     .has_sound = true,
      .sound_compression = 1,
      .stiffness_part = sph2d__muller_stiffness,
-     .calmed_by = "more fluid.dynamic_viscosity",
+     .damping_hint = "more fluid.dynamic_viscosity",
      SUMMED_DENSITY},
 };
 enum { ROWS = sizeof rows / sizeof *rows };

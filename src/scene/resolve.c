@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file resolve.c
- *  The defaults that differ from method to method. */
+ *  Defaults that depend on the method. */
 #include "scene/resolve.h"
 
 #include "scene/method_table.h"
 
-static double or_else(double value, double standard)
+static double or_else(double value, double default_value)
 {
-    return value > 0 ? value : standard;
+    return value > 0 ? value : default_value;
 }
 
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
@@ -22,7 +22,7 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
     return m;
 }
 
-/** Whether liquid fills its room from the start: no side is open, and one block covers the domain. */
+/** Whether liquid fills the domain from the start: no side is open, and one block covers it. */
 static bool has_no_surface(const sph2d_scene *scene)
 {
     const sph2d_boundary *b = &scene->boundary;

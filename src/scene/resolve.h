@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /** @file resolve.h
- *  What a scene leaves to its method. */
+ *  Defaults that depend on the method. */
 #ifndef SPH2D_SCENE_RESOLVE_H
 #define SPH2D_SCENE_RESOLVE_H
 
 #include "sph2d/scene.h"
 
-/** The options with every 0 that stands for "the method's" filled in. */
+/** The options with every 0 that means "the method's default" replaced. */
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m);
 
-/** The form of viscosity that a scene without one gets: at a free surface that of Monaghan & Gingold. Methods without
- *  forms keep the default. */
+/** The form of viscosity: the scene's, or by default that of Monaghan & Gingold for scenes with a free surface, else
+ *  that of Morris. Unchanged for methods without this feature. */
 sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene);
 
-/** The model of eddies that a scene without one gets: Smagorinsky's at a free surface, unless shifting is off, or
- *  the scene damps by an artificial viscosity of its own. Methods without eddies keep the default. */
+/** The turbulence model: the scene's, or by default Smagorinsky's for scenes with a free surface, with shifting and
+ *  without artificial viscosity, else none. Unchanged for methods without this feature. */
 sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene);
 
 /** The form of the domain's sides that are walls. */

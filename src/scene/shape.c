@@ -42,7 +42,7 @@ sph2d_box sph2d__shape_bounds(const sph2d_shape *shape)
     return (sph2d_box){{0, 0}, {0, 0}};
 }
 
-/** Shoelace formula: positive for corners that go round anticlockwise. */
+/** Shoelace formula: positive for anticlockwise corners. */
 static double signed_area(sph2d_points points)
 {
     double twice = 0;
@@ -107,7 +107,7 @@ bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point)
     return false;
 }
 
-/** Twice the signed area of a triangle: positive when c lies to the left of the way from a to b. */
+/** Twice the signed area of a triangle: positive if c is on the left of a to b. */
 static double turn(sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

@@ -15,27 +15,27 @@ double sph2d__shape_area(const sph2d_shape *shape);
 /** Whether a point lies inside; points on the lower and left edges of a rectangle do, on the others not. */
 bool sph2d__shape_contains(const sph2d_shape *shape, sph2d_vec2 point);
 
-/** Whether two sides of a closed polygon that are no neighbours meet. */
+/** Whether two non-adjacent sides of a closed polygon meet. */
 bool sph2d__polygon_crosses_itself(sph2d_points points);
 
-/** A straight piece of wall. */
+/** A line segment. */
 typedef struct sph2d__segment {
     sph2d_vec2 a, b;
 } sph2d__segment;
 
-/** Number of straight pieces that an outline is made of; a circle is cut into pieces no longer than `spacing`. */
+/** Number of segments of an outline; those of a circle are no longer than `spacing`. */
 size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing);
-/** Piece `index` of so many. */
+/** Segment `index` of an outline. */
 sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index);
 /** Whether an outline is a line or polyline. */
 bool sph2d__outline_is_open(const sph2d_outline *outline);
-/** Whether the corners of a polygon go round clockwise. */
+/** Whether the corners of a polygon are in clockwise order. */
 bool sph2d__polygon_is_clockwise(sph2d_points points);
 /** Whether a point lies inside a closed outline (circle, box, polygon); never for lines. */
 bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
-/** Positive for a point on the left of the way from a to b, negative on the right. */
+/** Positive for a point on the left of a to b, negative on the right. */
 double sph2d__segment_side(const sph2d__segment *segment, sph2d_vec2 point);
-/** Distance of a point from a straight piece [m]. */
+/** Distance of a point from a segment [m]. */
 double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point);
 
 #endif
