@@ -97,7 +97,7 @@ static const struct {
     {"\x01\xfe\x80", SPH2D_CODE_SYNTAX, "this is not text"},
     {"[", SPH2D_CODE_SYNTAX, "more than a million values"},
     {"{\"a\":", SPH2D_CODE_SYNTAX, "more than a million values"},
-    {"- ", SPH2D_CODE_SYNTAX, "nested deeper than any scene"},
+    {"- ", SPH2D_CODE_SYNTAX, "nested too deeply"},
     {"- a\n", SPH2D_CODE_SYNTAX, "more than a million values"},
     {"&", SPH2D_CODE_SYNTAX, "more than a million values"},
     {"lorem ipsum ", SPH2D_CODE_SYNTAX, "expected the keys of a scene"},

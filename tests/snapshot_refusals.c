@@ -135,9 +135,9 @@ static const struct refusal {
     } dataset; /**< to put in the place of another */
     void (*change)(hid_t f);
 } refusals[] = {
-    {SPH2D_CODE_FILE_INCOMPLETE, "not written to its end", .attribute = {"/", "Complete"}},
-    {SPH2D_CODE_FILE_INCOMPLETE, "not written to its end", .count = {"/", "Complete"}},
-    {SPH2D_CODE_FILE_KIND, "no snapshot of sph2d", .attribute = {"/", "Format"}},
+    {SPH2D_CODE_FILE_INCOMPLETE, "not written completely", .attribute = {"/", "Complete"}},
+    {SPH2D_CODE_FILE_INCOMPLETE, "not written completely", .count = {"/", "Complete"}},
+    {SPH2D_CODE_FILE_KIND, "not a snapshot of sph2d", .attribute = {"/", "Format"}},
     {SPH2D_CODE_FILE_VERSION, "the file has version 2.", .count = {"/", "FormatVersion"}, .value = 2},
     {SPH2D_CODE_FILE_VERSION, "this program reads 1.", .count = {"/State", "StateVersion"}, .value = 1000},
     {SPH2D_CODE_FILE_FIELD, "'/PartType0/Velocities' is missing", .link = "/PartType0/Velocities"},
@@ -223,7 +223,7 @@ START_TEST(what_is_no_snapshot_is_refused)
     store_file("a.h5", "\x89HDF\r\n\x1a\n", 8);
     expect_refusal("a.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_INCOMPLETE, "damaged or cut short");
     H5Fclose(H5Fcreate("a.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-    expect_refusal("a.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_KIND, "no snapshot of sph2d");
+    expect_refusal("a.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_KIND, "not a snapshot of sph2d");
     ck_assert_int_eq(mkfifo("pipe", 0644), 0);
     expect_refusal("pipe", SPH2D_FORMAT, SPH2D_CODE_FILE_KIND, "a device or pipe");
 }
@@ -255,8 +255,7 @@ START_TEST(a_single_bit_is_noticed)
         store_file("b.h5", bytes, size);
         bytes[at] ^= (unsigned char)(1u << i % 8);
         if (at >= 8) /* before that, it is not even HDF5 */
-            expect_refusal("b.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_INCOMPLETE,
-                           "its bytes are not those that were written");
+            expect_refusal("b.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_INCOMPLETE, "its checksum does not match");
     }
     free(bytes);
 }

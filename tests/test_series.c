@@ -120,8 +120,8 @@ static const struct {
     const char *message;
 } unsound[] = {
     {NULL, SPH2D_CANTCREAT, SPH2D_CODE_FILE_WRITE, "cannot open 'a.csv': No such file"},
-    {"", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "its header is another"},
-    {"time [s],p [Pa]\n0,1\n1,1\n", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "its header is another"},
+    {"", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "the header differs"},
+    {"time [s],p [Pa]\n0,1\n1,1\n", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "the header differs"},
     {HEADER "0,1,2\n", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "fewer rows"},
     {HEADER "0,1,2\n1,1", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, "fewer rows"},
 };

@@ -305,7 +305,7 @@ START_TEST(what_is_no_table_is_refused)
 {
     static char garbage[100000] = {0};
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
-    ck_assert_msg(strstr(report.items[0].message, "no text") != NULL, "%s", test_report_text(&report));
+    ck_assert_msg(strstr(report.items[0].message, "not text") != NULL, "%s", test_report_text(&report));
     memset(garbage, ',', sizeof garbage);
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);

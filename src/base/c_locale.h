@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file c_locale.h
- *  Numbers in files have a point, whatever the program's locale says. The C locale is switched on for the calling
- *  thread alone while it is inside this library, and never for the process. */
+ *  The C locale, so that numbers in files have a decimal point in any locale. It is set for the calling thread only,
+ *  while it is inside this library, and never for the process. */
 #ifndef SPH2D_BASE_C_LOCALE_H
 #define SPH2D_BASE_C_LOCALE_H
 
@@ -9,23 +9,23 @@
 #include <stdbool.h>
 
 typedef struct sph2d__c_locale {
-    locale_t mine, before;
+    locale_t c_locale, before;
 } sph2d__c_locale;
 
 /** False when memory is short; then there is nothing to end. */
 static inline bool sph2d__c_locale_begin(sph2d__c_locale *scope)
 {
-    scope->mine = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (scope->mine == (locale_t)0)
+    scope->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (scope->c_locale == (locale_t)0)
         return false;
-    scope->before = uselocale(scope->mine);
+    scope->before = uselocale(scope->c_locale);
     return true;
 }
 
 static inline void sph2d__c_locale_end(sph2d__c_locale *scope)
 {
     uselocale(scope->before);
-    freelocale(scope->mine);
+    freelocale(scope->c_locale);
 }
 
 #endif

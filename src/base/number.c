@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file number.c
- *  Text to numbers, with nothing that strtod takes beyond decimals: no hexadecimals, no leading blanks, no NaN. */
+ *  Conversion of text to numbers: decimals only, unlike strtod without hexadecimals, leading blanks and NaN. */
 #include "base/number.h"
 
 #include <errno.h>
@@ -25,7 +25,7 @@ static bool is_not_finite(const char *text)
     return is_word(text, "nan") || is_word(text, "inf") || is_word(text, "infinity");
 }
 
-/** The length of `12`, at `text`. */
+/** The number of digits at `text`. */
 static size_t digits(const char *text)
 {
     return strspn(text, "0123456789");
@@ -35,14 +35,14 @@ static size_t digits(const char *text)
 static bool is_decimal(const char *text)
 {
     text += *text == '+' || *text == '-';
-    size_t whole = digits(text);
-    text += whole;
+    size_t integer = digits(text);
+    text += integer;
     size_t fraction = 0;
     if (*text == '.') {
         fraction = digits(text + 1);
         text += 1 + fraction;
     }
-    if (whole + fraction == 0)
+    if (integer + fraction == 0)
         return false;
     if (*text == 'e' || *text == 'E') {
         ++text;
@@ -63,11 +63,11 @@ sph2d__number sph2d__number_real(const char *text, double *value)
         return SPH2D__NUMBER_NONE;
     errno = 0;
     double result = strtod(text, NULL);
-    /* ERANGE with a small result that is not 0 is a subnormal number, which is as good as any */
+    /* ERANGE with a small non-zero result means a subnormal number, which is valid */
     if (errno == ERANGE && (result == 0 || isinf(result)))
         return SPH2D__NUMBER_RANGE;
     *value = result;
-    return SPH2D__NUMBER_FINE;
+    return SPH2D__NUMBER_OK;
 }
 
 sph2d__number sph2d__number_count(const char *text, uint64_t *value)
@@ -89,5 +89,5 @@ sph2d__number sph2d__number_count(const char *text, uint64_t *value)
     if (negative && result > 0)
         return SPH2D__NUMBER_RANGE;
     *value = result;
-    return SPH2D__NUMBER_FINE;
+    return SPH2D__NUMBER_OK;
 }

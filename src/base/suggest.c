@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file suggest.c
- *  Finds the word that somebody meant, by the number of single changes that lead from one to the other. */
+ *  Finds the nearest word by edit distance. */
 #include "base/suggest.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/** Longer words are not compared; no key is as long. */
-enum { MOST_LETTERS = 48 };
+/** Longer words are not compared; all keys are shorter. */
+enum { MAX_LETTERS = 48 };
 
-static unsigned least(unsigned a, unsigned b)
+static unsigned smaller(unsigned a, unsigned b)
 {
     return a < b ? a : b;
 }
@@ -19,13 +19,13 @@ static char lower(char c)
     return c >= 'A' && c <= 'Z' ? (char)(c | 0x20) : c;
 }
 
-/** Insertions, deletions, changes and swaps of neighbours that make `b` of `a`, ignoring case. */
+/** Edit distance from `a` to `b` with insertions, deletions, changes and transpositions, ignoring case. */
 static unsigned distance(const char *a, const char *b)
 {
     size_t n = strlen(a), m = strlen(b);
-    if (n > MOST_LETTERS || m > MOST_LETTERS)
-        return MOST_LETTERS;
-    unsigned rows[3][MOST_LETTERS + 1]; /* of the table of distances between beginnings: before last, last, now */
+    if (n > MAX_LETTERS || m > MAX_LETTERS)
+        return MAX_LETTERS;
+    unsigned rows[3][MAX_LETTERS + 1]; /* of the table of distances of prefixes: before last, last, present */
     unsigned *before = rows[0], *last = rows[1], *now = rows[2];
     for (size_t j = 0; j <= m; ++j)
         last[j] = before[j] = (unsigned)j;
@@ -33,9 +33,9 @@ static unsigned distance(const char *a, const char *b)
         now[0] = (unsigned)i;
         for (size_t j = 1; j <= m; ++j) {
             unsigned change = lower(a[i - 1]) != lower(b[j - 1]);
-            now[j] = least(last[j - 1] + change, least(last[j], now[j - 1]) + 1);
+            now[j] = smaller(last[j - 1] + change, smaller(last[j], now[j - 1]) + 1);
             if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
-                now[j] = least(now[j], before[j - 2] + 1);
+                now[j] = smaller(now[j], before[j - 2] + 1);
         }
         unsigned *oldest = before;
         before = last;
@@ -51,16 +51,16 @@ typedef struct candidate {
     unsigned distance;
 } candidate;
 
-static void consider(candidate *best, const char *written, const char *known)
+static void update_best(candidate *best, const char *written, const char *known)
 {
     unsigned changes = distance(written, known);
-    /* a third of the letters may be wrong, but a word of one or two letters must not turn into any other */
-    unsigned most = (unsigned)(strlen(known) < 3 ? 1 : (strlen(known) + 2) / 3);
-    if (changes <= most && changes < strlen(known) && (!best->text || changes < best->distance))
+    /* up to a third of the letters may differ, but words of one or two letters must not match everything */
+    unsigned limit = (unsigned)(strlen(known) < 3 ? 1 : (strlen(known) + 2) / 3);
+    if (changes <= limit && changes < strlen(known) && (!best->text || changes < best->distance))
         *best = (candidate){known, changes};
 }
 
-/** Appends to a list of words, as far as there is room. */
+/** Appends to a list of words, truncated to its size. */
 static void append_word(char *list, size_t size, const char *word)
 {
     size_t used = strlen(list);
@@ -74,7 +74,7 @@ void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sp
     candidate best = {NULL, 0};
     char list[sizeof diagnostic->hint - 16] = "";
     for (size_t i = 0; i < keys->count; ++i) {
-        consider(&best, name, keys->items[i].name);
+        update_best(&best, name, keys->items[i].name);
         append_word(list, sizeof list, keys->items[i].name);
     }
     if (best.text) {
@@ -99,7 +99,7 @@ void sph2d__suggest_word(sph2d_diagnostic *diagnostic, const char *text, const c
     candidate best = {NULL, 0};
     char list[sizeof diagnostic->hint - 32] = "";
     for (; *words; ++words) {
-        consider(&best, text, *words);
+        update_best(&best, text, *words);
         append_word(list, sizeof list, *words);
     }
     if (best.text)

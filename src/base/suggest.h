@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file suggest.h
- *  "did you mean ...?" */
+ *  Hints: "did you mean ...?" */
 #ifndef SPH2D_BASE_SUGGEST_H
 #define SPH2D_BASE_SUGGEST_H
 
 #include "sph2d/key.h"
 
-/** Gives a diagnostic about the unknown key `name` a hint: the key among `keys` that looks most like it, or a key of
- *  that very name in one of their groups, or else all of them. `diagnostic` may be NULL. */
+/** Adds a hint to a diagnostic about the unknown key `name`: the most similar of `keys`, or a key of the same name in
+ *  one of their groups, or else all of them. `diagnostic` may be NULL. */
 void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sph2d_keys *keys);
 
 /** The same for one of `words`, which NULL ends; all of them follow `all`, "one of". */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file convert.c
- *  Mappings into structs: which keys are there, which are not, and which should not be. */
+ *  Conversion of mappings to structs: known, missing, unknown and duplicate keys. */
 #include "files/convert.h"
 
 #include <stdio.h>
@@ -8,17 +8,17 @@
 
 #include "base/suggest.h"
 
-/** More keys than any struct has; a test holds the table to it. */
-enum { MOST_KEYS = 64 };
-/** Keys of a list that is written as a mapping: each is looked for among all. */
-enum { MOST_PAIRS = 1000 };
+/** Maximum number of keys of a struct; a test checks the table. */
+enum { MAX_KEYS = 64 };
+/** Maximum number of keys of a list that is written as a mapping; the search for duplicates is quadratic. */
+enum { MAX_PAIRS = 1000 };
 
 /** A mapping that is being converted. */
 typedef struct level {
     const sph2d_keys *keys;
     const sph2d__node *node;
     const char *path;
-    const sph2d__node *given[MOST_KEYS]; /**< by the key's index: the value that was taken */
+    const sph2d__node *given[MAX_KEYS]; /**< by index of the key: its value */
 } level;
 
 static void join(char path[SPH2D__PATH_SIZE], const char *above, const char *name)
@@ -28,7 +28,7 @@ static void join(char path[SPH2D__PATH_SIZE], const char *above, const char *nam
 
 static size_t key_count(const sph2d_keys *keys)
 {
-    return keys->count < MOST_KEYS ? keys->count : MOST_KEYS;
+    return keys->count < MAX_KEYS ? keys->count : MAX_KEYS;
 }
 
 /** The index of a key; the count when there is none of that name. */
@@ -40,7 +40,7 @@ static size_t key_index(const sph2d_keys *keys, const char *name)
     return i;
 }
 
-/** " on line 3", or nothing when the place has no line. */
+/** " on line 3", or "" for a place without a line. */
 static const char *on_line(const sph2d__node *node, char out[32])
 {
     int line = sph2d__place_line(node->key_place);
@@ -57,7 +57,7 @@ static void report_unknown(sph2d__converter *c, const level *m, const sph2d__nod
     sph2d__suggest_key(d, child->key, m->keys);
 }
 
-static void report_twice(sph2d__converter *c, const sph2d__node *child, const sph2d__node *first, const char *path)
+static void report_duplicate(sph2d__converter *c, const sph2d__node *child, const sph2d__node *first, const char *path)
 {
     char where[32];
     sph2d_diagnostic *d =
@@ -65,11 +65,11 @@ static void report_twice(sph2d__converter *c, const sph2d__node *child, const sp
     sph2d_diagnostic_hint(d, "first%s; keep one of them", on_line(first, where));
 }
 
-/** Whether a key of the same choice was given before; then that is reported. */
+/** Reports a key of the same choice that was given before; whether there is one. */
 static bool excluded(sph2d__converter *c, const level *m, size_t index, const sph2d__node *child, const char *path)
 {
     const sph2d_key *key = &m->keys->items[index];
-    const sph2d__node *rival = NULL;
+    const sph2d__node *other_choice = NULL;
     char list[160] = "";
     for (size_t i = 0; i < key_count(m->keys); ++i) {
         const sph2d_key *other = &m->keys->items[i];
@@ -78,13 +78,13 @@ static bool excluded(sph2d__converter *c, const level *m, size_t index, const sp
         size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", other->name);
         if (m->given[i])
-            rival = m->given[i];
+            other_choice = m->given[i];
     }
-    if (!key->choice || !rival)
+    if (!key->choice || !other_choice)
         return false;
     char where[32];
     sph2d_diagnostic *d = sph2d__fault(c->faults, SPH2D_CODE_CONFLICT, child->key_place, path, "'%s' excludes '%s'%s",
-                                       child->key, rival->key, on_line(rival, where));
+                                       child->key, other_choice->key, on_line(other_choice, where));
     sph2d_diagnostic_hint(d, "give one of %s", list);
     return true;
 }
@@ -100,8 +100,8 @@ static void store_list(const sph2d_key *key, const void *items, size_t count, vo
 static void convert_pairs(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path,
                           void *out)
 {
-    if (node->kind != SPH2D__NODE_MAPPING || node->count > MOST_PAIRS) {
-        sph2d__convert_wrong_type(c, key, node, path, node->count > MOST_PAIRS ? "at most 1000 keys" : "a mapping");
+    if (node->kind != SPH2D__NODE_MAPPING || node->count > MAX_PAIRS) {
+        sph2d__convert_wrong_type(c, key, node, path, node->count > MAX_PAIRS ? "at most 1000 keys" : "a mapping");
         return;
     }
     size_t size = key->keys->size, count = 0;
@@ -112,7 +112,7 @@ static void convert_pairs(sph2d__converter *c, const sph2d_key *key, const sph2d
         const char *text = sph2d__node_text(child, c->pool);
         c->faults->short_of_memory |= !text;
         if (first != child)
-            report_twice(c, child, first, path);
+            report_duplicate(c, child, first, path);
         char *item = items + count++ * size;
         memcpy(item + key->keys->items[0].offset, &child->key, sizeof child->key);
         memcpy(item + key->keys->items[1].offset, &text, sizeof text);
@@ -152,7 +152,7 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
     store_list(key, items, index, out);
 }
 
-/** The key that stands for others of its group; the count when none does. */
+/** The index of the key that presets others of its group; the count if there is none. */
 static size_t preset_index(const sph2d_keys *keys)
 {
     size_t i = 0;
@@ -161,8 +161,8 @@ static size_t preset_index(const sph2d_keys *keys)
     return i;
 }
 
-/** The key whose word stands for its whole group; NULL when none does. */
-static const sph2d_key *word_of(const sph2d_keys *keys, const char *name)
+/** The key whose word is the short form of its group; NULL if there is none. */
+static const sph2d_key *short_form_of(const sph2d_keys *keys, const char *name)
 {
     size_t index = key_index(keys, name);
     const sph2d_keys *inner = index < key_count(keys) ? keys->items[index].keys : NULL;
@@ -174,10 +174,10 @@ static const sph2d_key *word_of(const sph2d_keys *keys, const char *name)
     return NULL;
 }
 
-void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
+void sph2d__convert_short_forms(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
 {
     for (sph2d__node *child = mapping->first; child; child = child->next) {
-        const sph2d_key *key = word_of(keys, child->key);
+        const sph2d_key *key = short_form_of(keys, child->key);
         if (!key || child->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(child))
             continue;
         sph2d__node *word = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, child->place);
@@ -218,13 +218,13 @@ static void report_missing(sph2d__converter *c, const level *m)
             continue;
         char path[SPH2D__PATH_SIZE];
         join(path, m->path, key->name);
-        /* for the scene itself no line is to blame */
+        /* the scene as a whole has no line */
         sph2d__place place =
             m->path[0] ? sph2d__node_place(m->node) : (sph2d__place){m->node->place.source, SPH2D__NOWHERE};
         sph2d_diagnostic *d =
             sph2d__fault(c->faults, SPH2D_CODE_MISSING_KEY, place, path, "'%s' must be given", key->name);
         sph2d_diagnostic_hint(d, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
-        sph2d__faults_spoil(c->faults, path);
+        sph2d__faults_mark_invalid(c->faults, path);
     }
 }
 
@@ -251,7 +251,7 @@ void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys,
         } else if (m.given[index] == child) {
             continue;
         } else if (m.given[index]) {
-            report_twice(converter, child, m.given[index], child_path);
+            report_duplicate(converter, child, m.given[index], child_path);
         } else if (!excluded(converter, &m, index, child, child_path)) {
             m.given[index] = child;
             convert_key(converter, &keys->items[index], child, child_path, out);

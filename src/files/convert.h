@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file convert.h
- *  A tree into structs, by the table of keys. There is no code for any single key. */
+ *  Conversion of a tree to structs by the table of keys; no key has code of its own. */
 #ifndef SPH2D_FILES_CONVERT_H
 #define SPH2D_FILES_CONVERT_H
 
@@ -9,27 +9,27 @@
 
 /** One conversion. */
 typedef struct sph2d__converter {
-    sph2d__pool *pool; /**< of the lists and texts that the structs will point at */
+    sph2d__pool *pool; /**< owns the lists and texts that the structs point to */
     sph2d__faults *faults;
 } sph2d__converter;
 
-/** Key paths are cut at this; a diagnostic keeps less. */
+/** Key paths are truncated to this size; those of diagnostics are shorter. */
 enum { SPH2D__PATH_SIZE = 256 };
 
-/** Fills the struct `out`, which holds its defaults, from a mapping: unknown, doubled, missing and excluding keys and
- *  values of the wrong type are faults. `path` is the key path of the mapping, "" for the scene. */
+/** Fills the struct `out`, which contains its defaults, from a mapping. Unknown, duplicate, missing and mutually
+ *  exclusive keys and values of the wrong type are errors. `path` is the key path of the mapping, "" for the scene. */
 void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys, const sph2d__node *mapping,
                             const char *path, void *out);
 
-/** Fills the value of one key of kind NUMBER to NUMBERS in the struct `out`. */
+/** Sets the value of one key, of kinds NUMBER to NUMBERS, in the struct `out`. */
 void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node, const char *path,
                           void *out);
 
-/** Reports that a node is not what a key holds. */
+/** Reports that a node has the wrong type for a key. */
 void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
                                const char *path, const char *expected);
 
-/** Writes words that stand for a whole group, as `fluid: water`, out as mappings, `fluid: {material: water}`. */
-void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults);
+/** Expands short forms of groups, `fluid: water`, to mappings, `fluid: {material: water}`. */
+void sph2d__convert_short_forms(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file convert_value.c
- *  Single values into their C types. Ranges are the checker's; here it matters only what a type can hold. */
+ *  Conversion of single values to their C types. Ranges are checked by the scene checker, except those of the types. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,38 +24,38 @@ static void hint_key(sph2d_diagnostic *diagnostic, const sph2d_key *key)
 void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
                                const char *path, const char *expected)
 {
-    sph2d__faults_spoil(converter->faults, path);
+    sph2d__faults_mark_invalid(converter->faults, path);
     if (node->kind == SPH2D__NODE_FAULTY) /* reported already */
         return;
     char got[80];
     sph2d_diagnostic *d = sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path,
-                                       "expected %s, got %s", expected, sph2d__node_words(node, got, sizeof got));
+                                       "expected %s, got %s", expected, sph2d__node_describe(node, got, sizeof got));
     hint_key(d, key);
 }
 
-/** Reports what is not a number, or not one that can be stored. */
-static bool number_is_fine(const value *v, const sph2d__node *node, sph2d__number state, const char *expected)
+/** Reports a value that is not a number, or one that cannot be stored. */
+static bool check_number(const value *v, const sph2d__node *node, sph2d__number state, const char *expected)
 {
-    if (state == SPH2D__NUMBER_FINE)
+    if (state == SPH2D__NUMBER_OK)
         return true;
     if (state == SPH2D__NUMBER_NONE) {
         sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
         return false;
     }
     char got[80], reason[80];
-    sph2d__node_words(node, got, sizeof got);
+    sph2d__node_describe(node, got, sizeof got);
     if (state == SPH2D__NUMBER_NOT_FINITE)
         snprintf(reason, sizeof reason, "is not a finite number");
     else if (v->key->kind == SPH2D_KEY_COUNT || v->key->kind == SPH2D_KEY_COUNTS2)
         snprintf(reason, sizeof reason, "is out of range: must be at least %g and at most %g", v->key->min,
                  fmin(v->key->max, (double)UINT64_MAX));
     else
-        snprintf(reason, sizeof reason, "is beyond the numbers that a double can hold");
+        snprintf(reason, sizeof reason, "exceeds the range of a double");
     sph2d__faults *faults = v->converter->faults;
     sph2d_diagnostic *d =
         sph2d__fault(faults, SPH2D_CODE_OUT_OF_RANGE, sph2d__node_place(node), v->path, "%s %s", got, reason);
     hint_key(d, v->key);
-    sph2d__faults_spoil(faults, v->path);
+    sph2d__faults_mark_invalid(faults, v->path);
     return false;
 }
 
@@ -68,7 +68,7 @@ static void read_real(const value *v, const sph2d__node *node, double *out)
 {
     double result = 0;
     sph2d__number state = is_plain(node) ? sph2d__number_real(node->text, &result) : SPH2D__NUMBER_NONE;
-    if (number_is_fine(v, node, state, "a number"))
+    if (check_number(v, node, state, "a number"))
         *out = result;
 }
 
@@ -76,11 +76,11 @@ static void read_count(const value *v, const sph2d__node *node, uint64_t *out)
 {
     uint64_t result = 0;
     sph2d__number state = is_plain(node) ? sph2d__number_count(node->text, &result) : SPH2D__NUMBER_NONE;
-    if (number_is_fine(v, node, state, "a whole number"))
+    if (check_number(v, node, state, "a whole number"))
         *out = result;
 }
 
-/** Whether a node is a list of exactly `count`; otherwise that is reported. */
+/** Whether a node is a list of exactly `count` items; reports an error otherwise. */
 static bool is_tuple(const value *v, const sph2d__node *node, size_t count, const char *expected)
 {
     if (node->kind == SPH2D__NODE_SEQUENCE && node->count == count)
@@ -155,9 +155,9 @@ static void read_word(const value *v, const sph2d__node *node, void *slot)
     char got[80];
     sph2d__faults *faults = v->converter->faults;
     sph2d_diagnostic *d = sph2d__fault(faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), v->path,
-                                       "unknown value %s", sph2d__node_words(node, got, sizeof got));
+                                       "unknown value %s", sph2d__node_describe(node, got, sizeof got));
     sph2d__suggest_word(d, node->text, words, "one of");
-    sph2d__faults_spoil(faults, v->path);
+    sph2d__faults_mark_invalid(faults, v->path);
 }
 
 void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node, const char *path,

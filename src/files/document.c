@@ -26,7 +26,7 @@ static bool has_keys(const sph2d__document *document, const sph2d__document_kind
     } else {
         char got[80];
         d = sph2d__fault(faults, SPH2D_CODE_SYNTAX, root->place, NULL, "expected the keys of a %s, got %s", kind->name,
-                         sph2d__node_words(root, got, sizeof got));
+                         sph2d__node_describe(root, got, sizeof got));
     }
     sph2d_diagnostic_hint(d, "%s", kind->hint);
     return false;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_open.c
- *  Opening a file of unknown content as HDF5, and saying what is wrong with it. */
+ *  Opens an untrusted file as HDF5, with specific error messages. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -11,8 +11,8 @@
 
 #include "base/atomic_file.h"
 #include "files/h5_read.h"
-#include "files/seal.h"
 #include "files/text.h"
+#include "files/trailer.h"
 
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
 {
@@ -37,8 +37,8 @@ static void fail(sph2d__h5_reader *r, const char *what, int error)
     r->status = SPH2D_NOINPUT;
 }
 
-/** Looks at an open file before HDF5 does: what it is, its size, the eight bytes that HDF5 starts with, its seal. */
-static void look(sph2d__h5_reader *r, int fd)
+/** Checks an open file before HDF5 reads it: type, size, HDF5 signature, checksum trailer. */
+static void check_file(sph2d__h5_reader *r, int fd)
 {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     struct stat info;
@@ -57,12 +57,11 @@ static void look(sph2d__h5_reader *r, int fd)
     unsigned char start[sizeof signature];
     ssize_t got = pread(fd, start, sizeof start, 0);
     if (got == (ssize_t)sizeof start && memcmp(start, signature, sizeof start) == 0) {
-        sph2d__seal seal = sph2d__seal_check(fd);
-        if (seal == SPH2D__SEAL_UNREADABLE)
+        sph2d__trailer seal = sph2d__trailer_check(fd);
+        if (seal == SPH2D__TRAILER_UNREADABLE)
             fail(r, "read", errno);
-        else if (seal == SPH2D__SEAL_BROKEN)
-            sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE,
-                             "the file is damaged: its bytes are not those that were written");
+        else if (seal == SPH2D__TRAILER_INVALID)
+            sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged: its checksum does not match");
         else
             r->file_bytes = (uint64_t)info.st_size;
     } else if (got < 0) {
@@ -75,22 +74,22 @@ static void look(sph2d__h5_reader *r, int fd)
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)
 {
     *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
-    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe without a writer must not hold us up */
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* do not block on a pipe without a writer */
     if (fd < 0) {
         fail(r, "open", errno);
         return;
     }
-    look(r, fd);
+    check_file(r, fd);
     close(fd);
     if (r->status != SPH2D_OK)
         return;
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    bool fine = access >= 0 && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
+    bool ok = access >= 0 && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
 #if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 12, 0))
-    /* snapshots never change once they have their name, and some file systems cannot lock */
-    fine = fine && H5Pset_file_locking(access, false, true) >= 0;
+    /* snapshots never change once they are renamed, and some file systems do not support locks */
+    ok = ok && H5Pset_file_locking(access, false, true) >= 0;
 #endif
-    r->file = fine ? H5Fopen(path, H5F_ACC_RDONLY, access) : H5I_INVALID_HID;
+    r->file = ok ? H5Fopen(path, H5F_ACC_RDONLY, access) : H5I_INVALID_HID;
     if (r->file < 0) {
         char cause[160];
         sph2d__h5_cause(cause, sizeof cause);

@@ -5,10 +5,10 @@
 
 #include <string.h>
 
-/** Deflate shrinks to a thousandth at best; more is a lie. */
-enum { MOST_RATIO = 1100 };
-/** Bytes in a chunk; ours have 512 KiB. HDF5 allocates a chunk before it reads one. */
-enum { MOST_CHUNK_BYTES = 64 << 20 };
+/** Maximum compression ratio: deflate reaches about a thousand, so more is damage. */
+enum { MAX_RATIO = 1100 };
+/** Maximum bytes in a chunk; this program writes 512 KiB. HDF5 allocates a chunk before it reads it. */
+enum { MAX_CHUNK_BYTES = 64 << 20 };
 
 static sph2d_diagnostic *refuse_item(sph2d__h5_reader *r, const char *name, const char *what)
 {
@@ -28,7 +28,7 @@ static bool has_attribute(const sph2d__h5_reader *r, const char *group, const ch
     return H5Aexists_by_name(r->file, group, name, H5P_DEFAULT) > 0;
 }
 
-/** Whether there is a dataset of that name in a group. */
+/** Whether a group has a dataset of a name. */
 static bool has_dataset(const sph2d__h5_reader *r, const char *group, const char *name)
 {
     bool top = strcmp(group, "/") == 0;
@@ -45,7 +45,7 @@ bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *nam
     return has_attribute(r, group, name) || has_dataset(r, group, name);
 }
 
-/** Opens a dataset and refuses what is none. */
+/** Opens a dataset; negative if it is none. */
 static hid_t open_dataset(const sph2d__h5_reader *r, const char *group, const char *name)
 {
     hid_t at = H5Gopen2(r->file, group, H5P_DEFAULT);
@@ -55,18 +55,18 @@ static hid_t open_dataset(const sph2d__h5_reader *r, const char *group, const ch
     return id;
 }
 
-/** Whether a chunked dataset of `bytes` can be what the file holds, without an allocation that it could not. */
+/** Whether a chunked dataset of `bytes` is plausible for the bytes stored, and its chunks are not too large. */
 static bool chunks_fit(const sph2d__h5_item *item, hid_t properties, uint64_t bytes, uint64_t stored)
 {
     hsize_t chunk[2] = {1, 1};
     if (H5Pget_chunk(properties, 2, chunk) != item->rank)
         return false;
-    if (chunk[0] == 0 || chunk[1] == 0 || chunk[0] > MOST_CHUNK_BYTES || chunk[1] > MOST_CHUNK_BYTES)
+    if (chunk[0] == 0 || chunk[1] == 0 || chunk[0] > MAX_CHUNK_BYTES || chunk[1] > MAX_CHUNK_BYTES)
         return false;
-    return chunk[0] * chunk[1] <= MOST_CHUNK_BYTES / item->bytes && bytes / MOST_RATIO <= stored;
+    return chunk[0] * chunk[1] <= MAX_CHUNK_BYTES / item->bytes && bytes / MAX_RATIO <= stored;
 }
 
-/** Whether an item's values can be in the file at all. */
+/** Whether an item's values can fit in the file. */
 static bool fits(const sph2d__h5_reader *r, const sph2d__h5_item *item)
 {
     uint64_t rows = item->sizes[0], columns = item->sizes[1];
@@ -82,14 +82,14 @@ static bool fits(const sph2d__h5_reader *r, const sph2d__h5_item *item)
         return false;
     uint64_t stored = H5Dget_storage_size(item->id);
     H5D_layout_t layout = H5Pget_layout(properties);
-    bool fine = stored > 0 && stored <= r->file_bytes;
+    bool ok = stored > 0 && stored <= r->file_bytes;
     if (layout == H5D_CHUNKED)
-        fine = fine && chunks_fit(item, properties, bytes, stored);
+        ok = ok && chunks_fit(item, properties, bytes, stored);
     else
-        fine = fine && (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) && bytes <= stored &&
-               H5Pget_external_count(properties) == 0;
+        ok = ok && (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) && bytes <= stored &&
+             H5Pget_external_count(properties) == 0;
     H5Pclose(properties);
-    return fine;
+    return ok;
 }
 
 bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item)
@@ -109,17 +109,17 @@ bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *nam
     }
     item->rank = item->space >= 0 ? H5Sget_simple_extent_ndims(item->space) : -1;
     hsize_t sizes[2] = {1, 1};
-    bool fine = item->type >= 0 && item->rank >= 0 && item->rank <= 2 &&
-                H5Sget_simple_extent_dims(item->space, sizes, NULL) >= 0;
-    item->bytes = fine ? H5Tget_size(item->type) : 0;
+    bool ok = item->type >= 0 && item->rank >= 0 && item->rank <= 2 &&
+              H5Sget_simple_extent_dims(item->space, sizes, NULL) >= 0;
+    item->bytes = ok ? H5Tget_size(item->type) : 0;
     item->sizes[0] = sizes[0];
     item->sizes[1] = sizes[1];
-    if (fine && H5Sget_simple_extent_type(item->space) != H5S_NULL && fits(r, item))
+    if (ok && H5Sget_simple_extent_type(item->space) != H5S_NULL && fits(r, item))
         return true;
     if (item->id < 0)
         read_failed(r, name);
     else
-        refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: the file cannot hold it");
+        refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: it is larger than the file");
     sph2d__h5_item_close(item);
     return false;
 }
@@ -151,14 +151,14 @@ bool sph2d__h5_item_read_rows(sph2d__h5_reader *r, const sph2d__h5_item *item, h
 {
     hsize_t start[2] = {first, 0}, sizes[2] = {count, item->sizes[1]};
     hid_t in_memory = H5Screate_simple(item->rank, sizes, NULL);
-    bool fine = in_memory >= 0 && H5Sselect_hyperslab(item->space, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
-                H5Dread(item->id, type, in_memory, item->space, H5P_DEFAULT, out) >= 0;
+    bool ok = in_memory >= 0 && H5Sselect_hyperslab(item->space, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
+              H5Dread(item->id, type, in_memory, item->space, H5P_DEFAULT, out) >= 0;
     if (in_memory >= 0)
         H5Sclose(in_memory);
-    return fine || read_failed(r, name);
+    return ok || read_failed(r, name);
 }
 
-/* ---- whole items by name ----------------------------------------------------------------------------------------- */
+/* ---- items by name ----------------------------------------------------------------------------------------------- */
 
 static bool get_numbers(sph2d__h5_reader *r, const char *group, const char *name, H5T_class_t class, hid_t type,
                         void *out, size_t count)
@@ -166,15 +166,15 @@ static bool get_numbers(sph2d__h5_reader *r, const char *group, const char *name
     sph2d__h5_item item;
     if (!sph2d__h5_item_open(r, group, name, &item))
         return false;
-    bool fine = false;
+    bool ok = false;
     if (H5Tget_class(item.type) != class)
         refuse_item(r, name, "has the wrong type");
     else if (item.sizes[0] * item.sizes[1] != count)
         refuse_item(r, name, "has the wrong shape");
     else
-        fine = sph2d__h5_item_read(r, &item, type, out, name);
+        ok = sph2d__h5_item_read(r, &item, type, out, name);
     sph2d__h5_item_close(&item);
-    return fine;
+    return ok;
 }
 
 bool sph2d__h5_get_reals(sph2d__h5_reader *r, const char *group, const char *name, double *out, size_t count)
@@ -187,7 +187,7 @@ bool sph2d__h5_get_counts(sph2d__h5_reader *r, const char *group, const char *na
     return get_numbers(r, group, name, H5T_INTEGER, H5T_NATIVE_UINT64, out, count);
 }
 
-/** Reads an item of texts of fixed length as one block, each text ended by a NUL of its own; NULL after a fault. */
+/** Reads an item of fixed-length texts as one block of NUL-terminated texts; NULL after an error. */
 static char *get_text_block(sph2d__h5_reader *r, const char *group, const char *name, size_t *count, size_t *stride)
 {
     sph2d__h5_item item;
@@ -197,13 +197,13 @@ static char *get_text_block(sph2d__h5_reader *r, const char *group, const char *
     *count = item.sizes[0] * item.sizes[1];
     *stride = item.bytes + 1;
     if (H5Tget_class(item.type) != H5T_STRING || H5Tis_variable_str(item.type) != 0) {
-        refuse_item(r, name, "has the wrong type: a text of fixed length is wanted");
+        refuse_item(r, name, "has the wrong type: expected a text of fixed length");
     } else if (!(block = sph2d__pool_alloc(r->pool, *count + 1, *stride))) {
         r->status = SPH2D_NOMEM;
     } else {
-        hid_t type = H5Tcopy(item.type); /* one byte longer, so that there is an end */
-        bool fine = type >= 0 && H5Tset_size(type, *stride) >= 0 && H5Tset_strpad(type, H5T_STR_NULLTERM) >= 0;
-        if (!fine || !sph2d__h5_item_read(r, &item, type, block, name))
+        hid_t type = H5Tcopy(item.type); /* one byte longer, for the NUL */
+        bool ok = type >= 0 && H5Tset_size(type, *stride) >= 0 && H5Tset_strpad(type, H5T_STR_NULLTERM) >= 0;
+        if (!ok || !sph2d__h5_item_read(r, &item, type, block, name))
             block = NULL;
         if (type >= 0)
             H5Tclose(type);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_read.h
- *  Reading HDF5 that nobody vouches for: nothing is believed before it is compared with the file's size, and every
- *  refusal is a sentence. */
+ *  Reads untrusted HDF5: sizes are checked against the file's size before use, and every error has a message. */
 #ifndef SPH2D_FILES_H5_READ_H
 #define SPH2D_FILES_H5_READ_H
 
@@ -15,21 +14,21 @@
 typedef struct sph2d__h5_reader {
     const char *path;
     sph2d_report *report;
-    sph2d__pool *pool; /**< of what is read */
+    sph2d__pool *pool; /**< owns all that is read */
     hid_t file;
     uint64_t file_bytes;
-    sph2d_status status; /**< SPH2D_OK until something is refused; reading goes on, to find everything */
+    sph2d_status status; /**< SPH2D_OK until the first error; reading goes on, to report all errors */
 } sph2d__h5_reader;
 
 /** Opens a file. The result is in r->status. End it with sph2d__h5_reader_close in any case. */
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report);
 void sph2d__h5_reader_close(sph2d__h5_reader *r);
 
-/** Reports a fault of the file's content. Returns the diagnostic for a hint, or NULL. */
+/** Reports an error in the file's content. Returns the diagnostic, for a hint, or NULL. */
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** A named thing in the file, an attribute or a dataset. */
+/** An attribute or a dataset. */
 typedef struct sph2d__h5_item {
     hid_t id;
     bool is_attribute;
@@ -39,22 +38,22 @@ typedef struct sph2d__h5_item {
     size_t bytes;    /**< of one value in the file */
 } sph2d__h5_item;
 
-/** Whether there is an attribute or dataset of that name in a group. */
+/** Whether a group has an attribute or dataset of a name. */
 bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *name);
-/** Opens an item and learns its shape; false, reported, when it is missing or cannot be what it says. Close it. */
+/** Opens an item and gets its shape; false, with a report, if it is missing or damaged. Close it with item_close. */
 bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item);
 void sph2d__h5_item_close(sph2d__h5_item *item);
-/** Reads all of an item, or rows `first` to `first + count` of a dataset. */
+/** Reads an item, or rows `first` to `first + count` of a dataset. */
 bool sph2d__h5_item_read(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, void *out, const char *name);
 bool sph2d__h5_item_read_rows(sph2d__h5_reader *r, const sph2d__h5_item *item, hid_t type, size_t first, size_t count,
                               void *out, const char *name);
 
-/** Reads exactly `count` numbers; whole ones for the second. False, reported, when that is not what is there. */
+/** Read exactly `count` doubles, or unsigned integers. False, with a report, for another type or count. */
 bool sph2d__h5_get_reals(sph2d__h5_reader *r, const char *group, const char *name, double *out, size_t count);
 bool sph2d__h5_get_counts(sph2d__h5_reader *r, const char *group, const char *name, uint64_t *out, size_t count);
-/** Reads a text into the pool; NULL, reported, when there is none. */
+/** Reads a text into the pool; NULL, with a report, if there is none. */
 const char *sph2d__h5_get_text(sph2d__h5_reader *r, const char *group, const char *name);
-/** Reads a list of texts into the pool; NULL, reported, when there is none. */
+/** Reads a list of texts into the pool; NULL, with a report, if there is none. */
 const char **sph2d__h5_get_texts(sph2d__h5_reader *r, const char *group, const char *name, size_t *count);
 
 #endif

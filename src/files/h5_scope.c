@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_scope.c
- *  HDF5's error stack, silenced and read. */
+ *  Silences HDF5's error printing and reads its error stack. */
 #include "files/h5_scope.h"
 
 #include <stdio.h>
@@ -30,7 +30,7 @@ typedef struct buffer {
     size_t size;
 } buffer;
 
-/** Takes the first error that it is shown, without line ends. */
+/** Copies the first error of the walk, without line ends. */
 static herr_t take_first(unsigned n, const H5E_error2_t *error, void *data)
 {
     const buffer *b = data;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_sink.c
- *  A file driver of HDF5 on one open file. It does what HDF5's standard driver does, except for errors. */
+ *  An HDF5 file driver on one open file. Like HDF5's default driver, except for errors. */
 #include "files/h5_sink.h"
 
 #include <errno.h>
@@ -12,24 +12,24 @@
 #include <H5FDdevelop.h>
 #endif
 
-/** What HDF5 holds of the open file; its own part comes first. */
+/** The driver's handle of the open file; HDF5's part comes first. */
 typedef struct handle {
     H5FD_t base;
     sph2d__h5_sink *sink;
-    haddr_t allocated; /**< end of what HDF5 has given out */
-    haddr_t end;       /**< end of the file, as if nothing had failed */
+    haddr_t allocated; /**< end of the space that HDF5 has allocated */
+    haddr_t end;       /**< end of the file, as if all writes had succeeded */
 } handle;
 
-/** What the access properties carry. HDF5 copies it byte by byte. */
+/** The driver's data in the access properties; HDF5 copies it byte by byte. */
 typedef struct driver_info {
     sph2d__h5_sink *sink;
 } driver_info;
 
-static H5FD_t *open_handle(const char *name, unsigned flags, hid_t fapl, haddr_t most)
+static H5FD_t *open_handle(const char *name, unsigned flags, hid_t fapl, haddr_t limit)
 {
     (void)name;
     (void)flags;
-    (void)most;
+    (void)limit;
     const driver_info *info = H5Pget_driver_info(fapl);
     handle *h = info ? calloc(1, sizeof *h) : NULL;
     if (!h)
@@ -71,7 +71,7 @@ static haddr_t get_end(const H5FD_t *file, H5FD_mem_t type)
     return ((const handle *)file)->end;
 }
 
-/** Reads back; what lies beyond the end, or was lost, is zero. */
+/** Reads back; bytes beyond the end, or lost after an error, are zero. */
 static herr_t read_bytes(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t address, size_t size, void *buffer)
 {
     (void)type;
@@ -124,7 +124,7 @@ static herr_t truncate_file(H5FD_t *file, hid_t dxpl, hbool_t closing)
 static const H5FD_class_t driver_class = {
 #if H5_VERSION_GE(1, 13, 0)
     .version = H5FD_CLASS_VERSION,
-    .value = 600, /* from the range that is free for anyone */
+    .value = 600, /* from the range for unregistered drivers */
 #endif
     .name = "sph2d",
     .maxaddr = ((haddr_t)1 << (8 * sizeof(off_t) - 1)) - 1,
@@ -139,7 +139,7 @@ static const H5FD_class_t driver_class = {
     .read = read_bytes,
     .write = write_bytes,
     .truncate = truncate_file,
-    .fl_map = H5FD_FLMAP_DICHOTOMY, /* as HDF5's standard driver, so that files look the same */
+    .fl_map = H5FD_FLMAP_DICHOTOMY, /* as in HDF5's default driver, for the same file layout */
 };
 
 hid_t sph2d__h5_sink_driver(hid_t fapl, sph2d__h5_sink *sink)

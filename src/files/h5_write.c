@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_write.c
- *  The few HDF5 calls that snapshots need, with errors that stick. */
+ *  Wrappers of the HDF5 calls that snapshots need, with sticky errors. */
 #include "files/h5_write.h"
 
 #include <stdlib.h>
@@ -8,19 +8,19 @@
 
 #include "base/atomic_file.h"
 
-/** Attributes live in object headers, whose messages end at 64 KiB. */
-enum { MOST_ATTRIBUTE_BYTES = 32 * 1024 };
+/** Maximum size of an attribute: object header messages are limited to 64 KiB. */
+enum { MAX_ATTRIBUTE_BYTES = 32 * 1024 };
 /** Values in a chunk of a compressed dataset. */
 enum { CHUNK_VALUES = 64 * 1024 };
-/** Datasets with less rows are not worth compressing. */
-enum { LEAST_ROWS = 64 };
-/** Up to so many attributes of an object stay in its header: trees and heaps, in which HDF5 keeps more than eight by
- *  itself, take a tenth of a snapshot's time. */
-enum { MOST_IN_HEADER = 4096 };
+/** Minimum number of rows of a compressed dataset. */
+enum { MIN_COMPRESSED_ROWS = 64 };
+/** Maximum number of attributes in an object's header. By default HDF5 moves more than eight to B-trees and heaps,
+ *  which takes a tenth of a snapshot's time. */
+enum { MAX_IN_HEADER = 4096 };
 
-void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what)
+void sph2d__h5_check(sph2d__h5_writer *w, bool ok, const char *what)
 {
-    if (!w->ok || (fine && w->sink.error == 0))
+    if (!w->ok || (ok && w->sink.error == 0))
         return;
     w->ok = false;
     if (w->sink.error != 0) {
@@ -33,17 +33,17 @@ void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what)
                      cause);
 }
 
-void sph2d__h5_check_memory(sph2d__h5_writer *w, bool fine)
+void sph2d__h5_check_memory(sph2d__h5_writer *w, bool ok)
 {
-    w->short_of_memory = w->short_of_memory || !fine;
-    w->ok = w->ok && fine;
+    w->short_of_memory = w->short_of_memory || !ok;
+    w->ok = w->ok && ok;
 }
 
-/** What files, groups and datasets have in common. */
+/** Properties common to files, groups and datasets. */
 static bool set_object(hid_t properties)
 {
     return properties >= 0 && H5Pset_obj_track_times(properties, false) >= 0 &&
-           H5Pset_attr_phase_change(properties, MOST_IN_HEADER, MOST_IN_HEADER / 2) >= 0;
+           H5Pset_attr_phase_change(properties, MAX_IN_HEADER, MAX_IN_HEADER / 2) >= 0;
 }
 
 void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const char *path, sph2d_report *report)
@@ -58,12 +58,12 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
                             .ok = true};
     hid_t creation = H5Pcreate(H5P_FILE_CREATE);
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    bool fine = access >= 0 && set_object(creation) && set_object(w->group_properties);
-    fine = fine && H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0;
-    fine = fine && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
-    fine = fine && (w->driver = sph2d__h5_sink_driver(access, &w->sink)) >= 0;
-    fine = fine && (w->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, access)) >= 0;
-    sph2d__h5_check(w, fine, "creating it");
+    bool ok = access >= 0 && set_object(creation) && set_object(w->group_properties);
+    ok = ok && H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0;
+    ok = ok && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
+    ok = ok && (w->driver = sph2d__h5_sink_driver(access, &w->sink)) >= 0;
+    ok = ok && (w->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, access)) >= 0;
+    sph2d__h5_check(w, ok, "creating it");
     H5Pclose(creation);
     H5Pclose(access);
 }
@@ -100,12 +100,12 @@ static hid_t make_space(size_t rows, size_t columns)
     return rows > 0 || columns > 0 ? H5Screate_simple(columns > 0 ? 2 : 1, sizes, NULL) : H5Screate(H5S_SCALAR);
 }
 
-/** A whole dataset at once. */
+/** Writes a complete dataset. */
 static void put_dataset(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, hid_t space, const void *values)
 {
     hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    bool fine = set_object(properties) && H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER) >= 0;
-    hid_t dataset = fine ? H5Dcreate2(at, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT) : H5I_INVALID_HID;
+    bool ok = set_object(properties) && H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER) >= 0;
+    hid_t dataset = ok ? H5Dcreate2(at, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT) : H5I_INVALID_HID;
     sph2d__h5_check(w, dataset >= 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, name);
     sph2d__h5_close(dataset);
     if (properties >= 0)
@@ -120,7 +120,7 @@ void sph2d__h5_put(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, 
     size_t bytes = H5Tget_size(type) * (rows > 0 ? rows : 1) * (columns > 0 ? columns : 1);
     hid_t space = make_space(rows, columns);
     sph2d__h5_check(w, space >= 0, name);
-    if (w->ok && bytes > MOST_ATTRIBUTE_BYTES) {
+    if (w->ok && bytes > MAX_ATTRIBUTE_BYTES) {
         put_dataset(w, at, name, type, space, values);
     } else if (w->ok) {
         hid_t attribute = H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
@@ -152,7 +152,7 @@ void sph2d__h5_put_ints(sph2d__h5_writer *w, hid_t at, const char *name, const i
     sph2d__h5_put(w, at, name, H5T_NATIVE_INT64, count, 0, values);
 }
 
-/** The type of texts of `size` bytes, which must be closed. VTK takes ASCII alone for what is ASCII. */
+/** The type of texts of `size` bytes, to be closed. ASCII texts are marked as such, which VTK requires. */
 static hid_t text_type(size_t size, bool ascii)
 {
     hid_t type = H5Tcopy(H5T_C_S1);
@@ -228,14 +228,14 @@ hid_t sph2d__h5_dataset(sph2d__h5_writer *w, hid_t at, const char *name, hid_t t
     int rank = columns > 0 ? 2 : 1;
     hid_t space = H5Screate_simple(rank, sizes, NULL);
     hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    bool fine = space >= 0 && set_object(properties) && H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER) >= 0;
-    if (fine && w->compress > 0 && rows >= LEAST_ROWS) {
+    bool ok = space >= 0 && set_object(properties) && H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER) >= 0;
+    if (ok && w->compress > 0 && rows >= MIN_COMPRESSED_ROWS) {
         size_t most = CHUNK_VALUES / (columns > 0 ? columns : 1);
         hsize_t chunk[2] = {rows < most ? rows : most, columns};
-        fine = H5Pset_chunk(properties, rank, chunk) >= 0 && H5Pset_shuffle(properties) >= 0 &&
-               H5Pset_deflate(properties, w->compress) >= 0;
+        ok = H5Pset_chunk(properties, rank, chunk) >= 0 && H5Pset_shuffle(properties) >= 0 &&
+             H5Pset_deflate(properties, w->compress) >= 0;
     }
-    hid_t dataset = fine ? H5Dcreate2(at, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT) : H5I_INVALID_HID;
+    hid_t dataset = ok ? H5Dcreate2(at, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT) : H5I_INVALID_HID;
     sph2d__h5_check(w, dataset >= 0, name);
     if (space >= 0)
         H5Sclose(space);
@@ -252,10 +252,10 @@ void sph2d__h5_write_rows(sph2d__h5_writer *w, hid_t dataset, hid_t type, size_t
     hsize_t start[2] = {first, 0}, sizes[2] = {count, columns};
     hid_t in_memory = H5Screate_simple(columns > 0 ? 2 : 1, sizes, NULL);
     hid_t in_file = H5Dget_space(dataset);
-    bool fine = in_memory >= 0 && in_file >= 0 &&
-                H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
-                H5Dwrite(dataset, type, in_memory, in_file, H5P_DEFAULT, values) >= 0;
-    sph2d__h5_check(w, fine, "writing data");
+    bool ok = in_memory >= 0 && in_file >= 0 &&
+              H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
+              H5Dwrite(dataset, type, in_memory, in_file, H5P_DEFAULT, values) >= 0;
+    sph2d__h5_check(w, ok, "writing data");
     if (in_memory >= 0)
         H5Sclose(in_memory);
     if (in_file >= 0)

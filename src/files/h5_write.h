@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file h5_write.h
- *  Writing HDF5 in a straight line: after the first failure, which is reported, everything else does nothing. */
+ *  Writes HDF5 with sticky errors: after the first failure, which is reported, all calls do nothing. */
 #ifndef SPH2D_FILES_H5_WRITE_H
 #define SPH2D_FILES_H5_WRITE_H
 
@@ -20,47 +20,47 @@ typedef struct sph2d__h5_writer {
     hid_t group_properties; /**< without times, so that the same data gives the same bytes */
     unsigned compress;      /**< deflate level of large datasets; 0 for none */
     bool ok;
-    bool short_of_memory; /**< why it is not */
+    bool short_of_memory; /**< why it is not ok */
 } sph2d__h5_writer;
 
 /** Starts an HDF5 file on an empty file open as `fd`. End it with sph2d__h5_writer_close in any case. */
 void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const char *path, sph2d_report *report);
-/** Flushes and closes the file; what fails only now is reported. Errors: SPH2D_IO, SPH2D_NOMEM. */
+/** Flushes and closes the file, and reports failures of that. Errors: SPH2D_IO, SPH2D_NOMEM. */
 sph2d_status sph2d__h5_writer_close(sph2d__h5_writer *w);
 
-/** Takes note of the result of an HDF5 call. */
-void sph2d__h5_check(sph2d__h5_writer *w, bool fine, const char *what);
-/** Takes note of the result of an allocation. */
-void sph2d__h5_check_memory(sph2d__h5_writer *w, bool fine);
+/** Checks the result of an HDF5 call. */
+void sph2d__h5_check(sph2d__h5_writer *w, bool ok, const char *what);
+/** Checks the result of an allocation. */
+void sph2d__h5_check_memory(sph2d__h5_writer *w, bool ok);
 
-/** Makes a group by its whole path. Close it with sph2d__h5_close. */
+/** Creates a group by its full path. Close it with sph2d__h5_close. */
 hid_t sph2d__h5_group(sph2d__h5_writer *w, const char *path);
-/** Closes a group or dataset; an invalid one is fine. */
+/** Closes a group or dataset, which may be invalid. */
 void sph2d__h5_close(hid_t object);
 
 /** Writes an attribute of `rows` x `columns` values of a memory type; 0 columns for one dimension, 0 rows for a scalar.
  *  One that is too large for an attribute becomes a dataset. */
 void sph2d__h5_put(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, size_t rows, size_t columns,
                    const void *values);
-/** A list of doubles, of unsigned and of signed whole numbers; 0 values for a scalar. */
+/** Write a list of doubles, unsigned or signed integers; a count of 0 means a scalar. */
 void sph2d__h5_put_reals(sph2d__h5_writer *w, hid_t at, const char *name, const double *values, size_t count);
 void sph2d__h5_put_counts(sph2d__h5_writer *w, hid_t at, const char *name, const uint64_t *values, size_t count);
 void sph2d__h5_put_ints(sph2d__h5_writer *w, hid_t at, const char *name, const int64_t *values, size_t count);
-/** One double as a list of one, as astronomers' tools want it. */
+/** Writes one double as a list of one, as tools for SWIFT snapshots expect. */
 void sph2d__h5_put_real(sph2d__h5_writer *w, hid_t at, const char *name, double value);
-/** A text as an attribute, or as a dataset when it is long. */
+/** Writes a text as an attribute, or as a dataset if it is long. */
 void sph2d__h5_put_text(sph2d__h5_writer *w, hid_t at, const char *name, const char *text);
-/** A text as a dataset in any case. */
+/** Writes a text as a dataset. */
 void sph2d__h5_put_document(sph2d__h5_writer *w, hid_t at, const char *name, const char *text);
-/** A list of texts as a dataset. */
+/** Writes a list of texts as a dataset. */
 void sph2d__h5_put_texts(sph2d__h5_writer *w, hid_t at, const char *name, const char *const *texts, size_t count);
 
-/** Makes a dataset of `rows` x `columns` (0: one dimension), compressed if wanted. Close it with sph2d__h5_close. */
+/** Creates a dataset of `rows` x `columns` (0: one dimension), compressed as set. Close it with sph2d__h5_close. */
 hid_t sph2d__h5_dataset(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, size_t rows, size_t columns);
 /** Writes rows `first` to `first + count` of a dataset. */
 void sph2d__h5_write_rows(sph2d__h5_writer *w, hid_t dataset, hid_t type, size_t first, size_t count, size_t columns,
                           const void *values);
-/** A second name, by its whole path, for a dataset given by its whole path. */
+/** Creates a hard link from a full path to a second one. */
 void sph2d__h5_link(sph2d__h5_writer *w, const char *from, const char *to);
 
 #endif

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /** @file layout.h
- *  Where things are in a snapshot: the names that its writer and its reader must agree on.
+ *  The layout of a snapshot: the names that writer and reader share.
  *
  *      /                 Format, FormatVersion; Complete, written last
- *      /Header           time, step, box, counts of particles: what astronomers' tools look for, and ours
+ *      /Header           time, step, box, numbers of particles, also for tools that read SWIFT snapshots
  *      /Units, /Code     SI in terms of CGS; program, version, method, instruction set
  *      /Parameters       every resolved value of the scene by its key path, `fluid.density`
  *      /Scene            the scene file as it was written, and the overrides on top of it
  *      /PartType0, 1     fluid and boundary particles: one dataset a field
- *      /State            what a run needs to go on beside the particles, and the list of what it needs of them
- *      /VTKHDF           the fluid once more for ParaView, as hard links
+ *      /State            the rest of the state, and the list of the particle arrays that are part of it
+ *      /VTKHDF           the fluid for ParaView, as hard links
  *
- *  Behind the end of the HDF5 data stands a seal (seal.h). */
+ *  After the HDF5 data comes a checksum trailer (trailer.h). */
 #ifndef SPH2D_FILES_LAYOUT_H
 #define SPH2D_FILES_LAYOUT_H
 
 #define SPH2D__FORMAT "sph2d snapshot"
-/** Grows when a reader of the older layout would go wrong. */
+/** Incremented when the layout changes incompatibly. */
 #define SPH2D__FORMAT_VERSION 1u
 
 #define SPH2D__AT_FORMAT "Format"
@@ -45,9 +45,9 @@
 
 #define SPH2D__GROUP_STATE "/State"
 #define SPH2D__AT_STATE_VERSION "StateVersion"
-#define SPH2D__STATE_ARRAYS "Arrays"           /**< paths of all arrays of the state, in their order; beside it ... */
+#define SPH2D__STATE_ARRAYS "Arrays"           /**< paths of all arrays of the state, in order ... */
 #define SPH2D__STATE_UNITS "ArrayUnits"        /**< ... their exponents of metre, kilogram and second ... */
-#define SPH2D__STATE_TEXTS "ArrayDescriptions" /**< ... and what they are */
+#define SPH2D__STATE_TEXTS "ArrayDescriptions" /**< ... and their descriptions */
 
 /** Points have three components for ParaView; z is 0. */
 enum { SPH2D__FILE_COMPONENTS = 3 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file overrides.c
- *  Puts overrides into the tree before it is converted, so that they get the same checks as the file. */
+ *  Applies overrides to the tree before its conversion, so that they are checked like the file. */
 #include "files/overrides.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "files/convert.h"
 #include "files/yaml.h"
 
-/** One override on its way into the tree. */
+/** An override that is being applied. */
 typedef struct change {
     const sph2d_override *override;
     sph2d__place place;
@@ -22,7 +22,7 @@ static sph2d_diagnostic *refuse(change *c, sph2d_code code, const char *message)
     return sph2d__fault(c->faults, code, c->place, c->override->path, "%s", message);
 }
 
-/** Makes `node` what `with` is, while its key, its place among its siblings and so its identity stay. */
+/** Replaces the contents of `node` by those of `with`, keeping its key and its order among siblings. */
 static void replace(sph2d__node *node, const sph2d__node *with)
 {
     sph2d__node *next = node->next;
@@ -43,23 +43,23 @@ static sph2d__node *add_child(change *c, sph2d__node *parent, const sph2d__step 
         return NULL;
     }
     child->key = key;
-    parent->kind = SPH2D__NODE_MAPPING; /* it may have been a key with nothing behind it */
+    parent->kind = SPH2D__NODE_MAPPING; /* it may have been a key without a value */
     sph2d__node_append(parent, child);
     return child;
 }
 
-/** Whether the rest of a path, starting with `step`, can be made under `node`: names can, items of lists cannot. */
-static bool can_make(change *c, const sph2d__node *node, sph2d__step step, const char *rest)
+/** Whether the rest of a path, from `step` on, can be created under `node`: keys can, list items cannot. */
+static bool can_create(change *c, const sph2d__node *node, sph2d__step step, const char *rest)
 {
     char message[96] = "";
     if (!step.name && node->kind == SPH2D__NODE_SEQUENCE)
         snprintf(message, sizeof message, "there is no item [%zu]: the list has %zu", step.index, node->count);
     else if (step.name && node->kind != SPH2D__NODE_MAPPING && !sph2d__node_is_null(node))
-        snprintf(message, sizeof message, "there is no mapping that could hold '%.*s'",
+        snprintf(message, sizeof message, "there is no mapping for the key '%.*s'",
                  step.length < 40 ? (int)step.length : 40, step.name);
     while (!message[0]) {
         if (!step.name)
-            snprintf(message, sizeof message, "there is no list that could have an item [%zu]", step.index);
+            snprintf(message, sizeof message, "there is no list for the item [%zu]", step.index);
         else if (!sph2d__path_step(&rest, &step))
             return true;
     }
@@ -67,7 +67,7 @@ static bool can_make(change *c, const sph2d__node *node, sph2d__step step, const
     return false;
 }
 
-/** Whether a path is one: steps to its end, and not too many. */
+/** Checks the syntax and the depth of a path. */
 static bool is_path(change *c)
 {
     const char *rest = c->override->path;
@@ -77,7 +77,7 @@ static bool is_path(change *c)
         ++depth;
     if (depth > 0 && !*rest)
         return true;
-    sph2d_diagnostic *d = refuse(c, SPH2D_CODE_SYNTAX, "this is no key path");
+    sph2d_diagnostic *d = refuse(c, SPH2D_CODE_SYNTAX, "this is not a key path");
     sph2d_diagnostic_hint(d, "write keys with points between them and list items as [0]: blocks[0].box.max");
     return false;
 }
@@ -88,12 +88,12 @@ static void put(change *c, sph2d__node *root)
         return;
     const char *rest = c->override->path;
     sph2d__node *node = root;
-    bool making = false;
+    bool creating = false;
     for (sph2d__step step; node && sph2d__path_step(&rest, &step);) {
-        sph2d__node *child = making ? NULL : sph2d__node_step(node, &step);
-        if (!child && !making && !can_make(c, node, step, rest))
+        sph2d__node *child = creating ? NULL : sph2d__node_step(node, &step);
+        if (!child && !creating && !can_create(c, node, step, rest))
             return;
-        making = !child;
+        creating = !child;
         node = child ? child : add_child(c, node, &step);
     }
     if (node)
@@ -103,17 +103,17 @@ static void put(change *c, sph2d__node *root)
 static sph2d_status apply(const sph2d_override *override, sph2d__node *root, sph2d__faults *faults)
 {
     const char *value = override->value;
-    size_t room = strlen(override->path) + strlen(value) + sizeof "--set =";
-    char *name = sph2d__pool_alloc(faults->pool, room, 1);
+    size_t size = strlen(override->path) + strlen(value) + sizeof "--set =";
+    char *name = sph2d__pool_alloc(faults->pool, size, 1);
     sph2d__source *source = sph2d__pool_alloc(faults->pool, 1, sizeof *source);
     if (!name || !source)
         return SPH2D_NOMEM;
-    snprintf(name, room, "--set %s=%s", override->path, value);
+    snprintf(name, size, "--set %s=%s", override->path, value);
     *source = (sph2d__source){.name = name, .text = value, .length = strlen(value)};
     change c = {.override = override, .place = {source, SPH2D__NOWHERE}, .faults = faults};
     sph2d_status status = sph2d__yaml_parse(source, faults, &c.value);
     if (status != SPH2D_OK)
-        return status == SPH2D_NOMEM ? status : SPH2D_OK; /* a fault, and the next override may have one too */
+        return status == SPH2D_NOMEM ? status : SPH2D_OK; /* reported; check the next override, too */
     if (!c.value)
         c.value = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, c.place);
     if (!c.value)
@@ -129,7 +129,7 @@ sph2d_status sph2d__overrides_apply(const sph2d_override *overrides, size_t coun
         sph2d_status status = apply(&overrides[i], root, faults);
         if (status != SPH2D_OK)
             return status;
-        sph2d__convert_words(root, sph2d_scene_keys(), faults);
+        sph2d__convert_short_forms(root, sph2d_scene_keys(), faults);
     }
     return SPH2D_OK;
 }

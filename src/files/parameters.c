@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parameters.c
- *  The values of a scene in a snapshot, by the table of keys: `fluid.density`, `blocks[0].box.min`. */
+ *  Writes the values of a scene to a snapshot by the table of keys: `fluid.density`, `blocks[0].box.min`. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@ enum { PATH_SIZE = 256 };
 
 static void put_struct(sph2d__h5_writer *w, hid_t at, const sph2d_keys *keys, const char *base, const char *above);
 
-/** Lists of tuples of `width` doubles; an empty list leaves no trace. */
+/** Writes a list of tuples of `width` doubles; nothing for an empty list. */
 static void put_tuples(sph2d__h5_writer *w, hid_t at, const char *path, const void *items, size_t count, size_t width)
 {
     if (count > 0)
@@ -28,7 +28,7 @@ static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_keys *keys, cons
     }
 }
 
-/** Keys whose slot is a pointer: lists with their count, and texts. */
+/** Writes keys whose slot is a pointer: lists with their count, and texts. */
 static void put_pointed(sph2d__h5_writer *w, hid_t at, const sph2d_key *key, const char *base, const char *path)
 {
     const void *items;
@@ -97,5 +97,5 @@ void sph2d__snapshot_put_parameters(sph2d__h5_writer *w, const sph2d_scene *scen
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_PARAMETERS);
     put_struct(w, at, sph2d_scene_keys(), (const char *)scene, "");
     sph2d__h5_close(at);
-    sph2d__h5_close(sph2d__h5_group(w, "/UnusedParameters")); /* some readers look for it */
+    sph2d__h5_close(sph2d__h5_group(w, "/UnusedParameters")); /* some readers expect it */
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parameters_read.c
- *  The single values of a scene back from a snapshot, for those who look at a snapshot without running it. */
+ *  Reads single values of a scene from a snapshot, for uses that do not run it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -75,7 +75,7 @@ static void get_key(sph2d__h5_reader *r, const sph2d_key *key, const char *path,
     }
 }
 
-/** Keys that the file does not have keep their defaults, unless a scene must have them. */
+/** Keys missing in the file keep their defaults, unless they are required. */
 static void get_struct(sph2d__h5_reader *r, const sph2d_keys *keys, char *base, const char *above)
 {
     for (size_t i = 0; i < keys->count; ++i) {

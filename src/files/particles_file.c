@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file particles_file.c
- *  The particles of a scene that stand in a file of their own. */
+ *  Reads the single particles of a scene from a CSV file. */
 #include "files/particles_file.h"
 
 #include <math.h>
@@ -16,13 +16,13 @@ static const sph2d_table_column columns[COLUMNS] = {
     [DENSITY] = {"density", "kg/m^3", true},
 };
 
-/** A number of a row: `standard` where the file has no such column. */
-static double number(const sph2d_table *table, size_t row, size_t column, double standard)
+/** A number of a row, or a default if the file has no such column. */
+static double number(const sph2d_table *table, size_t row, size_t column, double default_value)
 {
-    return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : standard;
+    return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : default_value;
 }
 
-/** What is wrong with a row, in words; NULL for nothing. */
+/** The error message for a row; NULL if it is valid. */
 static const char *fault_of(const sph2d_particle *p, bool has_density)
 {
     if (isnan(p->x) || isnan(p->y) || isnan(p->vx) || isnan(p->vy) || (has_density && isnan(p->density)))
@@ -40,7 +40,7 @@ static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2
 {
     size_t count = sph2d_table_rows(table);
     if (count == 0)
-        return fault(table, 0, "there is no particle in this file", report);
+        return fault(table, 0, "this file has no particles", report);
     sph2d_particle *items = sph2d__pool_alloc(pool, count + 1, sizeof *items);
     if (!items)
         return SPH2D_NOMEM;

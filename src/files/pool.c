@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file pool.c
- *  Blocks are cut from chunks; a block larger than a chunk gets one of its own. */
+ *  Allocates blocks from chunks; a block larger than a chunk gets its own. */
 #include "files/pool.h"
 
 #include <stdint.h>
@@ -19,19 +19,19 @@ void *sph2d__pool_alloc(sph2d__pool *pool, size_t count, size_t size)
 {
     if (size > 0 && count > (SIZE_MAX / 2) / size)
         return NULL;
-    size_t wanted = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    if (!pool->first || wanted > pool->size - pool->used) {
-        size_t room = wanted > CHUNK_BYTES ? wanted : CHUNK_BYTES;
-        struct sph2d__pool_chunk *chunk = calloc(1, sizeof *chunk + room);
+    size_t needed = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    if (!pool->first || needed > pool->size - pool->used) {
+        size_t capacity = needed > CHUNK_BYTES ? needed : CHUNK_BYTES;
+        struct sph2d__pool_chunk *chunk = calloc(1, sizeof *chunk + capacity);
         if (!chunk)
             return NULL;
         chunk->next = pool->first;
         pool->first = chunk;
         pool->used = 0;
-        pool->size = room;
+        pool->size = capacity;
     }
     void *block = pool->first->bytes + pool->used;
-    pool->used += wanted;
+    pool->used += needed;
     return block;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_file.c
- *  Scene files: text to tree, overrides into it, tree to structs, structs to the checker, its faults back to places. */
+ *  Scene files: parse to a tree, apply overrides, convert to structs, check, locate the errors in the text. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ struct sph2d_scene_file {
     sph2d_scene scene;
 };
 
-/* ---- faults of the checker --------------------------------------------------------------------------------------- */
+/* ---- errors of the checker --------------------------------------------------------------------------------------- */
 
 void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic)
 {
@@ -27,7 +27,7 @@ void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *dia
         sph2d__node_locate(file->document.root, diagnostic);
 }
 
-/** Whether a fault only follows from values that could not be read and were reported. */
+/** Whether an error only follows from values that could not be read and were reported. */
 static bool is_consequence(const sph2d_diagnostic *diagnostic, const sph2d__faults *faults)
 {
     static const struct {
@@ -38,10 +38,10 @@ static bool is_consequence(const sph2d_diagnostic *diagnostic, const sph2d__faul
         {SPH2D_CODE_NO_PARTICLES, "sources"}, {SPH2D_CODE_TOO_MANY, "spacing"}, {SPH2D_CODE_TOO_MANY, "domain"},
         {SPH2D_CODE_UNSUPPORTED, "method"},   {SPH2D_CODE_OVERLAP, "spacing"},
     };
-    if (sph2d__faults_touch(faults, diagnostic->path))
+    if (sph2d__faults_affect(faults, diagnostic->path))
         return true;
     for (size_t i = 0; i < sizeof causes / sizeof causes[0]; ++i)
-        if (causes[i].code == diagnostic->code && sph2d__faults_touch(faults, causes[i].depends_on))
+        if (causes[i].code == diagnostic->code && sph2d__faults_affect(faults, causes[i].depends_on))
             return true;
     return false;
 }
@@ -63,7 +63,7 @@ static bool copy_overrides(sph2d_scene_file *file)
     return file->overrides != NULL;
 }
 
-/** Reads the particles' file where the scene names one. */
+/** Reads the particle file if the scene names one. */
 static sph2d_status read_particles(sph2d_scene_file *file, sph2d__faults *faults)
 {
     if (!file->scene.particles.file || faults->errors > 0)
@@ -81,7 +81,7 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     const sph2d_keys *keys = sph2d_scene_keys();
     if (!copy_overrides(file))
         return SPH2D_NOMEM;
-    sph2d__convert_words(root, keys, faults);
+    sph2d__convert_short_forms(root, keys, faults);
     sph2d_status status = sph2d__overrides_apply(file->overrides, file->override_count, root, faults);
     if (status != SPH2D_OK)
         return status;
@@ -156,7 +156,7 @@ void sph2d_scene_file_destroy(sph2d_scene_file *file)
     free(file);
 }
 
-/* ---- what is in it ----------------------------------------------------------------------------------------------- */
+/* ---- accessors --------------------------------------------------------------------------------------------------- */
 
 const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_text.c
- *  A scene back into YAML, by the table of keys. There is no code for any single key. */
+ *  Writes a scene as YAML by the table of keys; no key has code of its own. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
@@ -14,38 +14,38 @@
 #include "sph2d/io.h"
 #include "sph2d/key.h"
 
-/** Bytes of the largest group with a preset. */
-enum { MOST_PRESET = 256 };
+/** Maximum bytes of a group with a preset. */
+enum { MAX_PRESET = 256 };
 
-/** Text that is written as far as there is room, and counted. */
-typedef struct pen {
+/** An output buffer that keeps counting when it is full, like snprintf. */
+typedef struct output {
     char *out;
     size_t size, used;
     bool failed; /**< memory was short */
-} pen;
+} output;
 
-/** Where lines go. In a list's item `lead` stands before each key: "- " before the first, then "  ". */
+/** Indentation of lines. In a list item `lead` precedes each key: "- " the first, then "  ". */
 typedef struct margin {
     int indent;
     const char *lead;
 } margin;
 
-static void put(pen *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put(output *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void put(pen *p, const char *format, ...)
+static void put(output *p, const char *format, ...)
 {
-    bool room = p->used < p->size;
+    bool has_space = p->used < p->size;
     va_list values;
     va_start(values, format);
-    int length = vsnprintf(room ? p->out + p->used : NULL, room ? p->size - p->used : 0, format, values);
+    int length = vsnprintf(has_space ? p->out + p->used : NULL, has_space ? p->size - p->used : 0, format, values);
     va_end(values);
     p->used += length > 0 ? (size_t)length : 0;
 }
 
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 
-/** The shortest digits that give the same double again. */
-static void put_number(pen *p, double value)
+/** Writes the shortest digits that read back as the same double. */
+static void put_number(output *p, double value)
 {
     char digits[40];
     for (int precision = 15; precision <= 17; ++precision) {
@@ -56,7 +56,7 @@ static void put_number(pen *p, double value)
     put(p, "%s", digits);
 }
 
-/** Whether YAML reads it as this text and nothing else. */
+/** Whether YAML reads the unquoted text as this text. */
 static bool is_plain(const char *text)
 {
     static const char *const others[] = {"true", "false", "null", "yes", "no", "on", "off", "y", "n", "nan", "inf"};
@@ -73,7 +73,7 @@ static bool is_plain(const char *text)
     return isalpha((unsigned char)text[0]) != 0;
 }
 
-static void put_text(pen *p, const char *text)
+static void put_text(output *p, const char *text)
 {
     if (is_plain(text)) {
         put(p, "%s", text);
@@ -91,7 +91,7 @@ static void put_text(pen *p, const char *text)
 }
 
 /** [1, 2], or of tuples [[1, 2], [3, 4]]. */
-static void put_tuple(pen *p, const double *values, size_t count)
+static void put_tuple(output *p, const double *values, size_t count)
 {
     put(p, "[");
     for (size_t i = 0; i < count; ++i) {
@@ -101,7 +101,7 @@ static void put_tuple(pen *p, const double *values, size_t count)
     put(p, "]");
 }
 
-static void put_tuples(pen *p, const double *values, size_t count, size_t width)
+static void put_tuples(output *p, const double *values, size_t count, size_t width)
 {
     put(p, "[");
     for (size_t i = 0; i < count; ++i) {
@@ -111,7 +111,7 @@ static void put_tuples(pen *p, const double *values, size_t count, size_t width)
     put(p, "]");
 }
 
-/** What a slot of a list kind points at. */
+/** The items and the count of a list key. */
 static const void *pointed(const sph2d_key *key, const char *owner, size_t *count)
 {
     const void *items;
@@ -120,8 +120,8 @@ static const void *pointed(const sph2d_key *key, const char *owner, size_t *coun
     return items;
 }
 
-/** The value of one key on one line. */
-static void put_value(pen *p, const sph2d_key *key, const char *owner)
+/** Writes the value of one key on one line. */
+static void put_value(output *p, const sph2d_key *key, const char *owner)
 {
     const void *slot = owner + key->offset;
     double numbers[2];
@@ -171,7 +171,7 @@ static void put_value(pen *p, const sph2d_key *key, const char *owner)
     }
 }
 
-/* ---- which keys -------------------------------------------------------------------------------------------------- */
+/* ---- keys that differ from their defaults ------------------------------------------------------------------------ */
 
 static size_t size_of(sph2d_key_kind kind)
 {
@@ -191,15 +191,15 @@ static size_t size_of(sph2d_key_kind kind)
     }
 }
 
-/** What a group has by default, with what a word in it presets: room for it in `out`, of `size` bytes; NULL when that
- *  is no other. */
-static const char *preset_of(const sph2d_keys *keys, const char *owner, const char *standard, char *out, size_t size)
+/** The defaults of a group after the preset by one of its words, in the buffer `out` of `size` bytes; NULL without such
+ *  a preset. */
+static const char *preset_of(const sph2d_keys *keys, const char *owner, const char *defaults, char *out, size_t size)
 {
     for (size_t i = 0; i < keys->count && keys->size <= size; ++i) {
         const sph2d_key *key = &keys->items[i];
-        if (!key->preset || memcmp(owner + key->offset, standard + key->offset, sizeof(int)) == 0)
+        if (!key->preset || memcmp(owner + key->offset, defaults + key->offset, sizeof(int)) == 0)
             continue;
-        memcpy(out, standard, keys->size);
+        memcpy(out, defaults, keys->size);
         memcpy(out + key->offset, owner + key->offset, sizeof(int));
         key->preset(out);
         return out;
@@ -207,26 +207,26 @@ static const char *preset_of(const sph2d_keys *keys, const char *owner, const ch
     return NULL;
 }
 
-static bool differs(const sph2d_key *key, const char *owner, const char *standard);
+static bool differs(const sph2d_key *key, const char *owner, const char *defaults);
 
-static bool group_differs(const sph2d_key *group, const char *owner, const char *standard)
+static bool group_differs(const sph2d_key *group, const char *owner, const char *defaults)
 {
     for (size_t i = 0; i < group->keys->count; ++i)
-        if (differs(&group->keys->items[i], owner + group->offset, standard + group->offset))
+        if (differs(&group->keys->items[i], owner + group->offset, defaults + group->offset))
             return true;
     return false;
 }
 
-static bool text_differs(const sph2d_key *key, const char *owner, const char *standard)
+static bool text_differs(const sph2d_key *key, const char *owner, const char *defaults)
 {
-    const char *text, *usual;
+    const char *text, *default_text;
     memcpy(&text, owner + key->offset, sizeof text);
-    memcpy(&usual, standard + key->offset, sizeof usual);
-    return text && (!usual || strcmp(text, usual) != 0);
+    memcpy(&default_text, defaults + key->offset, sizeof default_text);
+    return text && (!default_text || strcmp(text, default_text) != 0);
 }
 
-/** Whether a key of a choice is not the one that is taken. */
-static bool is_passed_over(const sph2d_key *key, const char *owner)
+/** Whether a key belongs to a choice, but is not the chosen one. */
+static bool is_not_chosen(const sph2d_key *key, const char *owner)
 {
     int choice = 0;
     if (key->choice)
@@ -234,56 +234,56 @@ static bool is_passed_over(const sph2d_key *key, const char *owner)
     return choice != key->choice;
 }
 
-/** Whether a value is not the one in `standard`, the owner with its defaults. What is taken of a choice always is. */
-static bool differs(const sph2d_key *key, const char *owner, const char *standard)
+/** Whether a value differs from that of `defaults`. A chosen key always counts as different. */
+static bool differs(const sph2d_key *key, const char *owner, const char *defaults)
 {
     size_t count = 0;
-    if (is_passed_over(key, owner))
+    if (is_not_chosen(key, owner))
         return false;
     if (key->choice)
         return true;
     switch (key->kind) {
     case SPH2D_KEY_GROUP:
-        return group_differs(key, owner, standard);
+        return group_differs(key, owner, defaults);
     case SPH2D_KEY_TEXT:
-        return text_differs(key, owner, standard);
+        return text_differs(key, owner, defaults);
     case SPH2D_KEY_POINTS:
     case SPH2D_KEY_PATH:
     case SPH2D_KEY_NUMBERS:
     case SPH2D_KEY_LIST:
         return pointed(key, owner, &count) && count > 0;
     default:
-        return memcmp(owner + key->offset, standard + key->offset, size_of(key->kind)) != 0;
+        return memcmp(owner + key->offset, defaults + key->offset, size_of(key->kind)) != 0;
     }
 }
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
-static void put_struct(pen *p, const sph2d_keys *keys, const char *owner, const char *standard, margin m);
+static void put_struct(output *p, const sph2d_keys *keys, const char *owner, const char *defaults, margin m);
 
-static void put_items(pen *p, const sph2d_key *key, const char *owner, int indent)
+static void put_items(output *p, const sph2d_key *key, const char *owner, int indent)
 {
     size_t count;
     const char *items = pointed(key, owner, &count);
-    char *standard = calloc(1, key->keys->size);
-    p->failed |= !standard;
-    if (!standard)
+    char *defaults = calloc(1, key->keys->size);
+    p->failed |= !defaults;
+    if (!defaults)
         return;
     if (key->keys->set_default)
-        key->keys->set_default(standard);
+        key->keys->set_default(defaults);
     for (size_t i = 0; i < count; ++i)
-        put_struct(p, key->keys, items + i * key->keys->size, standard, (margin){indent, "- "});
-    free(standard);
+        put_struct(p, key->keys, items + i * key->keys->size, defaults, (margin){indent, "- "});
+    free(defaults);
 }
 
-static void put_struct(pen *p, const sph2d_keys *keys, const char *owner, const char *standard, margin m)
+static void put_struct(output *p, const sph2d_keys *keys, const char *owner, const char *defaults, margin m)
 {
-    _Alignas(max_align_t) char room[MOST_PRESET];
-    const char *preset = preset_of(keys, owner, standard, room, sizeof room);
+    _Alignas(max_align_t) char buffer[MAX_PRESET];
+    const char *preset = preset_of(keys, owner, defaults, buffer, sizeof buffer);
     for (size_t i = 0; i < keys->count; ++i) {
         const sph2d_key *key = &keys->items[i];
-        bool needed = (key->required && !is_passed_over(key, owner)) || (preset && key->preset);
-        if (!needed && !differs(key, owner, preset ? preset : standard))
+        bool needed = (key->required && !is_not_chosen(key, owner)) || (preset && key->preset);
+        if (!needed && !differs(key, owner, preset ? preset : defaults))
             continue;
         int inside = m.indent + (int)strlen(m.lead) + 2;
         put(p, "%*s%s%s:", m.indent, "", m.lead, key->name);
@@ -291,7 +291,7 @@ static void put_struct(pen *p, const sph2d_keys *keys, const char *owner, const 
             m.lead = "  ";
         if (key->kind == SPH2D_KEY_GROUP) {
             put(p, "\n");
-            put_struct(p, key->keys, owner + key->offset, standard + key->offset, (margin){inside, ""});
+            put_struct(p, key->keys, owner + key->offset, defaults + key->offset, (margin){inside, ""});
         } else if (key->kind == SPH2D_KEY_LIST) {
             put(p, "\n");
             put_items(p, key, owner, inside);
@@ -305,14 +305,14 @@ static void put_struct(pen *p, const sph2d_keys *keys, const char *owner, const 
 
 size_t sph2d_scene_text(const sph2d_scene *scene, char *out, size_t size)
 {
-    pen p = {out, out ? size : 0, 0, false};
-    sph2d_scene standard = sph2d_scene_default();
+    output p = {out, out ? size : 0, 0, false};
+    sph2d_scene defaults = sph2d_scene_default();
     sph2d__c_locale locale;
     if (!scene || !sph2d__c_locale_begin(&locale))
         return 0;
     if (p.size > 0)
         out[0] = '\0';
-    put_struct(&p, sph2d_scene_keys(), (const char *)scene, (const char *)&standard, (margin){0, ""});
+    put_struct(&p, sph2d_scene_keys(), (const char *)scene, (const char *)&defaults, (margin){0, ""});
     sph2d__c_locale_end(&locale);
     return p.failed ? 0 : p.used;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file series.c
- *  CSV files that grow row by row. A row is one write, so that whoever looks, or a crash, finds whole rows; a resumed
- *  run cuts what came after its snapshot and goes on. */
+ *  CSV files that grow row by row. Each row is one write, so that readers, also after a crash, find complete rows. A
+ *  resumed run truncates the rows after its snapshot and continues. */
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -17,7 +17,7 @@
 #include "sph2d/io.h"
 
 #define TIME_COLUMN "time [s]"
-/** Room for one number and its separator: sign, 17 digits, point, exponent. */
+/** Bytes of one number and its separator: sign, 17 digits, point, exponent. */
 enum { NUMBER_BYTES = 32 };
 
 struct sph2d_series {
@@ -56,27 +56,27 @@ static sph2d_status refuse(const char *path, const char *what, sph2d_report *rep
     return SPH2D_FORMAT;
 }
 
-/** Finds where the header and `rows` rows end. *wrong says what is wrong with them, NULL for nothing. */
+/** Finds the end of the header and `rows` rows. *wrong is an error message, or NULL. */
 static off_t find_end(FILE *stream, const char *header, uint64_t rows, const char **wrong)
 {
     char *line = NULL;
-    size_t room = 0;
+    size_t size = 0;
     off_t end = 0;
     *wrong = NULL;
     for (uint64_t i = 0; i <= rows && !*wrong; ++i) {
-        ssize_t length = getline(&line, &room, stream);
+        ssize_t length = getline(&line, &size, stream);
         if (i == 0 && (length < 0 || strcmp(line, header) != 0))
-            *wrong = "this is not the series that the run wrote: its header is another";
+            *wrong = "this is not the series of this run: the header differs";
         else if (length <= 0 || line[length - 1] != '\n')
-            *wrong = "the series has fewer rows than the run wrote";
+            *wrong = "the series has fewer rows than the run had written";
         end += length;
     }
     free(line);
     return end;
 }
 
-/** Opens an existing series and cuts it to its first rows. */
-static sph2d_status go_on(sph2d_series *s, const char *header, uint64_t rows, sph2d_report *report)
+/** Opens an existing series and truncates it to its first rows. */
+static sph2d_status continue_series(sph2d_series *s, const char *header, uint64_t rows, sph2d_report *report)
 {
     s->fd = open(s->path, O_RDWR | O_APPEND | O_CLOEXEC);
     if (s->fd < 0)
@@ -99,7 +99,7 @@ static sph2d_status go_on(sph2d_series *s, const char *header, uint64_t rows, sp
     if (wrong)
         return refuse(s->path, wrong, report);
     if (ftruncate(s->fd, end) != 0)
-        return failed("cut", s->path, SPH2D_IO, report);
+        return failed("truncate", s->path, SPH2D_IO, report);
     return SPH2D_OK;
 }
 
@@ -122,16 +122,16 @@ sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t k
     if (!path || !columns)
         return SPH2D_INVALID;
     sph2d_series *s = calloc(1, sizeof *s);
-    size_t room = sizeof TIME_COLUMN ",\n" + strlen(columns);
-    char *header = malloc(room);
+    size_t size = sizeof TIME_COLUMN ",\n" + strlen(columns);
+    char *header = malloc(size);
     if (s) {
         s->fd = -1;
         s->path = strdup(path);
     }
     sph2d_status status = SPH2D_NOMEM;
     if (s && s->path && header) {
-        snprintf(header, room, TIME_COLUMN ",%s\n", columns);
-        status = keep_rows > 0 ? go_on(s, header, keep_rows, report) : start(s, header, report);
+        snprintf(header, size, TIME_COLUMN ",%s\n", columns);
+        status = keep_rows > 0 ? continue_series(s, header, keep_rows, report) : start(s, header, report);
     }
     free(header);
     if (status == SPH2D_OK)
@@ -141,7 +141,7 @@ sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t k
     return status;
 }
 
-/** Appends a number as text. NaN has no sign, whatever its bits say. */
+/** Appends a number as text; NaN always without a sign. */
 static size_t put_number(char *out, double value, char separator)
 {
     int length = isnan(value) ? snprintf(out, NUMBER_BYTES, "nan%c", separator)
@@ -165,13 +165,13 @@ sph2d_status sph2d_series_append(sph2d_series *series, double time, const double
         used += put_number(row + used, values[i], i + 1 < count ? ',' : '\n');
     sph2d__c_locale_end(&locale);
     off_t before = lseek(series->fd, 0, SEEK_END);
-    bool fine = write_all(series->fd, row, used);
+    bool ok = write_all(series->fd, row, used);
     int error = errno;
-    if (!fine && before >= 0 && ftruncate(series->fd, before) != 0)
-        errno = error; /* half a row stays, which a resumed run cuts */
+    if (!ok && before >= 0 && ftruncate(series->fd, before) != 0)
+        errno = error; /* part of a row remains, which a resumed run truncates */
     free(row);
     errno = error;
-    return fine ? SPH2D_OK : failed("write", series->path, SPH2D_IO, report);
+    return ok ? SPH2D_OK : failed("write", series->path, SPH2D_IO, report);
 }
 
 sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *report)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot.c
- *  What a snapshot in memory gives out. */
+ *  Accessors of a snapshot in memory. */
 #include "files/snapshot.h"
 
 #include <stdlib.h>
@@ -41,7 +41,7 @@ sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_ov
     const char *text = snapshot->info.scene_text;
     if (!text) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL,
-                         "'%s' is not there: the run was made by a program, not from a scene file",
+                         "'%s' is missing: the run was created by a program, not from a scene file",
                          snapshot->scene_source);
         return SPH2D_FORMAT;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot.h
- *  A snapshot in memory, and the parts of its reader. */
+ *  A snapshot in memory, and functions of its reader. */
 #ifndef SPH2D_FILES_SNAPSHOT_H
 #define SPH2D_FILES_SNAPSHOT_H
 
@@ -10,19 +10,19 @@
 
 struct sph2d_snapshot {
     sph2d__pool pool;
-    const char *scene_source; /**< stands for the scene's file in messages */
+    const char *scene_source; /**< name of the scene's text in messages */
     sph2d_snapshot_info info;
     sph2d_override *overrides;
     size_t override_count;
     uint64_t state_version;
-    sph2d_array *arrays; /**< those of the state in their order, then the other fields */
+    sph2d_array *arrays; /**< those of the state in order, then the other fields */
     size_t array_count;
 };
 
-/** The values of /Parameters into a scene of defaults, but for lists. */
+/** Reads /Parameters, except lists, into a default scene. */
 void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene);
 
-/** All arrays. */
+/** Reads all arrays. */
 void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *snapshot);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_about.c
- *  What a snapshot says about itself. Nothing here depends on when, where or by how many threads it was written. */
+ *  Writes the metadata of a snapshot. It does not depend on when, where or by how many threads it is written. */
 #include <stdio.h>
 
 #include "files/snapshot_parts.h"
 
-/** Particle types that such files count: gas and dark matter are our fluid and walls, the others are none. */
+/** Particle types of SWIFT's format: gas (0) is the fluid, dark matter (1) the walls; the others are empty. */
 enum { PARTICLE_TYPES = 7 };
 
 static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
@@ -47,7 +47,7 @@ static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
     sph2d__h5_close(at);
 }
 
-/** SI, as multiples of CGS units. Tools want lists of one. */
+/** SI units as multiples of CGS units, each as a list of one. */
 static void put_units(sph2d__h5_writer *w)
 {
     hid_t at = sph2d__h5_group(w, "/Units");
@@ -69,7 +69,7 @@ static void put_code(sph2d__h5_writer *w, const sph2d_sim *sim)
     sph2d__h5_close(at);
 }
 
-void sph2d__snapshot_put_about(sph2d__h5_writer *w, const sph2d_sim *sim)
+void sph2d__snapshot_put_metadata(sph2d__h5_writer *w, const sph2d_sim *sim)
 {
     put_header(w, sim);
     put_units(w);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_arrays.c
- *  Fields and state into a snapshot. Which arrays there are is reported by the field table and the state alone. */
+ *  Writes fields and state to a snapshot, as listed by the field table and the state. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "files/snapshot_parts.h"
 
-/** Rows that are put together in memory at a time. */
+/** Rows that are gathered in memory at a time. */
 enum { BLOCK_ROWS = 16384 };
 
 const char *sph2d__snapshot_group(sph2d_group group)
@@ -37,7 +37,7 @@ static void append_unit(char *out, size_t size, const char *unit, int exponent)
         snprintf(out + used, size - used, "%s%s^%d", used > 0 ? " " : "", unit, exponent);
 }
 
-/** What a dataset is and in which unit, in the words of the tools that read such files. */
+/** Writes description and unit of a dataset as in SWIFT snapshots. */
 static void describe(sph2d__h5_writer *w, hid_t dataset, const sph2d_array *array)
 {
     int m = array->unit[0], kg = array->unit[1], s = array->unit[2];
@@ -68,7 +68,7 @@ static hid_t array_type(const sph2d_array *array)
     return array->type == SPH2D_F64 ? H5T_NATIVE_DOUBLE : H5T_NATIVE_UINT64;
 }
 
-/** Puts `rows` rows from `first` on together: columns beyond the components are 0. Both types have 8 bytes. */
+/** Gathers `rows` rows from `first` on; columns beyond the components are 0. Both types have 8 bytes. */
 static void gather(const sph2d_array *array, size_t first, size_t rows, size_t columns, uint64_t *block)
 {
     size_t width = columns > 0 ? columns : 1;
@@ -85,11 +85,11 @@ static void put_array(sph2d__h5_writer *w, hid_t at, const sph2d_array *array, s
 {
     _Static_assert(sizeof(double) == sizeof(uint64_t), "arrays have values of 8 bytes");
     hid_t dataset = sph2d__h5_dataset(w, at, array->name, array_type(array), array->count, columns);
-    size_t most = array->count < BLOCK_ROWS ? array->count : BLOCK_ROWS;
-    uint64_t *block = malloc((most > 0 ? most : 1) * (columns > 0 ? columns : 1) * sizeof *block);
+    size_t block_rows = array->count < BLOCK_ROWS ? array->count : BLOCK_ROWS;
+    uint64_t *block = malloc((block_rows > 0 ? block_rows : 1) * (columns > 0 ? columns : 1) * sizeof *block);
     sph2d__h5_check_memory(w, block != NULL);
-    for (size_t first = 0; block && w->ok && first < array->count; first += most) {
-        size_t rows = array->count - first < most ? array->count - first : most;
+    for (size_t first = 0; block && w->ok && first < array->count; first += block_rows) {
+        size_t rows = array->count - first < block_rows ? array->count - first : block_rows;
         gather(array, first, rows, columns, block);
         sph2d__h5_write_rows(w, dataset, array_type(array), first, rows, columns, block);
     }
@@ -109,7 +109,7 @@ static bool is_field(sph2d_group group, const char *name)
     return false;
 }
 
-/** The fields of fluid or walls, and what the state has of them beyond the fields. */
+/** Writes the fields of fluid or walls, and the other arrays of them in the state. */
 static void put_particles(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d_state *state, sph2d_group group)
 {
     hid_t at = sph2d__h5_group(w, sph2d__snapshot_group(group));
@@ -125,7 +125,7 @@ static void put_particles(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d
     sph2d__h5_close(at);
 }
 
-/** Path, unit and meaning of all arrays of the state, in their order. */
+/** Writes path, unit and description of all arrays of the state, in order. */
 static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_state *state)
 {
     enum { PATH_SIZE = 96 };
@@ -133,16 +133,16 @@ static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_state *state)
     char *block = calloc(count + 1, PATH_SIZE);
     signed char(*units)[3] = calloc(count + 1, sizeof *units);
     const char **texts = calloc(2 * count + 1, sizeof *texts);
-    bool fine = block && units && texts;
-    sph2d__h5_check_memory(w, fine);
-    for (size_t i = 0; fine && i < count; ++i) {
+    bool ok = block && units && texts;
+    sph2d__h5_check_memory(w, ok);
+    for (size_t i = 0; ok && i < count; ++i) {
         const sph2d_array *array = &state->arrays[i];
         texts[i] = block + i * PATH_SIZE;
         snprintf(block + i * PATH_SIZE, PATH_SIZE, "%s/%s", sph2d__snapshot_group(array->group), array->name);
         texts[count + i] = array->description ? array->description : "";
         memcpy(units[i], array->unit, sizeof units[i]);
     }
-    if (fine && w->ok) {
+    if (ok && w->ok) {
         sph2d__h5_put_texts(w, at, SPH2D__STATE_ARRAYS, texts, count);
         sph2d__h5_put_texts(w, at, SPH2D__STATE_TEXTS, texts + count, count);
         hid_t dataset = sph2d__h5_dataset(w, at, SPH2D__STATE_UNITS, H5T_NATIVE_INT8, count, 3);

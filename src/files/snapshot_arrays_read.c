@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_arrays_read.c
- *  Fields and state back from a snapshot. The state's own list tells what must be there. */
+ *  Reads fields and state from a snapshot, as listed in the state. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "files/snapshot.h"
 
 enum { BLOCK_ROWS = 16384 };
-/** Arrays of a state; ours has 50. Each is compared with those before it. */
-enum { MOST_ARRAYS = 4096 };
+/** Maximum number of arrays of a state, which has about 50; the search for duplicates is quadratic. */
+enum { MAX_ARRAYS = 4096 };
 
-/** Whether an item is a list of doubles or of ids, and of which shape. */
-static bool learn_shape(sph2d__h5_reader *r, const sph2d__h5_item *item, const char *name, sph2d_array *array)
+/** Sets type and shape of an array from an item; false, with a report, if they are invalid. */
+static bool set_shape(sph2d__h5_reader *r, const sph2d__h5_item *item, const char *name, sph2d_array *array)
 {
     H5T_class_t class = H5Tget_class(item->type);
     bool real = class == H5T_FLOAT && item->bytes == sizeof(double);
-    bool whole = class == H5T_INTEGER && item->bytes == sizeof(uint64_t) && H5Tget_sign(item->type) == H5T_SGN_NONE;
-    if (!real && !whole) {
+    bool integer = class == H5T_INTEGER && item->bytes == sizeof(uint64_t) && H5Tget_sign(item->type) == H5T_SGN_NONE;
+    if (!real && !integer) {
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' has the wrong type", name);
         return false;
     }
@@ -32,7 +32,7 @@ static bool learn_shape(sph2d__h5_reader *r, const sph2d__h5_item *item, const c
     return true;
 }
 
-/** Reads the rows of an item into one array a component. */
+/** Reads the rows of an item into one array per component. */
 static void read_values(sph2d__h5_reader *r, const sph2d__h5_item *item, const char *name, sph2d_array *array)
 {
     size_t columns = item->sizes[1];
@@ -46,11 +46,11 @@ static void read_values(sph2d__h5_reader *r, const sph2d__h5_item *item, const c
     } else if (item->rank == 0) {
         sph2d__h5_item_read(r, item, type, values[0], name);
     } else {
-        bool fine = true;
-        for (size_t first = 0; fine && first < array->count; first += BLOCK_ROWS) {
+        bool ok = true;
+        for (size_t first = 0; ok && first < array->count; first += BLOCK_ROWS) {
             size_t rows = array->count - first < BLOCK_ROWS ? array->count - first : BLOCK_ROWS;
-            fine = sph2d__h5_item_read_rows(r, item, type, first, rows, block, name);
-            for (size_t i = 0; fine && i < rows; ++i)
+            ok = sph2d__h5_item_read_rows(r, item, type, first, rows, block, name);
+            for (size_t i = 0; ok && i < rows; ++i)
                 for (unsigned c = 0; c < array->components; ++c)
                     values[c][first + i] = block[i * columns + c];
         }
@@ -58,7 +58,7 @@ static void read_values(sph2d__h5_reader *r, const sph2d__h5_item *item, const c
     free(block);
 }
 
-/** Reads one array into the next place of the snapshot. */
+/** Reads one array and appends it to the snapshot. */
 static void read_array(sph2d__h5_reader *r, sph2d_snapshot *s, const char *in, sph2d_array array)
 {
     sph2d__h5_item item;
@@ -66,13 +66,13 @@ static void read_array(sph2d__h5_reader *r, sph2d_snapshot *s, const char *in, s
         return;
     if (item.is_attribute && item.rank != 0)
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' has the wrong shape", array.name);
-    else if (learn_shape(r, &item, array.name, &array))
+    else if (set_shape(r, &item, array.name, &array))
         read_values(r, &item, array.name, &array);
     sph2d__h5_item_close(&item);
     s->arrays[s->array_count++] = array;
 }
 
-/** Splits "/PartType0/Coordinates". False when it is no path of an array. */
+/** Splits "/PartType0/Coordinates". False if it is not the path of an array. */
 static bool split(const char *path, const char **in, sph2d_group *group, const char **name)
 {
     static const struct {
@@ -93,7 +93,7 @@ static bool split(const char *path, const char **in, sph2d_group *group, const c
     return false;
 }
 
-/** Reads the exponents of the units of `count` arrays; NULL after a fault. */
+/** Reads the exponents of the units of `count` arrays; NULL after an error. */
 static const signed char *read_units(sph2d__h5_reader *r, size_t count)
 {
     sph2d__h5_item item;
@@ -112,12 +112,12 @@ static const signed char *read_units(sph2d__h5_reader *r, size_t count)
     return units;
 }
 
-static bool is_there(const sph2d_snapshot *s, sph2d_group group, const char *name)
+static bool has_array(const sph2d_snapshot *s, sph2d_group group, const char *name)
 {
     return sph2d_snapshot_array(s, group, name) != NULL;
 }
 
-/** Checks that what is read is what the field table says. */
+/** Checks an array against the field table. */
 static void check_field(sph2d__h5_reader *r, const sph2d_snapshot *s, const sph2d_array *field)
 {
     const sph2d_array *array = sph2d_snapshot_array(s, field->group, field->name);
@@ -135,7 +135,7 @@ static void read_fields(sph2d__h5_reader *r, sph2d_snapshot *s, sph2d_group grou
 {
     for (size_t i = 0; i < sph2d_field_count(group); ++i) {
         sph2d_array field = sph2d_field(NULL, group, i);
-        if (!is_there(s, group, field.name))
+        if (!has_array(s, group, field.name))
             read_array(r, s, in, field);
     }
     for (size_t i = 0; i < sph2d_field_count(group); ++i) {
@@ -144,7 +144,7 @@ static void read_fields(sph2d__h5_reader *r, sph2d_snapshot *s, sph2d_group grou
     }
 }
 
-/** Reads the arrays on the state's list. */
+/** Reads the arrays listed in the state. */
 static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     size_t count = 0, texts = 0;
@@ -153,12 +153,12 @@ static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
     const signed char *units = paths ? read_units(r, count) : NULL;
     if (!paths || !descriptions || !units)
         return;
-    if (texts != count || count > MOST_ARRAYS) {
+    if (texts != count || count > MAX_ARRAYS) {
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has the wrong shape", SPH2D__STATE_ARRAYS);
         return;
     }
-    size_t most = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL);
-    s->arrays = sph2d__pool_alloc(r->pool, most, sizeof *s->arrays);
+    size_t max_count = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL);
+    s->arrays = sph2d__pool_alloc(r->pool, max_count, sizeof *s->arrays);
     if (!s->arrays) {
         r->status = SPH2D_NOMEM;
         return;
@@ -168,9 +168,9 @@ static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
         sph2d_array array = {.description = descriptions[i]};
         memcpy(array.unit, units + 3 * i, sizeof array.unit);
         if (!split(paths[i], &in, &array.group, &array.name))
-            sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' names what is no array: '%.60s'", SPH2D__STATE_ARRAYS,
-                             paths[i]);
-        else if (is_there(s, array.group, array.name))
+            sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has an entry that is not an array: '%.60s'",
+                             SPH2D__STATE_ARRAYS, paths[i]);
+        else if (has_array(s, array.group, array.name))
             sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' names '%.60s' twice", SPH2D__STATE_ARRAYS, paths[i]);
         else
             read_array(r, s, in, array);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_parts.h
- *  The parts of a snapshot, each written by its own file. */
+ *  Writers of the parts of a snapshot. */
 #ifndef SPH2D_FILES_SNAPSHOT_PARTS_H
 #define SPH2D_FILES_SNAPSHOT_PARTS_H
 
@@ -8,8 +8,8 @@
 #include "files/layout.h"
 #include "sph2d/io.h"
 
-/** /Header, /Units, /Code: what a snapshot says about itself. */
-void sph2d__snapshot_put_about(sph2d__h5_writer *w, const sph2d_sim *sim);
+/** /Header, /Units, /Code: the metadata. */
+void sph2d__snapshot_put_metadata(sph2d__h5_writer *w, const sph2d_sim *sim);
 
 /** /Parameters: the values of a scene. */
 void sph2d__snapshot_put_parameters(sph2d__h5_writer *w, const sph2d_scene *scene);
@@ -17,7 +17,7 @@ void sph2d__snapshot_put_parameters(sph2d__h5_writer *w, const sph2d_scene *scen
 /** /PartType0, /PartType1, /State. */
 void sph2d__snapshot_put_arrays(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d_state *state);
 
-/** /VTKHDF, when /PartType0 is there. */
+/** /VTKHDF, after /PartType0. */
 void sph2d__snapshot_put_vtk(sph2d__h5_writer *w, const sph2d_sim *sim);
 
 /** The group of an array: "/PartType0", "/PartType1" or "/State". */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_read.c
- *  Reads a snapshot into memory: first what kind of file it is, then everything in it, with every fault reported. */
+ *  Reads a snapshot into memory: first format and version, then everything in it, reporting all errors. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,20 +8,20 @@
 
 #include "files/snapshot.h"
 
-/** Whether this is a snapshot, whole, and of versions that this program knows. */
+/** Whether this is a complete snapshot of a supported version. */
 static bool is_readable(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     if (!sph2d__h5_has(r, "/", SPH2D__AT_FORMAT)) {
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is an HDF5 file, but no snapshot of sph2d");
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is an HDF5 file, but not a snapshot of sph2d");
         return false;
     }
     const char *format = sph2d__h5_get_text(r, "/", SPH2D__AT_FORMAT);
     if (format && strcmp(format, SPH2D__FORMAT) != 0)
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is no snapshot of sph2d, but '%.60s'", format);
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is not a snapshot of sph2d, but '%.60s'", format);
     uint64_t version = 0, complete = 0;
     if (!sph2d__h5_has(r, "/", SPH2D__AT_COMPLETE) || !sph2d__h5_get_counts(r, "/", SPH2D__AT_COMPLETE, &complete, 1) ||
         complete != 1)
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file was not written to its end");
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file was not written completely");
     else if (sph2d__h5_get_counts(r, "/", SPH2D__AT_FORMAT_VERSION, &version, 1) &&
              sph2d__h5_get_counts(r, SPH2D__GROUP_STATE, SPH2D__AT_STATE_VERSION, &s->state_version, 1) &&
              (version != SPH2D__FORMAT_VERSION || s->state_version != SPH2D_STATE_VERSION)) {
@@ -38,7 +38,7 @@ static bool is_readable(sph2d__h5_reader *r, sph2d_snapshot *s)
     return r->status == SPH2D_OK;
 }
 
-static void read_about(sph2d__h5_reader *r, sph2d_snapshot *s)
+static void read_metadata(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     sph2d_snapshot_info *info = &s->info;
     sph2d_scene scene;
@@ -99,21 +99,21 @@ sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sp
     sph2d__h5_scope_begin(&scope);
     sph2d__h5_reader_open(&r, path, &s->pool, report);
     if (r.status == SPH2D_OK && is_readable(&r, s)) {
-        read_about(&r, s);
+        read_metadata(&r, s);
         read_scene(&r, s);
         sph2d__snapshot_get_arrays(&r, s);
     }
     sph2d__h5_reader_close(&r);
     sph2d__h5_scope_end(&scope);
-    size_t room = strlen(path) + sizeof SPH2D__GROUP_SCENE "/" SPH2D__SCENE_TEXT;
-    char *source = sph2d__pool_alloc(&s->pool, room, 1);
+    size_t size = strlen(path) + sizeof SPH2D__GROUP_SCENE "/" SPH2D__SCENE_TEXT;
+    char *source = sph2d__pool_alloc(&s->pool, size, 1);
     if (!source && r.status == SPH2D_OK)
         r.status = SPH2D_NOMEM;
     if (r.status != SPH2D_OK) {
         sph2d_snapshot_destroy(s);
         return r.status;
     }
-    snprintf(source, room, "%s%s/%s", path, SPH2D__GROUP_SCENE, SPH2D__SCENE_TEXT);
+    snprintf(source, size, "%s%s/%s", path, SPH2D__GROUP_SCENE, SPH2D__SCENE_TEXT);
     s->scene_source = source;
     *snapshot = s;
     return SPH2D_OK;

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_vtk.c
- *  The fluid once more as VTKHDF poly data, which ParaView opens. The particles' data is not copied: its datasets get a
- *  second name. */
+ *  The fluid as VTKHDF poly data for ParaView. The particles' data is not copied: its datasets are linked. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "files/snapshot_parts.h"
 
-/** Writes a dataset of `count` whole numbers 0, 1, 2, ... */
+/** Writes a dataset of the integers 0 to `count` - 1. */
 static void put_numbers(sph2d__h5_writer *w, hid_t at, const char *name, size_t count)
 {
     enum { BLOCK = 65536 };
@@ -32,8 +31,8 @@ static void put_one(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type,
     sph2d__h5_close(dataset);
 }
 
-/** Cells of one point each. The reader insists on every kind of cell, so the others are there with none,
- *  one group under three names. */
+/** Writes cells of one point each. The reader requires all kinds of cells, so the others are empty: one group with
+ *  three names. */
 static void put_cells(sph2d__h5_writer *w, const char *kind, size_t count)
 {
     char path[64];
@@ -47,7 +46,7 @@ static void put_cells(sph2d__h5_writer *w, const char *kind, size_t count)
     sph2d__h5_close(at);
 }
 
-/** Gives the fields of the fluid their names as point data; the coordinates are the points themselves. */
+/** Links the fields of the fluid as point data, and the coordinates as points. */
 static void link_fields(sph2d__h5_writer *w)
 {
     sph2d__h5_close(sph2d__h5_group(w, "/VTKHDF/PointData"));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_write.c
- *  Writes a snapshot: beside its name, part after part, the mark of completeness last, then synced and renamed. */
+ *  Writes a snapshot to a temporary file, with the mark of completeness last, which is then synced and renamed. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -8,10 +8,10 @@
 
 #include "base/atomic_file.h"
 #include "base/c_locale.h"
-#include "files/seal.h"
 #include "files/snapshot_parts.h"
+#include "files/trailer.h"
 
-/** The scene file and its overrides, as they were. */
+/** Writes the text of the scene file and the overrides. */
 static void put_scene(sph2d__h5_writer *w, const sph2d_scene_file *file)
 {
     size_t count;
@@ -38,7 +38,7 @@ static void put_everything(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2
     static const uint64_t version = SPH2D__FORMAT_VERSION, complete = 1;
     sph2d__h5_put_text(w, w->file, SPH2D__AT_FORMAT, SPH2D__FORMAT);
     sph2d__h5_put_counts(w, w->file, SPH2D__AT_FORMAT_VERSION, &version, 0);
-    sph2d__snapshot_put_about(w, sim);
+    sph2d__snapshot_put_metadata(w, sim);
     sph2d__snapshot_put_parameters(w, sph2d_sim_scene(sim));
     if (file)
         put_scene(w, file);
@@ -58,8 +58,8 @@ static sph2d_status write_file(int fd, sph2d_sim *sim, const sph2d_scene_file *f
     put_everything(&w, sim, file, state);
     sph2d_status status = sph2d__h5_writer_close(&w);
     sph2d__h5_scope_end(&scope);
-    int error = 0; /* of what follows; HDF5's is reported already */
-    if (status == SPH2D_OK && !sph2d__seal_put(fd))
+    int error = 0; /* of the steps after HDF5, whose errors are reported already */
+    if (status == SPH2D_OK && !sph2d__trailer_append(fd))
         error = errno;
     if (close(fd) != 0 && status == SPH2D_OK && error == 0)
         error = errno;

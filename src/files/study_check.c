@@ -29,7 +29,7 @@ static bool is_sound(const checker *c, const char *name)
 {
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%.60s%s%.30s", c->above, c->above[0] ? "." : "", name);
-    return !sph2d__faults_touch(c->faults, path);
+    return !sph2d__faults_affect(c->faults, path);
 }
 
 /** Reports a fault of a key of what is checked, or with "" of all of it. */
@@ -150,7 +150,7 @@ static void check_measure(checker *c, const sph2d_study_measure *m)
 static void check_vary(checker *c, const sph2d_study *study)
 {
     char name[32];
-    bool lists = !sph2d__faults_touch(c->faults, "vary");
+    bool lists = !sph2d__faults_affect(c->faults, "vary");
     for (size_t i = 0; lists && i < study->vary_count; ++i) {
         snprintf(name, sizeof name, "vary[%zu]", i);
         const sph2d__node *values = sph2d__node_at(c->root, name);
@@ -259,10 +259,10 @@ void sph2d__study_check(const sph2d_study *study, const sph2d__document *documen
     check_judge(&c, study);
     check_names(&c, study);
     check_refinements(&c, study);
-    if (study->along && is_sound(&c, "along") && !sph2d__faults_touch(faults, "vary") &&
-        !sph2d__faults_touch(faults, "runs"))
+    if (study->along && is_sound(&c, "along") && !sph2d__faults_affect(faults, "vary") &&
+        !sph2d__faults_affect(faults, "runs"))
         check_along(&c, study);
-    if (is_given(&c, "runs") && study->run_count == 0 && !sph2d__faults_touch(faults, "runs"))
+    if (is_given(&c, "runs") && study->run_count == 0 && !sph2d__faults_affect(faults, "runs"))
         sph2d_diagnostic_hint(fault(&c, SPH2D_CODE_MISSING_KEY, "runs", "there is no run"),
                               "`- set: {}` runs the scene as it is; without 'runs' that is the only one");
     for (size_t i = 0; i < study->measure_count; ++i) {

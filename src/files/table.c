@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file table.c
- *  Columns of numbers from a CSV file that someone else wrote. */
+ *  Reads columns of numbers from any CSV file. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,12 +11,12 @@
 #include "base/number.h"
 #include "sph2d/io.h"
 
-/* A line is read up to its length, so that no file, whatever it is, fills the memory. */
-enum { LINE_SIZE = 64 * 1024, MOST_ROWS = 10 * 1000 * 1000, CELL_SIZE = 48 };
+/* Limits of lines and rows, so that no file fills the memory. */
+enum { LINE_SIZE = 64 * 1024, MAX_ROWS = 10 * 1000 * 1000, CELL_SIZE = 48 };
 
 struct sph2d_table {
     char *path;
-    size_t columns, rows, room;
+    size_t columns, rows, capacity;
     bool *known;    /**< whether the file has the column */
     double *values; /**< row by row */
     int *lines;     /**< of the rows in the file */
@@ -38,9 +38,9 @@ typedef struct cell {
     size_t length;
 } cell;
 
-/* ---- faults ------------------------------------------------------------------------------------------------------ */
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-/** Reports a fault at a place in the line; NULL for the file as a whole. */
+/** Reports an error at a position in the line; NULL for the file as a whole. */
 static sph2d_diagnostic *fault(const reader *r, sph2d_code code, const char *at, const char *message)
 {
     sph2d_diagnostic *d = sph2d_report_add(r->report, SPH2D_ERROR, code, NULL, "%s", message);
@@ -68,7 +68,7 @@ static sph2d_status fault_of_file(const reader *r, const char *what)
 
 /* ---- lines and cells --------------------------------------------------------------------------------------------- */
 
-/** Takes \n or \r\n off the end. False when a carriage return is left. */
+/** Removes \n or \r\n from the end. False if another carriage return remains. */
 static bool cut_line_end(char *line)
 {
     size_t length = strlen(line);
@@ -78,14 +78,14 @@ static bool cut_line_end(char *line)
     return !strchr(line, '\r');
 }
 
-/** Reads the next line that counts. False at the end, and after a fault in *status. */
+/** Reads the next line that is not empty or a comment. False at the end, and after an error, with *status. */
 static bool next_line(reader *r, sph2d_status *status)
 {
     while (fgets(r->line, LINE_SIZE, r->in)) {
         ++r->number;
         size_t length = strlen(r->line);
         if (!feof(r->in) && (length == 0 || r->line[length - 1] != '\n')) {
-            fault(r, SPH2D_CODE_FILE_KIND, r->line, "this is no text, or a line longer than any of a table");
+            fault(r, SPH2D_CODE_FILE_KIND, r->line, "this is not text, or the line is too long for a table");
             *status = SPH2D_FORMAT;
             return false;
         }
@@ -105,7 +105,7 @@ static bool next_line(reader *r, sph2d_status *status)
     return false;
 }
 
-/** Cell `index` of the line; a text of NULL when it has fewer. */
+/** Cell `index` of the line; its text is NULL if there is none. */
 static cell find_cell(const reader *r, size_t index)
 {
     const char *text = r->line;
@@ -131,7 +131,7 @@ static bool is_named(cell heading, const char *name)
     return heading.length == length || strncmp(heading.text + length, " [", 2) == 0;
 }
 
-/** Whether a heading has no unit or the one that is wanted; a fault otherwise. */
+/** Whether a heading has no unit or the expected one; reports an error otherwise. */
 static bool has_unit(const reader *r, cell heading, const sph2d_table_column *column)
 {
     size_t name = strlen(column->name), unit = column->unit ? strlen(column->unit) : 0;
@@ -144,7 +144,7 @@ static bool has_unit(const reader *r, cell heading, const sph2d_table_column *co
     return false;
 }
 
-/** Where a column stands. False after a fault, unless the column may be missing. */
+/** Finds the index of a column. False after an error; a missing optional column is none. */
 static bool find_column(reader *r, size_t column)
 {
     char list[160] = "";
@@ -169,7 +169,7 @@ static bool find_column(reader *r, size_t column)
 
 /* ---- rows -------------------------------------------------------------------------------------------------------- */
 
-/** Reads a number; NaN where the cell is empty or nan. False after a fault. */
+/** Reads a number; NaN if the cell is empty or nan. False after an error. */
 static bool read_number(const reader *r, size_t column, double *value)
 {
     cell c = find_cell(r, r->places[column]);
@@ -183,7 +183,7 @@ static bool read_number(const reader *r, size_t column, double *value)
     *value = NAN;
     if (text[0] == '\0' || strcmp(text, "nan") == 0 || strcmp(text, "NaN") == 0)
         return true;
-    if (c.length < CELL_SIZE && sph2d__number_real(text, value) == SPH2D__NUMBER_FINE)
+    if (c.length < CELL_SIZE && sph2d__number_real(text, value) == SPH2D__NUMBER_OK)
         return true;
     snprintf(message, sizeof message, "expected a number, got '%s'", text);
     fault(r, SPH2D_CODE_FILE_FIELD, c.text, message);
@@ -192,24 +192,24 @@ static bool read_number(const reader *r, size_t column, double *value)
 
 static bool grow(sph2d_table *t)
 {
-    if (t->rows < t->room)
+    if (t->rows < t->capacity)
         return true;
-    size_t room = t->room > 0 ? 2 * t->room : 64;
-    double *values = realloc(t->values, room * t->columns * sizeof *values);
+    size_t capacity = t->capacity > 0 ? 2 * t->capacity : 64;
+    double *values = realloc(t->values, capacity * t->columns * sizeof *values);
     if (values)
         t->values = values;
-    int *lines = realloc(t->lines, room * sizeof *lines);
+    int *lines = realloc(t->lines, capacity * sizeof *lines);
     if (lines)
         t->lines = lines;
     if (values && lines)
-        t->room = room;
+        t->capacity = capacity;
     return values && lines;
 }
 
 static sph2d_status read_row(reader *r)
 {
     sph2d_table *t = r->table;
-    if (t->rows == MOST_ROWS) {
+    if (t->rows == MAX_ROWS) {
         fault(r, SPH2D_CODE_FILE_KIND, r->line, "more than ten million rows");
         return SPH2D_FORMAT;
     }

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text.c
- *  Places in a text: line, column and the line itself, for messages; and the faults that are found there. */
+ *  Places in a text, with line, column and excerpt for messages; and the errors found there. */
 #include "files/text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-/** Paths of faults that are remembered; with more, nothing counts as trustworthy. */
-enum { MOST_PATHS = 1000 };
+/** Maximum number of recorded paths of invalid values; with more, all values count as invalid. */
+enum { MAX_PATHS = 1000 };
 
 struct sph2d__fault_path {
     struct sph2d__fault_path *next;
     char path[];
 };
 
-/** How many bytes a UTF-8 character takes at `text`; 0 when it is none, or one that text must not have. */
-static size_t character_length(const unsigned char *text, size_t room)
+/** Bytes of the UTF-8 character at `text`; 0 if it is invalid, or a character that text must not have. */
+static size_t character_length(const unsigned char *text, size_t size)
 {
     unsigned c = text[0];
     if (c < 0x80)
         return (c >= 0x20 && c != 0x7f) || c == '\t' || c == '\n' || c == '\r';
     size_t length = c >= 0xc2 && c <= 0xdf ? 2 : c >= 0xe0 && c <= 0xef ? 3 : c >= 0xf0 && c <= 0xf4 ? 4 : 0;
-    if (length == 0 || length > room)
+    if (length == 0 || length > size)
         return 0;
     unsigned long code = c & (0xffu >> (length + 1));
     for (size_t i = 1; i < length; ++i) {
@@ -53,16 +53,16 @@ bool sph2d__text_check(const sph2d__source *source, sph2d__faults *faults)
 
 void sph2d__text_clean(char *text)
 {
-    size_t room = strlen(text);
-    for (size_t i = 0; i < room;) {
-        size_t length = character_length((const unsigned char *)text + i, room - i);
+    size_t size = strlen(text);
+    for (size_t i = 0; i < size;) {
+        size_t length = character_length((const unsigned char *)text + i, size - i);
         if (length == 0 || (length == 1 && (unsigned char)text[i] < 0x20))
             text[i] = '?';
         i += length > 0 ? length : 1;
     }
 }
 
-/** Where the line of `offset` starts, and its number from 1. A line ends with LF, CR or both. */
+/** The start of the line of `offset`, and its number from 1. A line ends with LF, CR or both. */
 static size_t line_start(const sph2d__source *source, size_t offset, int *number)
 {
     size_t start = 0;
@@ -78,13 +78,13 @@ static size_t line_start(const sph2d__source *source, size_t offset, int *number
     return start;
 }
 
-/** Skips a byte order mark, which no editor shows as a column. */
+/** Skips a byte order mark, which editors do not count as a column. */
 static size_t skip_mark(const sph2d__source *source, size_t start)
 {
     return start == 0 && source->length >= 3 && memcmp(source->text, "\xef\xbb\xbf", 3) == 0 ? 3 : start;
 }
 
-/** Copies a line as far as it fits: tabs as blanks, so that the caret stands right, and what is not text as '?'. */
+/** Copies a line, truncated to the size; tabs as blanks, to align the caret, and invalid bytes as '?'. */
 static void copy_line(char *out, size_t size, const sph2d__source *source, size_t start)
 {
     const unsigned char *text = (const unsigned char *)source->text;
@@ -149,9 +149,9 @@ sph2d_diagnostic *sph2d__fault(sph2d__faults *faults, sph2d_code code, sph2d__pl
     return diagnostic;
 }
 
-void sph2d__faults_spoil(sph2d__faults *faults, const char *path)
+void sph2d__faults_mark_invalid(sph2d__faults *faults, const char *path)
 {
-    if (++faults->spoiled > MOST_PATHS)
+    if (++faults->invalid > MAX_PATHS)
         return;
     size_t size = strlen(path) + 1;
     struct sph2d__fault_path *fault = sph2d__pool_alloc(faults->pool, 1, sizeof *fault + size);
@@ -164,7 +164,7 @@ void sph2d__faults_spoil(sph2d__faults *faults, const char *path)
     faults->paths = fault;
 }
 
-/** Whether `path` is `above` or lies below it. The empty path is above everything. */
+/** Whether `path` is `above` or below it. The empty path is above all. */
 static bool is_below(const char *path, const char *above)
 {
     size_t length = strlen(above);
@@ -172,9 +172,9 @@ static bool is_below(const char *path, const char *above)
     return length == 0 || next == '\0' || next == '.' || next == '[';
 }
 
-bool sph2d__faults_touch(const sph2d__faults *faults, const char *path)
+bool sph2d__faults_affect(const sph2d__faults *faults, const char *path)
 {
-    if (faults->spoiled > MOST_PATHS)
+    if (faults->invalid > MAX_PATHS)
         return true;
     for (const struct sph2d__fault_path *fault = faults->paths; fault; fault = fault->next)
         if (is_below(fault->path, path) || is_below(path, fault->path))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text.h
- *  Text that a scene is read from, places in it, and the faults found there. */
+ *  Source text of a scene, places in it, and the errors found there. */
 #ifndef SPH2D_FILES_TEXT_H
 #define SPH2D_FILES_TEXT_H
 
@@ -11,12 +11,12 @@
 #include "files/pool.h"
 #include "sph2d/status.h"
 
-/** Where text comes from: a file, or one override. */
+/** A source of text: a file, or one override. */
 typedef struct sph2d__source {
     const char *name; /**< for messages: the path, or `--set PATH=VALUE` */
     const char *text;
     size_t length;
-    bool has_lines; /**< messages tell line and column; an override is its own line already */
+    bool has_lines; /**< whether messages have line and column; not for an override, which is quoted itself */
 } sph2d__source;
 
 /** A byte of a source. */
@@ -27,13 +27,13 @@ typedef struct sph2d__place {
 
 #define SPH2D__NOWHERE SIZE_MAX
 
-/** The faults of one reading. It counts and remembers by itself, since the report may be NULL or full. */
+/** The errors of one reading. They are counted here, too, since the report may be NULL or full. */
 typedef struct sph2d__faults {
     sph2d_report *report;
     sph2d__pool *pool;
     size_t errors;
-    struct sph2d__fault_path *paths; /**< of values that could not be read ... */
-    size_t spoiled;                  /**< ... and how many */
+    struct sph2d__fault_path *paths; /**< of invalid values ... */
+    size_t invalid;                  /**< ... and their number */
     bool short_of_memory;
 } sph2d__faults;
 
@@ -41,12 +41,13 @@ typedef struct sph2d__faults {
 sph2d_diagnostic *sph2d__fault(sph2d__faults *faults, sph2d_code code, sph2d__place place, const char *path,
                                const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-/** Remembers that there is no trustworthy value at a path. */
-void sph2d__faults_spoil(sph2d__faults *faults, const char *path);
-/** Whether a path, something above it or something below it was spoiled. */
-bool sph2d__faults_touch(const sph2d__faults *faults, const char *path);
+/** Records that the value at a path is invalid. */
+void sph2d__faults_mark_invalid(sph2d__faults *faults, const char *path);
+/** Whether a path, or one above or below it, is invalid. */
+bool sph2d__faults_affect(const sph2d__faults *faults, const char *path);
 
-/** Puts the diagnostics from `first` on into the order of the file; what has no line comes first. NULL is fine. */
+/** Sorts the diagnostics from `first` on by their place in the file; those without a line come first. NULL is
+ *  allowed. */
 void sph2d__faults_sort(sph2d_report *report, size_t first);
 
 /** Fills in file, line, column and source line. */
@@ -58,10 +59,10 @@ int sph2d__place_line(sph2d__place place);
  *  SPH2D_NOMEM. The caller frees *text. */
 sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report);
 
-/** Puts '?' for every byte that is no text, so that a message cannot hold what a file meant for the terminal. */
+/** Replaces every byte that is not text by '?', so that messages cannot contain terminal escapes from a file. */
 void sph2d__text_clean(char *text);
 
-/** Whether a source is UTF-8 without control characters; otherwise a fault at the first bad byte. */
+/** Whether a source is UTF-8 without control characters; reports the first invalid byte otherwise. */
 bool sph2d__text_check(const sph2d__source *source, sph2d__faults *faults);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text_read.c
- *  A whole file into memory, up to a limit, whatever kind of file it is. */
+ *  Reads a file of any kind into memory, up to a limit. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -24,21 +24,21 @@ static sph2d_status fail(const char *what, const char *path, sph2d_report *repor
     return SPH2D_NOINPUT;
 }
 
-/** Reads to the end or to one byte more than `limit`, growing as it goes: a pipe does not tell its size. */
+/** Reads to the end, at most one byte more than `limit`, into a growing buffer: the size of a pipe is unknown. */
 static sph2d_status read_all(int fd, const char *path, size_t limit, char **text, size_t *length, sph2d_report *report)
 {
-    size_t room = 0;
+    size_t size = 0;
     for (*length = 0;;) {
         if (*length > limit)
             return too_long(path, limit, report);
-        if (room - *length < 2) {
-            room = room > 0 ? 2 * room : 64 * 1024;
-            char *larger = realloc(*text, room);
+        if (size - *length < 2) {
+            size = size > 0 ? 2 * size : 64 * 1024;
+            char *larger = realloc(*text, size);
             if (!larger)
                 return SPH2D_NOMEM;
             *text = larger;
         }
-        ssize_t got = read(fd, *text + *length, room - *length - 1);
+        ssize_t got = read(fd, *text + *length, size - *length - 1);
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)

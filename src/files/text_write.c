@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text_write.c
- *  A whole text into a file, which takes its name when it is done. */
+ *  Writes a text to a file atomically. */
 #include <errno.h>
 #include <stdio.h>
 
@@ -22,13 +22,13 @@ sph2d_status sph2d_text_write(const char *path, const char *text, size_t length,
         return SPH2D_CANTCREAT;
     }
     errno = 0;
-    bool fine = length == 0 || fwrite(text, 1, length, out) == length;
+    bool ok = length == 0 || fwrite(text, 1, length, out) == length;
     int error = errno;
-    if (fclose(out) != 0 && fine) {
-        fine = false;
+    if (fclose(out) != 0 && ok) {
+        ok = false;
         error = errno;
     }
-    if (fine)
+    if (ok)
         return sph2d__atomic_commit(&file, report);
     sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, error);
     sph2d__atomic_abort(&file);

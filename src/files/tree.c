@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tree.c
- *  Nodes of a scene file: making them, finding them, naming them. */
+ *  Nodes of a scene file: creation, search, description. */
 #include "files/tree.h"
 
 #include <stdio.h>
@@ -68,21 +68,20 @@ sph2d__place sph2d__node_place(const sph2d__node *node)
     return node->key && (block || sph2d__node_is_null(node)) ? node->key_place : node->place;
 }
 
-/** The number of leading bytes of a text, at most `most`, that stay on its line and do not end inside a UTF-8
- *  character. */
-static size_t cut(const char *text, size_t most)
+/** The number of leading bytes of a text, at limit `limit`, on its first line, without a partial UTF-8 character. */
+static size_t truncate_text(const char *text, size_t limit)
 {
     size_t line = strcspn(text, "\n\r");
-    if (line <= most)
+    if (line <= limit)
         return line;
-    while (most > 0 && ((unsigned char)text[most] & 0xc0) == 0x80)
-        --most;
-    return most;
+    while (limit > 0 && ((unsigned char)text[limit] & 0xc0) == 0x80)
+        --limit;
+    return limit;
 }
 
-const char *sph2d__node_words(const sph2d__node *node, char *out, size_t size)
+const char *sph2d__node_describe(const sph2d__node *node, char *out, size_t size)
 {
-    enum { MOST = 40 };
+    enum { MAX_BYTES = 40 };
     if (node->kind == SPH2D__NODE_MAPPING) {
         snprintf(out, size, "a mapping");
     } else if (node->kind == SPH2D__NODE_SEQUENCE) {
@@ -90,7 +89,7 @@ const char *sph2d__node_words(const sph2d__node *node, char *out, size_t size)
     } else if (sph2d__node_is_null(node)) {
         snprintf(out, size, "nothing");
     } else {
-        size_t length = cut(node->text, MOST);
+        size_t length = truncate_text(node->text, MAX_BYTES);
         snprintf(out, size, "%s'%.*s'%s", node->quoted ? "the text " : "", (int)length, node->text,
                  node->length > length ? "..." : "");
     }
@@ -153,6 +152,6 @@ const sph2d__node *sph2d__node_at(const sph2d__node *root, const char *path)
 void sph2d__node_locate(const sph2d__node *root, sph2d_diagnostic *diagnostic)
 {
     const sph2d__node *node = sph2d__node_at(root, diagnostic->path);
-    sph2d__place whole = {root->place.source, SPH2D__NOWHERE};
-    sph2d__place_describe(node == root ? whole : sph2d__node_place(node), diagnostic);
+    sph2d__place file = {root->place.source, SPH2D__NOWHERE};
+    sph2d__place_describe(node == root ? file : sph2d__node_place(node), diagnostic);
 }

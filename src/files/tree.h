@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tree.h
- *  A scene file as a tree of mappings, sequences and scalars that know their places: what every other file here works
- *  on, so that the YAML library is named in one file (yaml.c) alone. */
+ *  A scene file as a tree of mappings, sequences and scalars with their places in the text. Only yaml.c uses the YAML
+ *  library; all other files work on this tree. */
 #ifndef SPH2D_FILES_TREE_H
 #define SPH2D_FILES_TREE_H
 
@@ -11,12 +11,12 @@ typedef enum sph2d__node_kind {
     SPH2D__NODE_SCALAR,
     SPH2D__NODE_MAPPING,
     SPH2D__NODE_SEQUENCE,
-    SPH2D__NODE_FAULTY /**< stands for something that was reported already */
+    SPH2D__NODE_FAULTY /**< invalid, and already reported */
 } sph2d__node_kind;
 
 typedef struct sph2d__node {
     sph2d__node_kind kind;
-    bool quoted;            /**< a scalar in quotes or a text block: never a number, never nothing */
+    bool quoted;            /**< a scalar in quotes or a text block: never a number or null */
     bool flow;              /**< a mapping or sequence in brackets */
     const char *text;       /**< of a scalar; NUL-terminated */
     size_t length;          /**< of that text */
@@ -27,7 +27,7 @@ typedef struct sph2d__node {
     struct sph2d__node *first, *last, *next;
 } sph2d__node;
 
-/** How deep a scene may nest; the functions that walk a tree recurse. */
+/** Maximum nesting depth; functions that walk a tree recurse. */
 enum { SPH2D__TREE_DEPTH = 32 };
 
 /** A node of a kind at a place; NULL when memory is short. */
@@ -40,14 +40,14 @@ sph2d__node *sph2d__node_find(const sph2d__node *mapping, const char *key, size_
 /** Child `index` of a sequence; NULL when there is none. */
 sph2d__node *sph2d__node_item(const sph2d__node *sequence, size_t index);
 
-/** Whether it is a scalar that says nothing: empty, `~` or `null`. */
+/** Whether it is a null scalar: empty, `~` or `null`. */
 bool sph2d__node_is_null(const sph2d__node *node);
 
-/** Where a message about a node points: at the value, or at its key where the value starts on a later line. */
+/** The place for a message about a node: its value, or its key if the value starts on a later line. */
 sph2d__place sph2d__node_place(const sph2d__node *node);
 
-/** What a node is, in words, for "expected ..., got ...". Writes to `out` and returns it. */
-const char *sph2d__node_words(const sph2d__node *node, char *out, size_t size);
+/** Describes a node for "expected ..., got ...". Writes to `out` and returns it. */
+const char *sph2d__node_describe(const sph2d__node *node, char *out, size_t size);
 
 /** One step of a key path. */
 typedef struct sph2d__step {
@@ -56,21 +56,21 @@ typedef struct sph2d__step {
     size_t index;
 } sph2d__step;
 
-/** Takes the next step off `*path`, such as `blocks`, `[0]`, `.box`. False at its end, and where the path is malformed,
- *  which leaves *path at the fault. */
+/** Parses the next step of `*path`, such as `blocks`, `[0]`, `.box`. False at its end, and where the path is malformed,
+ *  which leaves *path at the error. */
 bool sph2d__path_step(const char **path, sph2d__step *step);
 
 /** The child that a step leads to; NULL when there is none. */
 sph2d__node *sph2d__node_step(const sph2d__node *node, const sph2d__step *step);
 
-/** The node at a path, or the last one on the way to it that there is. Below the root an index counts a
+/** The node at a path, or the last existing one along it. Below the root an index counts a
  *  mapping's children too. */
 const sph2d__node *sph2d__node_at(const sph2d__node *root, const char *path);
 
-/** Completes a diagnostic with the place of its key path. At the root no line is to blame. */
+/** Adds the place of its key path to a diagnostic; the root has no line. */
 void sph2d__node_locate(const sph2d__node *root, sph2d_diagnostic *diagnostic);
 
-/** A node as YAML text on one line that reads as the same value again; NULL when memory is short (tree_text.c). */
+/** A node as YAML text on one line that reads back as the same value; NULL when memory is short (tree_text.c). */
 const char *sph2d__node_text(const sph2d__node *node, sph2d__pool *pool);
 
 #endif

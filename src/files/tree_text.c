@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tree_text.c
- *  Nodes back into YAML text: a value of one file becomes an override of another. */
+ *  Writes nodes as YAML text, so that a value of one file becomes an override of another. */
 #include <stdio.h>
 #include <string.h>
 
 #include "files/tree.h"
 
-/** Text that is written, or with `out` NULL only counted. */
-typedef struct pen {
+/** An output buffer; with `out` NULL, bytes are only counted. */
+typedef struct output {
     char *out;
     size_t used;
-} pen;
+} output;
 
-static void put(pen *p, const char *text, size_t length)
+static void put(output *p, const char *text, size_t length)
 {
     if (p->out)
         memcpy(p->out + p->used, text, length);
     p->used += length;
 }
 
-static void put_quoted(pen *p, const char *text)
+static void put_quoted(output *p, const char *text)
 {
     put(p, "\"", 1);
     for (; *text; ++text) {
@@ -35,15 +35,15 @@ static void put_quoted(pen *p, const char *text)
     put(p, "\"", 1);
 }
 
-/** Whether a text means the same inside brackets as it does alone. */
+/** Whether an unquoted text has the same meaning inside brackets. */
 static bool is_word(const char *text)
 {
     return *text && !text[strcspn(text, ",:[]{}#\"'&*!|>%@`?\\")];
 }
 
-static void put_node(pen *p, const sph2d__node *node, bool inside);
+static void put_node(output *p, const sph2d__node *node, bool inside);
 
-static void put_children(pen *p, const sph2d__node *node)
+static void put_children(output *p, const sph2d__node *node)
 {
     bool mapping = node->kind == SPH2D__NODE_MAPPING;
     put(p, mapping ? "{" : "[", 1);
@@ -59,7 +59,7 @@ static void put_children(pen *p, const sph2d__node *node)
     put(p, mapping ? "}" : "]", 1);
 }
 
-static void put_node(pen *p, const sph2d__node *node, bool inside)
+static void put_node(output *p, const sph2d__node *node, bool inside)
 {
     if (node->kind == SPH2D__NODE_MAPPING || node->kind == SPH2D__NODE_SEQUENCE)
         put_children(p, node);
@@ -73,9 +73,9 @@ static void put_node(pen *p, const sph2d__node *node, bool inside)
 
 const char *sph2d__node_text(const sph2d__node *node, sph2d__pool *pool)
 {
-    pen counted = {NULL, 0};
+    output counted = {NULL, 0};
     put_node(&counted, node, false);
-    pen written = {sph2d__pool_alloc(pool, counted.used + 1, 1), 0};
+    output written = {sph2d__pool_alloc(pool, counted.used + 1, 1), 0};
     if (written.out)
         put_node(&written, node, false);
     return written.out;

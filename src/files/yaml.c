@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file yaml.c
- *  The only file that knows libfyaml. It takes the parser's events, not its documents: duplicate keys then are ours to
- *  report with everything else, nothing recurses, and no alias can blow up. */
+ *  The only file that uses libfyaml. It handles the parser's events, not its documents, so that duplicate keys can be
+ *  reported with all other errors, nothing recurses, and aliases cannot expand without bound. */
 #include "files/yaml.h"
 
 #include <libfyaml.h>
 #include <string.h>
 
-/** Values in one text, and characters that may start or end one. A scene has hundreds; this bounds memory when the text
- *  is none. The characters are counted before parsing because libfyaml, which looks ahead to the end of brackets that
- *  open a document, takes 350 bytes for each. */
-enum { MOST_NODES = 1000000, MOST_MARKS = 2 * MOST_NODES };
+/** Maximum number of values in a text, and of characters that may start or end one. A scene has hundreds; the limits
+ *  bound memory for other texts. The characters are counted before parsing, since libfyaml looks ahead to the end of
+ *  brackets that open a document, with 350 bytes for each. */
+enum { MAX_NODES = 1000000, MAX_MARKS = 2 * MAX_NODES };
 
 typedef struct builder {
     const sph2d__source *source;
@@ -20,9 +20,9 @@ typedef struct builder {
     size_t depth;
     const char *key; /**< of the value that comes next, where it has one */
     sph2d__place key_place;
-    size_t last; /**< where the last event started: the place of values that leave no trace in the text */
+    size_t last; /**< start of the last event: the place of values without text */
     size_t nodes;
-    bool ended; /**< a document was complete */
+    bool ended; /**< a document is complete */
     sph2d_status status;
 } builder;
 
@@ -31,21 +31,21 @@ static sph2d__place place_at(const builder *b, size_t offset)
     return (sph2d__place){b->source, offset};
 }
 
-/** Reports a fault that ends the parsing. */
+/** Reports an error that ends the parsing. */
 static void stop(builder *b, size_t offset, const char *message)
 {
     sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
     b->status = SPH2D_SCENE;
 }
 
-static bool marks_are_few(builder *b)
+static bool check_mark_count(builder *b)
 {
     static const bool is_mark[256] = {['['] = true, [']'] = true, ['{'] = true, ['}'] = true, [','] = true,
                                       [':'] = true, ['&'] = true, ['*'] = true, ['!'] = true, ['%'] = true};
     size_t marks = 0;
     for (size_t i = 0; i < b->source->length; ++i) {
         marks += is_mark[(unsigned char)b->source->text[i]];
-        if (marks > MOST_MARKS) {
+        if (marks > MAX_MARKS) {
             stop(b, i, "more than a million values");
             return false;
         }
@@ -59,7 +59,7 @@ static size_t token_offset(struct fy_token *token, size_t otherwise)
     return mark ? mark->input_pos : otherwise;
 }
 
-/** Reports anchors and tags; the node itself is sound. The marks stand behind `&` and `!`. */
+/** Reports anchors and tags; the node itself is valid. Their positions are after `&` and `!`. */
 static void refuse_properties(builder *b, struct fy_token *anchor, struct fy_token *tag)
 {
     if (anchor) {
@@ -72,10 +72,10 @@ static void refuse_properties(builder *b, struct fy_token *anchor, struct fy_tok
     }
 }
 
-/** Hangs a new node into the tree. NULL when the parsing cannot go on. */
+/** Adds a new node to the tree. NULL if the parsing must stop. */
 static sph2d__node *add_node(builder *b, sph2d__node_kind kind, size_t offset)
 {
-    if (++b->nodes > MOST_NODES) {
+    if (++b->nodes > MAX_NODES) {
         stop(b, offset, "more than a million values");
         return NULL;
     }
@@ -108,13 +108,13 @@ static void open_collection(builder *b, sph2d__node_kind kind, struct fy_token *
     enum fy_token_type type = start ? fy_token_get_type(start) : FYTT_NONE;
     node->flow = type == FYTT_FLOW_MAPPING_START || type == FYTT_FLOW_SEQUENCE_START;
     if (b->depth == SPH2D__TREE_DEPTH)
-        stop(b, offset, "nested deeper than any scene");
+        stop(b, offset, "nested too deeply");
     else
         b->open[b->depth++] = node;
 }
 
-/** Takes a scalar as the key of what comes next, or as a value. */
-static void take_scalar(builder *b, struct fy_token *token, size_t offset)
+/** Handles a scalar: the key of the next node, or a value. */
+static void handle_scalar(builder *b, struct fy_token *token, size_t offset)
 {
     size_t length = 0;
     const char *text = fy_token_get_text(token, &length);
@@ -124,12 +124,12 @@ static void take_scalar(builder *b, struct fy_token *token, size_t offset)
         return;
     }
     if (strlen(copy) != length) {
-        stop(b, offset, "a text with a NUL character in it");
+        stop(b, offset, "a text contains a NUL character");
         return;
     }
     enum fy_scalar_style style = fy_token_scalar_style(token);
     bool in_quotes = style == FYSS_SINGLE_QUOTED || style == FYSS_DOUBLE_QUOTED;
-    if (in_quotes && offset > 0) /* the mark stands behind the quote */
+    if (in_quotes && offset > 0) /* the position is after the quote */
         --offset;
     const sph2d__node *parent = b->depth > 0 ? b->open[b->depth - 1] : NULL;
     if (parent && parent->kind == SPH2D__NODE_MAPPING && !b->key) {
@@ -145,14 +145,14 @@ static void take_scalar(builder *b, struct fy_token *token, size_t offset)
     }
 }
 
-static void take_event(builder *b, struct fy_event *event)
+static void handle_event(builder *b, struct fy_event *event)
 {
     const struct fy_mark *mark = fy_event_start_mark(event);
     size_t offset = b->last = mark ? mark->input_pos : b->last;
     switch (event->type) {
     case FYET_DOCUMENT_START:
         if (b->ended)
-            stop(b, offset, "a second document: a scene is one");
+            stop(b, offset, "a second document: a scene must be one document");
         break;
     case FYET_DOCUMENT_END:
         b->ended = true;
@@ -171,7 +171,7 @@ static void take_event(builder *b, struct fy_event *event)
         break;
     case FYET_SCALAR:
         refuse_properties(b, event->scalar.anchor, event->scalar.tag);
-        take_scalar(b, event->scalar.value, offset);
+        handle_scalar(b, event->scalar.value, offset);
         break;
     case FYET_ALIAS:
         sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "aliases (*name) are not allowed");
@@ -182,8 +182,7 @@ static void take_event(builder *b, struct fy_event *event)
     }
 }
 
-/** Turns what libfyaml collected into faults. A bracket that is never closed is reported where it opens, not at the
- *  end of the file. */
+/** Reports libfyaml's errors. An unclosed bracket is reported where it opens, not at the end of the file. */
 static void report_syntax(builder *b, struct fy_diag *diag)
 {
     void *position = NULL;
@@ -206,7 +205,7 @@ static void run_parser(builder *b, struct fy_parser *parser, struct fy_diag *dia
 {
     struct fy_event *event;
     while (b->status == SPH2D_OK && (event = fy_parser_parse(parser)) != NULL) {
-        take_event(b, event);
+        handle_event(b, event);
         fy_parser_event_free(parser, event);
     }
     if (b->status == SPH2D_OK && fy_parser_get_stream_error(parser))
@@ -217,7 +216,7 @@ sph2d_status sph2d__yaml_parse(const sph2d__source *source, sph2d__faults *fault
 {
     *root = NULL;
     builder b = {.source = source, .faults = faults};
-    if (!sph2d__text_check(source, faults) || !marks_are_few(&b))
+    if (!sph2d__text_check(source, faults) || !check_mark_count(&b))
         return SPH2D_SCENE;
     b.status = SPH2D_NOMEM;
     struct fy_diag_cfg diag_config;

@@ -25,7 +25,7 @@ static double number_of(const char *value)
     sph2d__c_locale locale;
     if (!sph2d__c_locale_begin(&locale))
         return NAN;
-    if (sph2d__number_real(value, &number) != SPH2D__NUMBER_FINE)
+    if (sph2d__number_real(value, &number) != SPH2D__NUMBER_OK)
         number = NAN;
     sph2d__c_locale_end(&locale);
     return number;

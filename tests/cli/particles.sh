@@ -49,7 +49,7 @@ table 'x,vy' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*no column 'y'" && s
 table 'x,y' '0.5,up' && scene 65 && says "cloud.csv:2:5: .*expected a number, got 'up'"
 table 'x,y' '0.5,0.5' '0.5,' && scene 65 && says 'cloud.csv:3:1: .*lacks a number'
 table 'x,y,density' '0.5,0.5,0' && scene 65 && says 'cloud.csv:2:1: .*a density must be above 0'
-table 'x,y' && scene 65 && says 'no particle in this file'
+table 'x,y' && scene 65 && says 'this file has no particles'
 table 'x [mm],y' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*'x' must be in m$"
 printf 'x,y\r0.5,0.5\r' >scenes/cloud.csv && scene 65 && says 'line feed'
 table 'x,y' '0.5,0.5' '0.6,0.5' '0.50000001,0.5' && scene 65 && says 'particles\[[02]\]: .*where another particle is'

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/** @file seal.c
- *  The last 16 bytes of a file: eight letters, and a checksum of all before them. */
-#include "files/seal.h"
+/** @file trailer.c
+ *  The checksum trailer, the last 16 bytes of a file: eight letters, and a checksum of all bytes before them. */
+#include "files/trailer.h"
 
 #include <errno.h>
 #include <stdint.h>
@@ -13,7 +13,7 @@
 #define XXH_INLINE_ALL /* nothing to link with */
 #include <xxhash.h>
 
-enum { BLOCK_BYTES = 1 << 20, SEAL_BYTES = 16 };
+enum { BLOCK_BYTES = 1 << 20, TRAILER_BYTES = 16 };
 
 static const unsigned char letters[8] = {'S', 'P', 'H', '2', 'D', 'x', 'x', 'h'};
 
@@ -48,7 +48,7 @@ static bool sum_file(int fd, off_t size, uint64_t *sum)
     for (off_t done = 0; done < size; done += got) {
         off_t rest = size - done;
         got = read_block(fd, block, rest < BLOCK_BYTES ? (size_t)rest : BLOCK_BYTES, done);
-        if (got <= 0) /* 0: it became shorter meanwhile */
+        if (got <= 0) /* 0: the file was truncated meanwhile */
             break;
         XXH64_update(&state, block, (size_t)got);
     }
@@ -57,24 +57,24 @@ static bool sum_file(int fd, off_t size, uint64_t *sum)
     return got >= 0;
 }
 
-/** Letters and sum, lowest byte first on any machine. */
-static void make_seal(unsigned char seal[SEAL_BYTES], uint64_t sum)
+/** Letters and checksum, little-endian on any machine. */
+static void make_trailer(unsigned char trailer[TRAILER_BYTES], uint64_t sum)
 {
-    memcpy(seal, letters, sizeof letters);
+    memcpy(trailer, letters, sizeof letters);
     for (int i = 0; i < 8; ++i)
-        seal[8 + i] = (unsigned char)(sum >> 8 * i);
+        trailer[8 + i] = (unsigned char)(sum >> 8 * i);
 }
 
-bool sph2d__seal_put(int fd)
+bool sph2d__trailer_append(int fd)
 {
     struct stat info;
     uint64_t sum;
     if (fstat(fd, &info) != 0 || !sum_file(fd, info.st_size, &sum))
         return false;
-    unsigned char seal[SEAL_BYTES];
-    make_seal(seal, sum);
-    for (size_t done = 0; done < sizeof seal;) {
-        ssize_t put = pwrite(fd, seal + done, sizeof seal - done, info.st_size + (off_t)done);
+    unsigned char trailer[TRAILER_BYTES];
+    make_trailer(trailer, sum);
+    for (size_t done = 0; done < sizeof trailer;) {
+        ssize_t put = pwrite(fd, trailer + done, sizeof trailer - done, info.st_size + (off_t)done);
         if (put < 0 && errno == EINTR)
             continue;
         if (put <= 0) {
@@ -86,23 +86,23 @@ bool sph2d__seal_put(int fd)
     return true;
 }
 
-sph2d__seal sph2d__seal_check(int fd)
+sph2d__trailer sph2d__trailer_check(int fd)
 {
     struct stat info;
-    unsigned char found[SEAL_BYTES], made[SEAL_BYTES];
+    unsigned char found[TRAILER_BYTES], made[TRAILER_BYTES];
     if (fstat(fd, &info) != 0)
-        return SPH2D__SEAL_UNREADABLE;
-    if (info.st_size < SEAL_BYTES)
-        return SPH2D__SEAL_NONE;
-    off_t size = info.st_size - SEAL_BYTES;
+        return SPH2D__TRAILER_UNREADABLE;
+    if (info.st_size < TRAILER_BYTES)
+        return SPH2D__TRAILER_NONE;
+    off_t size = info.st_size - TRAILER_BYTES;
     ssize_t got = read_block(fd, found, sizeof found, size);
     if (got < 0)
-        return SPH2D__SEAL_UNREADABLE;
-    if (got < SEAL_BYTES || memcmp(found, letters, sizeof letters) != 0)
-        return SPH2D__SEAL_NONE;
+        return SPH2D__TRAILER_UNREADABLE;
+    if (got < TRAILER_BYTES || memcmp(found, letters, sizeof letters) != 0)
+        return SPH2D__TRAILER_NONE;
     uint64_t sum;
     if (!sum_file(fd, size, &sum))
-        return SPH2D__SEAL_UNREADABLE;
-    make_seal(made, sum);
-    return memcmp(found, made, sizeof made) == 0 ? SPH2D__SEAL_WHOLE : SPH2D__SEAL_BROKEN;
+        return SPH2D__TRAILER_UNREADABLE;
+    make_trailer(made, sum);
+    return memcmp(found, made, sizeof made) == 0 ? SPH2D__TRAILER_VALID : SPH2D__TRAILER_INVALID;
 }
