@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file build.c
- *  What this program was built from, with what, and where it runs. */
+ *  The build's source, compiler and flags, and the processor. */
 #include "build.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file build.h
- *  What this program was built from, and with what: speed depends on it. */
+ *  The build's source, compiler and flags, which determine the speed. */
 #ifndef SPH2D_CLI_BUILD_H
 #define SPH2D_CLI_BUILD_H
 
@@ -8,17 +8,17 @@
 
 /** "gcc (Debian 12.2.0-14) 12.2.0". */
 extern const char *const build_compiler;
-/** Flags of the compiler but for warnings; those of one instruction set come on top. */
+/** Compiler flags, without warnings and those of the instruction sets. */
 extern const char *const build_flags;
-/** A checksum of all that the program was compiled from. */
+/** A checksum of the source. */
 extern const char *const build_source;
-/** Of the source, with "-dirty" where files were changed; "none" outside a repository. */
+/** The commit of the source, with "-dirty" if files were changed; "none" outside a repository. */
 extern const char *const build_commit;
 
-/** The name of the processor that it runs on, or what the system calls the machine. Returns `out`, cut at `size`. */
+/** The name of the processor, or of the machine type. Returns `out`, truncated to `size`. */
 char *build_processor(char *out, size_t size);
 
-/** Processor, version, commit, compiler and flags in one line. Returns `out`, cut at `size`. */
+/** Processor, version, commit, compiler and flags in one line. Returns `out`, truncated to `size`. */
 char *build_describe(char *out, size_t size);
 
 #endif

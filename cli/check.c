@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check.c
- *  `sph2d check SCENE`: every fault of a scene, then what running it will take. */
+ *  `sph2d check SCENE`: reports all errors of a scene, then estimates the run. */
 #include <math.h>
 #include <stdio.h>
 
 #include "clock.h"
+#include "coarse_run.h"
 #include "command.h"
 #include "exit.h"
+#include "frame_writer.h"
 #include "json.h"
 #include "message.h"
-#include "painter.h"
-#include "pilot.h"
 #include "text.h"
 #include "threads.h"
 
-/* What is known about a scene when it has been checked. */
+/* A checked scene, and the estimates of its run. */
 typedef struct checked {
     const cli_options *options;
     sph2d_scene_file *file;
@@ -22,9 +22,9 @@ typedef struct checked {
     sph2d_sim *sim;
     sph2d_plan plan;
     thread_choice threads;
-    double step_seconds, step_cpu; /* measured, a step */
+    double step_seconds, step_cpu; /* measured, per step */
     double steps;                  /* expected of the run */
-    double seconds, cpu;           /* likewise [s] */
+    double seconds, cpu;           /* expected of the run [s] */
     uint64_t steps_measured;
     sph2d_report report;
 } checked;
@@ -35,8 +35,7 @@ static int report_status(checked *c, sph2d_status status)
     return exit_of_status(status);
 }
 
-/* Steps for a moment, to say how long a run will take. The first step warms up caches and threads, and is not counted.
- */
+/* Measures the time of some steps. The first step warms up caches and threads, and is not counted. */
 static int measure(checked *c)
 {
     const double longest = 0.3;
@@ -54,30 +53,30 @@ static int measure(checked *c)
     return report_status(c, status);
 }
 
-/* Below so many particles a step's time says nothing of what more of them will take. */
-static const double FEW = 200;
+/* With fewer particles the time of a step does not scale with their number. */
+static const double MIN_SCALING = 200;
 
-/* What the run will take: the first steps' time, as often as a pilot run says. */
-static void predict(checked *c)
+/* Estimates the run: the time of its first steps times the ratios of a coarse run. */
+static void estimate(checked *c)
 {
     const double particles = (double)c->plan.fluid_particles;
-    const cli_pilot pilot = pilot_run(c->scene, c->plan.steps, c->plan.steps * c->step_cpu, particles);
-    c->steps = c->plan.steps * pilot.steps;
-    c->cpu = c->steps * pilot.particles * pilot.cost * c->step_cpu;
-    if ((particles < FEW || c->scene->source_count > 0) && pilot.cpu_of_particle > 0)
-        c->cpu = c->steps * (pilot.cpu_of_step + pilot.mean * pilot.cpu_of_particle);
+    const coarse_run run = coarse_run_estimate(c->scene, c->plan.steps, c->plan.steps * c->step_cpu, particles);
+    c->steps = c->plan.steps * run.steps;
+    c->cpu = c->steps * run.particles * run.cost * c->step_cpu;
+    if ((particles < MIN_SCALING || c->scene->source_count > 0) && run.cpu_of_particle > 0)
+        c->cpu = c->steps * (run.cpu_of_step + run.mean * run.cpu_of_particle);
     c->seconds = c->step_cpu > 0 ? c->cpu * c->step_seconds / c->step_cpu : c->cpu;
 }
 
 static int draw_preview(checked *c)
 {
-    cli_look look = look_of_scene(c->scene);
-    cli_painter *painter = NULL;
-    sph2d_status status = painter_create(&look, c->options, &painter, &c->report);
+    frame_style style = frame_style_of_scene(c->scene);
+    frame_writer *writer = NULL;
+    sph2d_status status = frame_writer_create(&style, c->options, &writer, &c->report);
     particle_source source = {.sim = c->sim};
     if (status == SPH2D_OK)
-        status = painter_paint(painter, &source, &look, c->options->preview, NULL, &c->report);
-    painter_destroy(painter);
+        status = frame_writer_write(writer, &source, &style, c->options->preview, NULL, &c->report);
+    frame_writer_destroy(writer);
     if (status == SPH2D_OK)
         message_note("the first frame is in '%s'", c->options->preview);
     return report_status(c, status);
@@ -85,7 +84,7 @@ static int draw_preview(checked *c)
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
-static void print_terms(const sph2d_scene *scene)
+static void print_active(const sph2d_scene *scene)
 {
     static const char *const forms[] = {"walls", "spring walls", "heavy walls", "reflecting walls",
                                         "generalised walls"};
@@ -128,22 +127,22 @@ static void print_table(const checked *c)
     const sph2d_plan *plan = &c->plan;
     char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], cpu[TEXT_SIZE], in_use[TEXT_SIZE];
     text_row("scene", "%s: no errors", c->scene->name);
-    print_terms(sph2d_sim_scene(c->sim));
+    print_active(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
     if (plan->area_asked > 0)
-        text_row("area", "%.6g m^2 asked for, %.6g m^2 placed (%+.2f %%)", plan->area_asked, plan->area_placed,
+        text_row("area", "%.6g m^2 requested, %.6g m^2 placed (%+.2f %%)", plan->area_asked, plan->area_placed,
                  100 * (plan->area_placed / plan->area_asked - 1));
     if (plan->area_left_out > 0)
-        text_row("", "%.3g m^2 of blocks lie inside obstacles and are left out, most of blocks[%zu]: %.3g %% of it",
+        text_row("", "%.3g m^2 of blocks inside obstacles are left out, the largest part of blocks[%zu]: %.3g %%",
                  plan->area_left_out, plan->most_left_out_block, 100 * plan->most_left_out);
     if (plan->places_left_free > 0)
-        text_row("", "%zu places left free at obstacles", plan->places_left_free);
+        text_row("", "%zu lattice sites left free at obstacles", plan->places_left_free);
     text_row("particle mass", "%.6g kg/m", plan->particle_mass);
     text_row("support radius", "%.6g m (%.3g spacings)", plan->support_radius,
              plan->support_radius / c->scene->spacing);
     text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
-    text_row("compression", "%.3g %% under its own head; %.3g %% for a moment in a full impact",
-             100 * expected_compression(plan), 100 * plan->impact_compression);
+    text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * expected_compression(plan),
+             100 * plan->impact_compression);
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
     text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
@@ -151,7 +150,7 @@ static void print_table(const checked *c)
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
              (unsigned)c->scene->run.frames.size[1]);
     if (c->steps_measured > 0)
-        text_row("time", "about %s, %s of processors, without outputs; with %s", text_seconds(duration, c->seconds),
+        text_row("time", "about %s, %s CPU, without outputs; with %s", text_seconds(duration, c->seconds),
                  text_seconds(cpu, c->cpu), threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
@@ -188,7 +187,7 @@ static void print_object(const checked *c)
 
 /* ---- the command ------------------------------------------------------------------------------------------------- */
 
-/* Each step finds the warnings of the one before again, so they are printed once, by the last. */
+/* Each step repeats the warnings of the one before, so only the last one prints them. */
 static int prepare(checked *c)
 {
     const cli_options *options = c->options;
@@ -198,11 +197,11 @@ static int prepare(checked *c)
         return report_status(c, status);
     sph2d_report_clear(&c->report);
     c->scene = sph2d_scene_file_scene(c->file);
-    cli_look look = look_of_scene(c->scene);
-    sph2d_status look_status = look_check(&look, &c->report);
+    frame_style style = frame_style_of_scene(c->scene);
+    sph2d_status style_status = frame_style_check(&style, &c->report);
     status = sph2d_scene_plan(c->scene, &c->plan, &c->report);
-    if (status != SPH2D_OK || look_status != SPH2D_OK)
-        return report_status(c, status != SPH2D_OK ? status : look_status);
+    if (status != SPH2D_OK || style_status != SPH2D_OK)
+        return report_status(c, status != SPH2D_OK ? status : style_status);
     sph2d_report_clear(&c->report);
     sph2d_sim_options sim_options = sph2d_sim_options_default();
     sim_options.threads = c->threads.count;
@@ -223,7 +222,7 @@ int command_check(const cli_options *options)
     if (code == CLI_EXIT_SUCCESS)
         code = measure(&c);
     if (code == CLI_EXIT_SUCCESS)
-        predict(&c);
+        estimate(&c);
     if (code == CLI_EXIT_SUCCESS && options->json)
         print_object(&c);
     else if (code == CLI_EXIT_SUCCESS && !options->quiet)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file clock.h
- *  The two clocks that speed is measured with. */
+ *  The two clocks for measuring speed. */
 #ifndef SPH2D_CLI_CLOCK_H
 #define SPH2D_CLI_CLOCK_H
 
@@ -14,13 +14,13 @@ static inline double clock_seconds(clockid_t id)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** Seconds that pass for everyone. */
+/** Wall-clock time [s]. */
 static inline double clock_wall(void)
 {
     return clock_seconds(CLOCK_MONOTONIC);
 }
 
-/** Seconds that processors spent on this process, all threads together. */
+/** CPU time of this process, all threads together [s]. */
 static inline double clock_cpu(void)
 {
     return clock_seconds(CLOCK_PROCESS_CPUTIME_ID);

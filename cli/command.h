@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file command.h
- *  The subcommands, in one table: dispatch, help, suggestions and the options of each come from it. */
+ *  The table of subcommands, used for dispatch, help, suggestions and options. */
 #ifndef SPH2D_CLI_COMMAND_H
 #define SPH2D_CLI_COMMAND_H
 
@@ -12,11 +12,11 @@
 /** Name, upper-case name, operands, one line. */
 #define CLI_COMMAND_MAP(X)                                                                                             \
     X(run, RUN, "SCENE -o DIR", "simulate a scene; write snapshots, probes and frames")                                \
-    X(resume, RESUME, "DIR", "go on with a run from its newest complete snapshot")                                     \
+    X(resume, RESUME, "DIR", "continue a run from its newest complete snapshot")                                       \
     X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \
     X(check, CHECK, "SCENE", "report all errors of a scene, then estimate the run")                                    \
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
-    X(info, INFO, "FILE...", "print what a snapshot holds")                                                            \
+    X(info, INFO, "FILE...", "print the contents of a snapshot")                                                       \
     X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
     X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene, materials, methods")
 
@@ -37,7 +37,7 @@ enum {
 typedef struct cli_command {
     const char *name, *operands, *text;
     unsigned bit;
-    int (*act)(const cli_options *options); /**< returns the exit code */
+    int (*run)(const cli_options *options); /**< returns the exit code */
 } cli_command;
 
 /** The table; CLI_COMMAND_COUNT rows. */

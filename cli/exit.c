@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file exit.c
- *  From the library's status to the process's exit code. */
+ *  Maps the library's status to the process's exit code. */
 #include "exit.h"
 
 int exit_of_status(sph2d_status status)
 {
-    /* Without a default, so that the compiler names a status that was added and forgotten here. */
+    /* Without a default, so that the compiler warns about a missing status. */
     switch (status) {
     case SPH2D_OK:
         return CLI_EXIT_SUCCESS;
@@ -22,7 +22,7 @@ int exit_of_status(sph2d_status status)
         return CLI_EXIT_CANTCREAT;
     case SPH2D_IO:
         return CLI_EXIT_IO;
-    /* The command line was checked before the library saw it: what it calls invalid now is our fault. */
+    /* The command line is already checked, so an invalid argument is a bug of the command. */
     case SPH2D_INVALID:
     case SPH2D_NOMEM:
         break;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file exit.h
- *  The exit codes of the command, in one table: the enum, `sph2d help exit` and the tests all come from it. The numbers
- *  from 64 up are those of sysexits.h, so that a script can tell a bad scene from a full disk. */
+ *  The table of exit codes, used for the enum, `sph2d help exit` and the tests. Those from 64 up are from sysexits.h,
+ *  so that a script can distinguish an invalid scene from a full disk. */
 #ifndef SPH2D_CLI_EXIT_H
 #define SPH2D_CLI_EXIT_H
 
@@ -18,9 +18,9 @@
     X(SOFTWARE, 70, "EX_SOFTWARE", "internal error, or out of memory")                                                 \
     X(CANTCREAT, 73, "EX_CANTCREAT", "an output cannot be created")                                                    \
     X(IO, 74, "EX_IOERR", "reading or writing failed")                                                                 \
-    X(STOPPED, 75, "EX_TEMPFAIL", "stopped by --max-wall with a checkpoint; 'sph2d resume' goes on")                   \
-    X(INTERRUPTED, 130, "", "stopped by SIGINT with a checkpoint; 'sph2d resume' goes on")                             \
-    X(TERMINATED, 143, "", "stopped by SIGTERM with a checkpoint; 'sph2d resume' goes on")
+    X(STOPPED, 75, "EX_TEMPFAIL", "stopped by --max-wall with a checkpoint; 'sph2d resume' continues")                 \
+    X(INTERRUPTED, 130, "", "stopped by SIGINT with a checkpoint; 'sph2d resume' continues")                           \
+    X(TERMINATED, 143, "", "stopped by SIGTERM with a checkpoint; 'sph2d resume' continues")
 
 enum {
 #define CLI__EXIT_ENUM(name, value, sysexit, text) CLI_EXIT_##name = (value),
@@ -28,7 +28,7 @@ enum {
 #undef CLI__EXIT_ENUM
 };
 
-/** The exit code for what the library says; the only place where one becomes the other. */
+/** The exit code for a status of the library. */
 int exit_of_status(sph2d_status status);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file folder.c
- *  The folder that outputs go to. */
+ *  The output folder. */
 #include "folder.h"
 
 #include <ctype.h>
@@ -39,7 +39,7 @@ static bool ends_with(const char *name, const char *end)
     return length > tail && strcmp(name + length - tail, end) == 0;
 }
 
-/* What a study writes anew each time. Its rows stay, and so does study.yaml, which people change. */
+/* Files that a study rewrites each time. Its rows are kept, and study.yaml, which users edit. */
 static bool is_of_study(const char *name)
 {
     static const char *const files[] = {"study.csv",      "study.html",      "plots.gp",
@@ -64,7 +64,7 @@ static bool is_cleared(const char *name, folder_clearing clearing)
                                             strcmp(name, "checkpoint.h5") == 0 || strcmp(name, "guard.h5") == 0);
 }
 
-/* ".NAME.tmp.PID": what a writer that was killed leaves behind. */
+/* ".NAME.tmp.PID": a temporary file of a killed process. */
 static bool is_leftover(const char *name)
 {
     const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
@@ -99,7 +99,7 @@ const char *folder_file(cli_folder *f, const char *format, ...)
     return grown;
 }
 
-/* ---- taking it --------------------------------------------------------------------------------------------------- */
+/* ---- opening ----------------------------------------------------------------------------------------------------- */
 
 static int refuse(const char *path, const char *what, int error)
 {
@@ -150,7 +150,7 @@ static int make_path(const char *path)
         end = strchr(end + 1, '/');
         if (end != NULL)
             *end = '\0';
-        /* A parent that cannot be made may be there all the same: what counts is the last one. */
+        /* A parent that cannot be created may exist, so only the last error counts. */
         if (mkdir(part, 0777) != 0 && errno != EEXIST && end == NULL)
             code = refuse(path, "make the folder", errno);
         if (end != NULL)
@@ -160,9 +160,9 @@ static int make_path(const char *path)
     return code;
 }
 
-/* Two sessions in one folder would overwrite each other. The lock is the kernel's and goes with the process; a file
- *  system that has none is no reason to refuse. */
-static int take_lock(cli_folder *f)
+/* Prevents two sessions from writing to one folder. The kernel releases the lock when the process ends; file systems
+ * without locks are accepted. */
+static int lock_folder(cli_folder *f)
 {
     f->lock = open(f->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (f->lock < 0)
@@ -175,7 +175,7 @@ static int take_lock(cli_folder *f)
     return CLI_EXIT_SUCCESS;
 }
 
-/* Removes leftovers, and what `clearing` says, from one folder; `inside` is "" or ends in a slash. */
+/* Removes leftovers, and files selected by `clearing`, from one folder; `inside` is "" or ends in a slash. */
 static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers)
 {
     const struct dirent *entry;
@@ -210,13 +210,13 @@ static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
     return code;
 }
 
-static int take(cli_folder *f, const char *path, folder_clearing clearing)
+static int open_locked(cli_folder *f, const char *path, folder_clearing clearing)
 {
     *f = (cli_folder){path, -1, NULL};
-    int code = take_lock(f);
-    if (code == CLI_EXIT_SUCCESS) /* a study's last results stay until there are new ones */
+    int code = lock_folder(f);
+    if (code == CLI_EXIT_SUCCESS) /* the results of a study are kept until there are new ones */
         code = clean(f, "", clearing == FOLDER_CLEAR_STUDY ? FOLDER_KEEP : clearing);
-    /* A run's frames have a folder of their own, and a study's rows. */
+    /* The frames of a run and the rows of a study are in subfolders. */
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_STUDY)
         code = clean(f, "rows/", FOLDER_KEEP);
     else if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
@@ -229,9 +229,9 @@ int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing)
     *f = (cli_folder)FOLDER_CLOSED;
     int code = make_path(path);
     if (code == CLI_EXIT_SUCCESS)
-        code = take(f, path, clearing);
+        code = open_locked(f, path, clearing);
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
-        /* Frames of a run that drew some; stays when something of somebody else's is in it. */
+        /* The empty frames folder of an earlier run; it stays if it contains other files. */
         const char *frames = folder_file(f, "frames");
         if (frames != NULL)
             rmdir(frames);
@@ -244,7 +244,7 @@ int folder_clear_study(cli_folder *f)
     return clean(f, "", FOLDER_CLEAR_STUDY);
 }
 
-int folder_open_again(cli_folder *f, const char *path)
+int folder_reopen(cli_folder *f, const char *path)
 {
     *f = (cli_folder)FOLDER_CLOSED;
     struct stat status;
@@ -252,7 +252,7 @@ int folder_open_again(cli_folder *f, const char *path)
         message_error(SPH2D_CODE_FILE_OPEN, "give the folder that 'sph2d run -o' wrote", "no folder '%s'", path);
         return CLI_EXIT_NOINPUT;
     }
-    return take(f, path, FOLDER_KEEP);
+    return open_locked(f, path, FOLDER_KEEP);
 }
 
 bool folder_holds(const char *path, const char *name)

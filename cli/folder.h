@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file folder.h
- *  The folder that outputs go to: taken only when it is ours to take, and the names of the files in it. */
+ *  The output folder: checks before overwriting, a lock, and the names of the files in it. */
 #ifndef SPH2D_CLI_FOLDER_H
 #define SPH2D_CLI_FOLDER_H
 
@@ -10,16 +10,16 @@
 
 typedef struct cli_folder {
     const char *path;
-    int lock;   /**< descriptor that holds the lock, -1 for none */
-    char *file; /**< the last name that folder_file made */
+    int lock;   /**< file descriptor with the lock, -1 for none */
+    char *file; /**< the last result of folder_file */
 } cli_folder;
 
-/** What to remove from a folder that is taken anew. Nothing but files with names of ours ever is. */
+/** What to remove when an existing folder is used again: only files with names that this program writes. */
 typedef enum folder_clearing {
     FOLDER_KEEP,
-    FOLDER_CLEAR_RUN,   /**< all that a run writes but its probes, which it overwrites */
-    FOLDER_CLEAR_STUDY, /**< nothing yet: folder_clear_study() does when there is something new */
-    FOLDER_CLEAR_FRAMES /**< frames alone: the snapshots beside them may be the ones being drawn */
+    FOLDER_CLEAR_RUN,   /**< all files of a run except probes, which it overwrites */
+    FOLDER_CLEAR_STUDY, /**< nothing yet: folder_clear_study() removes old results when there are new ones */
+    FOLDER_CLEAR_FRAMES /**< frames only: the snapshots in the folder may be the ones being drawn */
 } folder_clearing;
 
 #define FOLDER_CLOSED                                                                                                  \
@@ -27,33 +27,33 @@ typedef enum folder_clearing {
         NULL, -1, NULL                                                                                                 \
     }
 
-/** Says no, with a message and an exit code, to a folder that cannot take new outputs: it holds something and `force`
- *  was not given, it is no folder, it cannot be written to. Touches nothing, so that it can be asked before the work.
- */
+/** Checks that a folder can be used for new outputs: it is empty or `force` is given, and it is writable. Otherwise it
+ *  prints an error and returns an exit code. Changes nothing, so that it can be called before the simulation is
+ *  made. */
 int folder_refuse(const char *path, bool force);
 
-/** Makes the folder where needed, locks it and removes temporary files that an earlier run left, and what `clearing`
- *  says. Returns an exit code. */
+/** Creates the folder if needed, locks it and removes temporary files of earlier runs, and files selected by
+ *  `clearing`. Returns an exit code. */
 int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing);
 
-/** Removes series, plots and pages that a study left; not its rows. Returns an exit code. */
+/** Removes series, plots and pages of an earlier study; not its rows. Returns an exit code. */
 int folder_clear_study(cli_folder *f);
 
-/** Locks a folder that an earlier run wrote, and removes its temporary files. Returns an exit code. */
-int folder_open_again(cli_folder *f, const char *path);
+/** Locks the folder of an earlier run, and removes its temporary files. Returns an exit code. */
+int folder_reopen(cli_folder *f, const char *path);
 
-/** Whether a folder holds something called `name`. */
+/** Whether a folder contains `name`. */
 bool folder_holds(const char *path, const char *name);
 
-/** Makes a folder inside, if it is not there. Returns an exit code. */
+/** Creates a subfolder, if it does not exist. Returns an exit code. */
 int folder_make_inside(cli_folder *f, const char *name);
 
-/** The path of a file in the folder; `format` is printf's. Valid until the next call; NULL without memory. */
+/** The path of a file in the folder; `format` is printf's. Valid until the next call; NULL when memory is short. */
 const char *folder_file(cli_folder *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 void folder_close(cli_folder *f);
 
-/** Whether `name` is PREFIX, six digits or more, SUFFIX; *number is what they say. */
+/** Whether `name` is PREFIX, six digits or more, SUFFIX; *number is the value of the digits. */
 bool folder_numbered(const char *name, const char *prefix, const char *suffix, uint64_t *number);
 
 #endif

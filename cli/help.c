@@ -11,42 +11,42 @@
 
 #include "build.h"
 #include "exit.h"
+#include "frame_writer.h"
 #include "json.h"
 #include "keys.h"
 #include "message.h"
 #include "options.h"
 #include "pages.h"
-#include "painter.h"
 #include "templates.h"
 #include "text.h"
 
 /* ---- commands ---------------------------------------------------------------------------------------------------- */
 
-/* More about a command than its one line, in the order of the table of commands. */
+/* The long description of each command. */
 static const char *const details[CLI_COMMAND_COUNT] = {
     [CLI__RUN] =
-        "Writes to DIR what the scene asks for: snapshot_000000.h5 and on, frames/frame_000000.png and on, and\n"
+        "Writes the outputs of the scene to DIR: snapshot_000000.h5 and on, frames/frame_000000.png and on, and\n"
         "NAME.csv for each probe. At the end prints speed and error. The first Ctrl-C finishes the step and\n"
-        "writes a checkpoint.h5; 'sph2d resume DIR' goes on, and the files come out the same byte for byte.\n"
-        "A guard that stops a run leaves guard.h5.\n"
+        "writes checkpoint.h5; 'sph2d resume DIR' continues, and all files are the same byte for byte.\n"
+        "A guard that stops a run writes guard.h5.\n"
         "\n"
         "  sph2d run scene.yaml -o out\n"
         "  sph2d run scene.yaml -o out --set run.until=0.5 --set 'gravity=[0, -1.62]' --threads 2\n",
     [CLI__RESUME] =
-        "Goes on from the newest complete snapshot or checkpoint in DIR, with the scene that is in it. What\n"
-        "was written after it is written again, the same byte for byte. Only run.until can be changed.\n"
+        "Continues from the newest complete snapshot or checkpoint in DIR, with the scene stored in it. Later\n"
+        "outputs are written again, the same byte for byte. Only run.until can be changed.\n"
         "\n"
         "  sph2d resume out\n"
         "  sph2d resume out --set run.until=5\n",
     [CLI__RENDER] =
-        "Writes frame_000000.png and on, one a snapshot in the order given. Size, style, radius and colours are\n"
+        "Writes frame_000000.png and on, one per snapshot in the order given. Size, style, radius and colours are\n"
         "those of the scene's own frames unless an option says otherwise.\n"
         "\n"
         "  sph2d render out/snapshot_*.h5 -o pictures\n"
         "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
     [CLI__CHECK] =
-        "Reports all errors at once, each with its line. When there is none: particles, derived numbers and what sets\n"
-        "them, steps, memory, disk and time.\n"
+        "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"
+        "formulas, and estimates of steps, memory, disk and time.\n"
         "\n"
         "  sph2d check scene.yaml --preview first.png\n",
     [CLI__STUDY] =
@@ -62,12 +62,12 @@ static const char *const details[CLI_COMMAND_COUNT] = {
     [CLI__INFO] = "Prints each field with type, shape, unit and range, and the state of the run.\n"
                   "\n"
                   "  sph2d info out/snapshot_000042.h5\n",
-    [CLI__INIT] = "Writes NAME/scene.yaml, or NAME itself when it ends in .yaml. It holds every key with its meaning,\n"
+    [CLI__INIT] = "Writes NAME/scene.yaml, or NAME itself if it ends in .yaml. It has every key with its meaning,\n"
                   "unit, range and default.\n"
                   "\n"
                   "  sph2d init basin --template stir\n",
-    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (every key of a scene file);\n"
-                  "materials (liquids by name); methods (what each is for, its defaults and keys).\n",
+    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (all keys of a scene file);\n"
+                  "materials (named liquids); methods (use, defaults and keys of each).\n",
 };
 
 void help_print(void)
@@ -76,7 +76,7 @@ void help_print(void)
     printf("usage: sph2d COMMAND ...\n\n");
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
         printf("  %-8s %-20s %s\n", commands[i].name, commands[i].operands, commands[i].text);
-    printf("\n'sph2d COMMAND --help' prints the options of a command, 'sph2d --version' what this build has.\n");
+    printf("\n'sph2d COMMAND --help' prints the options of a command, 'sph2d --version' the features of this build.\n");
 }
 
 void help_print_command(const cli_command *about)
@@ -125,7 +125,7 @@ void help_print_version(bool json)
         json_text(&line, "version", sph2d_version());
         json_text(&line, "license", "MIT");
         json_text(&line, "hdf5", sph2d_io_hdf5_version());
-        json_text(&line, "rendering", painter_backends());
+        json_text(&line, "rendering", frame_writer_backends());
         json_flag(&line, "openmp", openmp);
         json_text(&line, "isa", isas);
         json_text(&line, "compiler", build_compiler);
@@ -137,7 +137,7 @@ void help_print_version(bool json)
     printf("sph2d %s\n", sph2d_version());
     printf("License MIT: free to use, change and share, without any warranty.\n\n");
     text_row("HDF5", "%s", sph2d_io_hdf5_version());
-    text_row("rendering", "%s", painter_backends());
+    text_row("rendering", "%s", frame_writer_backends());
     text_row("OpenMP", "%s", openmp ? "yes" : "no");
     text_row("instruction sets", "%s", isas);
     text_row("compiler", "%s", build_compiler);
@@ -178,7 +178,7 @@ static void print_materials(void)
 {
     size_t count;
     const sph2d_material_data *materials = sph2d_materials(&count);
-    printf("At 20 C. 'fluid: NAME' takes density and viscosity; surface_tension is 0 unless it is given, too.\n\n");
+    printf("At 20 C. 'fluid: NAME' sets density and viscosity; surface_tension is 0 unless it is given.\n\n");
     printf("%-10s %8s %18s %16s  %s\n", "name", "density", "dynamic_viscosity", "surface_tension", "source");
     printf("%-10s %8s %18s %16s\n", "", "kg/m^3", "Pa s", "N/m");
     for (size_t i = 1; i < count; ++i) {
@@ -203,7 +203,7 @@ static void print_methods(void)
         keys_append_wall_forms(method->wall_forms, forms, sizeof forms);
         printf("  walls     %s\n\n", forms);
     }
-    printf("Not every method has:\n");
+    printf("Keys that not every method has, and the methods that have them:\n");
 #define FEATURE_ROW(name, key) SPH2D_FEATURE_##name,
     static const sph2d_feature features[] = {SPH2D_FEATURE_MAP(FEATURE_ROW)};
 #undef FEATURE_ROW
@@ -237,9 +237,9 @@ static void unknown_topic(const char *topic)
         names[count++] = topics[i].name;
     const char *nearest = text_nearest(topic, names, count);
     if (nearest != NULL)
-        message_usage("help", "no topic '%s'; did you mean '%s'?", topic, nearest);
+        message_usage("help", "unknown topic '%s'; did you mean '%s'?", topic, nearest);
     else
-        message_usage("help", "no topic '%s'", topic);
+        message_usage("help", "unknown topic '%s'", topic);
 }
 
 int command_help(const cli_options *options)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file info.c
- *  `sph2d info FILE...`: what snapshots hold. */
+ *  `sph2d info FILE...`: prints the contents of snapshots. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -17,17 +17,17 @@ static const char *const group_names[] = {"fluid", "wall", "run"};
 static double value_of(const sph2d_array *array, unsigned component, size_t index)
 {
     const void *data = array->data[component];
-    size_t place = index * array->stride;
-    return array->type == SPH2D_F64 ? ((const double *)data)[place] : (double)((const uint64_t *)data)[place];
+    size_t offset = index * array->stride;
+    return array->type == SPH2D_F64 ? ((const double *)data)[offset] : (double)((const uint64_t *)data)[offset];
 }
 
-/* The ends of one component's values; NaN for an empty array. */
+/* Minimum and maximum of one component; NaN for an empty array. */
 static void find_range(const sph2d_array *array, unsigned component, double *min, double *max)
 {
     *min = *max = NAN;
     for (size_t i = 0; i < array->count; ++i) {
         double value = value_of(array, component, i);
-        *min = fmin(*min, value); /* fmin and fmax take the number when the other is NaN */
+        *min = fmin(*min, value); /* fmin and fmax ignore NaN */
         *max = fmax(*max, value);
     }
 }
@@ -63,7 +63,7 @@ static void print_field(const sph2d_array *array)
     }
 }
 
-/* Run scalars are shown whole, lists by their size. */
+/* Prints the values of run scalars, the size of lists. */
 static void print_run_array(const sph2d_array *array)
 {
     char unit[TEXT_SIZE];
@@ -165,7 +165,7 @@ int command_info(const cli_options *options)
         sph2d_snapshot *snapshot = NULL;
         sph2d_status status = sph2d_snapshot_read(path, &snapshot, &report);
         message_report(status, &report, NULL);
-        /* The others are reported all the same; the first fault is the exit code. */
+        /* Reads all files; the exit code is that of the first error. */
         if (code == CLI_EXIT_SUCCESS)
             code = exit_of_status(status);
         if (status != SPH2D_OK)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file init.c
- *  `sph2d init NAME`: writes a scene in which every key stands, those of the template with a value, all others as
- *  comments, and each with its meaning, unit, range and default from the table of keys. */
+ *  `sph2d init NAME`: writes a scene with every key, those of the template with a value, all others commented out, each
+ *  with its meaning, unit, range and default from the table of keys. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ typedef struct writer {
     const char *name; /* of the scene */
 } writer;
 
-/* ---- what the template says -------------------------------------------------------------------------------------- */
+/* ---- values of the template -------------------------------------------------------------------------------------- */
 
 static const char *find_value(const writer *w, const char *path)
 {
@@ -37,7 +37,7 @@ static const char *find_value(const writer *w, const char *path)
     return NULL;
 }
 
-/* Whether it says something about a key inside. */
+/* Whether the template has a value for a key inside a group or list. */
 static bool has_inside(const writer *w, const char *path)
 {
     size_t length = strlen(path);
@@ -51,21 +51,21 @@ static bool has_inside(const writer *w, const char *path)
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
-/* A key's description, broken at spaces. */
+/* Writes a key's description, wrapped at spaces. */
 static void write_comment(const writer *w, int indent, const sph2d_key *key)
 {
     char text[400];
     keys_describe(key, text, sizeof text);
-    size_t room = (size_t)(WIDTH - indent - 2);
+    size_t width = (size_t)(WIDTH - indent - 2);
     const char *rest = text;
     while (*rest != '\0') {
         size_t length = strlen(rest);
-        if (length > room) {
-            length = room;
+        if (length > width) {
+            length = width;
             while (length > 0 && rest[length] != ' ')
                 --length;
             if (length == 0)
-                length = room;
+                length = width;
         }
         fprintf(w->out, "%*s# %.*s\n", indent, "", (int)length, rest);
         rest += length;
@@ -73,7 +73,7 @@ static void write_comment(const writer *w, int indent, const sph2d_key *key)
     }
 }
 
-/* A default that could stand in a file as it is; some are words about it. */
+/* The default as it can be written in a file; "" if it is a description. */
 static const char *literal_default(const sph2d_key *key)
 {
     double number;
@@ -86,14 +86,14 @@ static const char *literal_default(const sph2d_key *key)
     return word || text[0] == '[' || parse_number(text, &number) ? text : "";
 }
 
-/* Where the lines of a struct go. In a list's item `lead` stands before each key: "- " before the first, then "  ". */
-typedef struct place {
+/* Indentation of lines. In a list item `lead` precedes each key: "- " the first, then "  ". */
+typedef struct margin {
     int indent;
     const char *lead;
-} place;
+} margin;
 
-/* A key that the template does not give is switched off with a #: without it the line is right. */
-static void write_key(const writer *w, place *p, bool given, const char *name, const char *value)
+/* A key without a value of the template is commented out; without the # the line is valid. */
+static void write_key(const writer *w, margin *p, bool given, const char *name, const char *value)
 {
     const char *space = value[0] != '\0' ? " " : "";
     fprintf(w->out, "%*s%s%s%s:%s%s\n", p->indent, "", p->lead, given ? "" : "#", name, space, value);
@@ -101,19 +101,19 @@ static void write_key(const writer *w, place *p, bool given, const char *name, c
         p->lead = "  ";
 }
 
-static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p);
+static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, margin p);
 
 static void write_items(const writer *w, const sph2d_key *key, const char *path, int indent)
 {
     char item[PATH_SIZE];
     snprintf(item, sizeof item, "%.100s[0]", path);
     for (size_t i = 1; has_inside(w, item); ++i) {
-        write_struct(w, key->keys, item, (place){indent, "- "});
+        write_struct(w, key->keys, item, (margin){indent, "- "});
         snprintf(item, sizeof item, "%.100s[%zu]", path, i);
     }
 }
 
-static void write_one(const writer *w, const sph2d_key *key, const char *path, bool given, place *p)
+static void write_one(const writer *w, const sph2d_key *key, const char *path, bool given, margin *p)
 {
     int indent = p->indent + (int)strlen(p->lead);
     if (indent == 0)
@@ -124,7 +124,7 @@ static void write_one(const writer *w, const sph2d_key *key, const char *path, b
         write_items(w, key, path, indent + 2);
     } else if (key->kind == SPH2D_KEY_GROUP) {
         write_key(w, p, given, key->name, "");
-        write_struct(w, key->keys, path, (place){indent + 2, ""});
+        write_struct(w, key->keys, path, (margin){indent + 2, ""});
     } else {
         write_key(w, p, given, key->name, given ? find_value(w, path) : literal_default(key));
     }
@@ -136,8 +136,8 @@ static bool is_given(const writer *w, const sph2d_key *key, const char *prefix, 
     return find_value(w, path) != NULL || has_inside(w, path);
 }
 
-/* Whether `key` is one of a choice in which the template takes another. */
-static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_key *key, const char *prefix)
+/* Whether the template has another key of the same choice. */
+static bool is_excluded(const writer *w, const sph2d_keys *keys, const sph2d_key *key, const char *prefix)
 {
     char path[PATH_SIZE];
     for (size_t i = 0; key->choice != 0 && i < keys->count; ++i) {
@@ -149,15 +149,15 @@ static bool is_passed_over(const writer *w, const sph2d_keys *keys, const sph2d_
     return false;
 }
 
-/* In a list's item the keys that have a value come first, since the dash must stand on one of them. */
-static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, place p)
+/* In a list item the keys with a value come first, since the dash must precede one of them. */
+static void write_struct(const writer *w, const sph2d_keys *keys, const char *prefix, margin p)
 {
     bool item = p.lead[0] != '\0';
     for (int pass = 0; pass < (item ? 2 : 1); ++pass) {
         for (size_t i = 0; i < keys->count; ++i) {
             char path[PATH_SIZE];
             bool given = is_given(w, &keys->items[i], prefix, path);
-            if ((!item || given == (pass == 0)) && !is_passed_over(w, keys, &keys->items[i], prefix))
+            if ((!item || given == (pass == 0)) && !is_excluded(w, keys, &keys->items[i], prefix))
                 write_one(w, &keys->items[i], path, given, &p);
         }
     }
@@ -171,7 +171,7 @@ static bool ends_with(const char *text, const char *end)
     return length > tail && strcmp(text + length - tail, end) == 0;
 }
 
-/* The scene's name: that of the file or folder, kept to letters that YAML takes as they are. */
+/* The scene's name: that of the file or folder, if it needs no quotes in YAML. */
 static void name_scene(const char *operand, char *name, size_t size)
 {
     const char *slash = strrchr(operand, '/');
@@ -186,7 +186,7 @@ static void name_scene(const char *operand, char *name, size_t size)
 
 static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
 {
-    /* "x" creates it or fails, so that nothing that came between is lost */
+    /* "x" fails if the file exists by now, so that nothing is overwritten */
     FILE *out = fopen(path, force ? "w" : "wx");
     if (out == NULL) {
         bool exists = errno == EEXIST;
@@ -196,10 +196,10 @@ static int write_scene(const char *path, const scene_template *template, const c
     }
     fprintf(out,
             "# %s\n# Check it: sph2d check %s\n# Run it:   sph2d run %s -o out\n"
-            "# Units are SI. A line #KEY: is a key that is not used; take the # away to use it.\n",
+            "# Units are SI. A line #KEY: is a key that is not used; remove the # to use it.\n",
             template->text, path, path);
     writer w = {out, template, name};
-    write_struct(&w, sph2d_scene_keys(), "", (place){0, ""});
+    write_struct(&w, sph2d_scene_keys(), "", (margin){0, ""});
     bool failed = ferror(out) != 0;
     if (fclose(out) != 0 || failed) {
         message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot write '%s': %s", path, strerror(errno));

@@ -16,7 +16,7 @@
 
 typedef struct cli_json {
     FILE *out;
-    bool comma; /**< something stands before the next item */
+    bool comma; /**< the next item needs a comma */
 } cli_json;
 
 cli_json json_begin(FILE *out);
@@ -24,7 +24,7 @@ void json_end(cli_json *line);
 
 /** NULL becomes null; bytes that are not UTF-8 become U+FFFD. */
 void json_text(cli_json *line, const char *key, const char *value);
-/** The shortest digits that give the same double again; NaN and infinity become null. */
+/** The shortest digits that read back as the same double; NaN and infinity become null. */
 void json_number(cli_json *line, const char *key, double value);
 void json_count(cli_json *line, const char *key, uint64_t value);
 void json_flag(cli_json *line, const char *key, bool value);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keys.c
- *  The scene's keys in words. */
+ *  Descriptions of the keys of scenes and studies. */
 #include "keys.h"
 
 #include <math.h>
@@ -41,7 +41,7 @@ void keys_append_range(const sph2d_key *key, char *out, size_t size)
         append(out, size, "at most %g", key->max);
 }
 
-/* Whether all rows of a method have a feature. */
+/* Whether a method has a feature with all its operators. */
 static bool all_operators_have(const sph2d_method_info *method, sph2d_feature feature)
 {
     const sph2d_method_info *other;
@@ -113,7 +113,7 @@ static void print_keys(const sph2d_keys *keys, int depth, bool list)
         const sph2d_key *key = &keys->items[i];
         char left[48], description[400];
         bool nested = key->kind == SPH2D_KEY_GROUP || (key->kind == SPH2D_KEY_LIST && !key->as_mapping);
-        /* The first key of a list's item carries the dash, as in a file. */
+        /* The first key of a list item is preceded by a dash, as in a file. */
         snprintf(left, sizeof left, "%*s%s%s%s", 2 * depth, "", list ? (i == 0 ? "- " : "  ") : "", key->name,
                  nested ? ":" : "");
         printf("%-28s %s\n", left, keys_describe(key, description, sizeof description));

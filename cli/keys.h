@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keys.h
- *  The keys of scenes and studies in words, for `sph2d help` and the comments of `sph2d init`. */
+ *  Descriptions of the keys of scenes and studies, for `sph2d help` and the comments of `sph2d init`. */
 #ifndef SPH2D_CLI_KEYS_H
 #define SPH2D_CLI_KEYS_H
 

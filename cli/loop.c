@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file loop.c
- *  Step after step until the end of a run. */
+ *  The main loop of a run. */
 #include "loop.h"
 
 #include <inttypes.h>
@@ -8,7 +8,7 @@
 #include "clock.h"
 #include "signals.h"
 
-/* Outputs have their own clock: the speed of a run is that of its steps. */
+/* Outputs are timed separately, as the speed of a run is that of its steps. */
 static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report *report)
 {
     double wall = clock_wall(), cpu = clock_cpu();
@@ -35,19 +35,18 @@ static void fail(loop_result *result, sph2d_status status)
 
 bool loop_done(const sph2d_sim *sim)
 {
-    /* A sum of many steps may miss the end by a rounding error, and should not take one more for it. Whether an output
-     * is due is decided with the same margin. */
+    /* The tolerance for rounding of the clock, a sum of many steps; the same as for outputs that are due. */
     return sph2d_sim_time(sim) * (1 + 1e-12) >= sph2d_sim_scene(sim)->run.until;
 }
 
-/* Steps until there is a reason to stop. At least one step is taken before the deadline is looked at, so that a session
- * always gets somewhere, however little time it has. */
+/* Steps until there is a reason to stop. The deadline is checked after the first step, so that every session makes
+ * progress. */
 static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, loop_result *result,
                     sph2d_report *report)
 {
     const double until = sph2d_sim_scene(sim)->run.until;
-    /* What a resumed run was restored from is written in full; an output that comes more often than a step would seem
-     * due again. */
+    /* The outputs of the state that a run was resumed from exist already; those more frequent than steps would seem due
+     * again. */
     sph2d_status status = o->saved == SAVED_NOWHERE ? write_due(o, result, report) : SPH2D_OK;
     while (status == SPH2D_OK && !loop_done(sim)) {
         if ((result->signal = signals_caught()) != 0) {
@@ -77,7 +76,7 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
     progress_end(p);
     double wall = clock_wall(), cpu = clock_cpu();
     if (result.end == LOOP_GUARD) {
-        /* The guard is what the user must hear of, also when its moment cannot be written. */
+        /* The guard's error is reported even if its state cannot be written. */
         outputs_write_guard(o, report);
     } else if (result.end != LOOP_FAILED) {
         sph2d_status status = outputs_finish(o, result.end != LOOP_FINISHED, report);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file main.c
- *  Finds the command, reads its options, does it, and makes sure that what was printed got out. */
+ *  Finds the command, parses its options, runs it, and checks that all output was written. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -13,17 +13,17 @@
 #include "message.h"
 #include "text.h"
 
-/* A standard stream that was closed leaves its number to the first file that is opened, and our messages would go into
- * that. So the number is taken, in a way that every write to it fails and is noticed. */
-static void hold_standard_streams(void)
+/* The number of a closed standard stream would go to the first file that is opened, which would then receive messages.
+ * So it is opened here, in a mode in which every write fails and is reported. */
+static void open_standard_streams(void)
 {
-    static const int ways[] = {O_WRONLY, O_RDONLY, O_RDONLY};
+    static const int modes[] = {O_WRONLY, O_RDONLY, O_RDONLY};
     for (int number = 0; number < 3; ++number)
-        if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", ways[number]) != number)
-            return; /* nothing to be done about it */
+        if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", modes[number]) != number)
+            return; /* not possible */
 }
 
-/* Output that is still in the buffer may find the disk full: only the close tells. */
+/* Only closing shows whether buffered output could be written, for example to a full disk. */
 static int close_output(int code)
 {
     bool failed = ferror(stdout) != 0;
@@ -49,25 +49,25 @@ static void unknown_command(const char *word)
         message_usage(NULL, "unknown command '%s'", word);
 }
 
-static int act(const cli_command *what, int argc, char **argv)
+static int run_command(const cli_command *command, int argc, char **argv)
 {
     cli_options options;
     int code = CLI_EXIT_USAGE;
-    if (options_parse(&options, what->name, what->bit, argc, argv)) {
+    if (options_parse(&options, command->name, command->bit, argc, argv)) {
         code = CLI_EXIT_SUCCESS;
         if (options.help)
-            help_print_command(what);
+            help_print_command(command);
         else if (options.version)
             help_print_version(options.json);
         else
-            code = what->act(&options);
+            code = command->run(&options);
     }
     options_free(&options);
     return code;
 }
 
-/* Without a command: --help and --version alone make sense. */
-static int act_alone(int argc, char **argv)
+/* Without a command: only --help and --version are valid. */
+static int run_without_command(int argc, char **argv)
 {
     cli_options options;
     int code = CLI_EXIT_USAGE;
@@ -89,13 +89,13 @@ static int act_alone(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    hold_standard_streams();
+    open_standard_streams();
     if (argc < 2 || argv[1][0] == '-')
-        return close_output(act_alone(argc, argv));
-    const cli_command *what = command_find(argv[1]);
-    if (what == NULL) {
+        return close_output(run_without_command(argc, argv));
+    const cli_command *command = command_find(argv[1]);
+    if (command == NULL) {
         unknown_command(argv[1]);
         return close_output(CLI_EXIT_USAGE);
     }
-    return close_output(act(what, argc - 1, argv + 1));
+    return close_output(run_command(command, argc - 1, argv + 1));
 }

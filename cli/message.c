@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file message.c
- *  Messages on stderr. How they look is the one thing that the whole process shares, so it is kept here. */
+ *  Messages on stderr. Their style is global to the process, and kept here. */
 #include "message.h"
 
 #include <stdarg.h>
@@ -18,7 +18,7 @@ static struct {
     bool status_shown;
 } style;
 
-/* Room for a diagnostic with all its parts. */
+/* Size of a formatted diagnostic. */
 enum { MESSAGE_SIZE = 2048 };
 
 bool message_terminal(void)
@@ -47,8 +47,9 @@ void message_status(const char *text)
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 
-/* Text may come from a file of garbage: whatever could steer a terminal, the control characters of Latin-1 included, is
- * replaced. */
+/* Replaces all that a terminal could interpret, with the control characters of Latin-1: the text may come from any
+ * file.
+ * */
 static void make_printable(char *text)
 {
     for (char *c = text; *c != '\0'; ++c) {
@@ -62,8 +63,8 @@ static void make_printable(char *text)
     }
 }
 
-/* One line, or several, in a single write, so that those of several processes do not mix. The word at `mark`, up to its
- *  colon, is coloured; NULL for none. */
+/* Writes one or more lines in a single write, so that those of several processes do not mix. The word at `mark`, up to
+ * its colon, is coloured; NULL for none. */
 static void write_text(char *text, const char *mark, const char *color)
 {
     message_status(NULL);
@@ -80,7 +81,7 @@ static void write_text(char *text, const char *mark, const char *color)
 static void write_diagnostic_text(const sph2d_diagnostic *diagnostic)
 {
     char text[MESSAGE_SIZE] = "";
-    /* What has a file starts with its name; the rest gets ours, and no code where it is none of the table. */
+    /* A diagnostic without a file starts with "sph2d:", and has no code if that is the general one. */
     bool warning = diagnostic->severity == SPH2D_WARNING;
     const char *kind = warning ? "warning" : "error";
     if (diagnostic->file[0] == '\0')
@@ -91,14 +92,14 @@ static void write_diagnostic_text(const sph2d_diagnostic *diagnostic)
                  diagnostic->hint[0] != '\0' ? "\n    hint: " : "", diagnostic->hint);
     else
         sph2d_diagnostic_format(diagnostic, text + used, sizeof text - used);
-    /* The file's name may hold the same word, so look behind it. */
+    /* Search after the file's name, which may contain the same word. */
     size_t name = strlen(diagnostic->file);
     write_text(text, strstr(text + name, kind), warning ? "\033[1;35m" : "\033[1;31m");
 }
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
-/* A stream into memory, so that the object reaches stderr in one write. NULL without memory: then it goes straight. */
+/* Writes to a memory stream, so that the object reaches stderr in one write; directly if memory is short. */
 static void write_object(const char *severity, const sph2d_diagnostic *d)
 {
     char *text = NULL;
@@ -132,7 +133,7 @@ static void write_diagnostic(const sph2d_diagnostic *diagnostic)
         write_diagnostic_text(diagnostic);
 }
 
-/* ---- what the rest of the command calls -------------------------------------------------------------------------- */
+/* ---- interface --------------------------------------------------------------------------------------------------- */
 
 #define FORMAT_INTO(buffer, format)                                                                                    \
     do {                                                                                                               \

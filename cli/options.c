@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file options.c
- *  The table of options, and getopt_long driven by it. */
+ *  The table of options, and their parsing with getopt_long. */
 #include "options.h"
 
 #include <getopt.h>
@@ -9,12 +9,12 @@
 #include <string.h>
 
 #include "command.h"
+#include "frame.h"
 #include "message.h"
 #include "parse.h"
-#include "picture.h"
 #include "text.h"
 
-/* Options without a letter of their own. */
+/* Options without a short form. */
 enum {
     OPTION_JSON = 256,
     OPTION_NO_COLOR,
@@ -53,21 +53,21 @@ typedef struct option_row {
 static const option_row rows[] = {
     {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; empty, new, or a study's own"},
     {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
-     "replace what an earlier run left there (only files of ours); a study runs all rows anew"},
+     "replace the files of an earlier run there; a study runs all rows again"},
     {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_CHECK | CLI_STUDY,
      "change a key of the scene: fluid.density=800"},
     {'n', "dry-run", NULL, CLI_RUN, "only check the scene, as 'sph2d check' does"},
     {'j', "threads", "N", DRAWS | CLI_STUDY,
      "threads; else OMP_NUM_THREADS, else every processor this process may use"},
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_CHECK | CLI_STUDY, "instruction set: auto, baseline, avx2 or avx512"},
-    {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after so long (90s, 45m, 3h) with a checkpoint"},
+    {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after TIME (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
-    {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "print where the time of the steps went"},
-    {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, in processes of their own; default 1"},
-    {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "run rows of less than 10 s so often; the least time counts"},
-    {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "the error that the cheapest row is named for: 1%, 0.01"},
-    {OPTION_ALL, "all", NULL, CLI_STUDY, "run the rows too that the study skips"},
-    {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "what to start from; 'sph2d help init' lists them"},
+    {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "print the time of each phase of the steps"},
+    {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, each in its own process; default 1"},
+    {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "repeat rows of less than 10 s; the shortest time counts"},
+    {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "name the cheapest row within this error: 1%, 0.01"},
+    {OPTION_ALL, "all", NULL, CLI_STUDY, "also run the rows that the study skips"},
+    {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "the template to use; 'sph2d help init' lists them"},
     {OPTION_SIZE, "size", "WxH", CLI_RENDER, "size of the frames in pixels"},
     {OPTION_STYLE, "style", "NAME", CLI_RENDER, "metaballs or points"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
@@ -78,9 +78,9 @@ static const option_row rows[] = {
     {OPTION_SHADER_DIR, "shader-dir", "DIR", DRAWS, "read the shaders from DIR instead of the built-in ones"},
     {OPTION_PROGRESS, "progress", "WHEN", CLI_RUN | CLI_RESUME | CLI_RENDER | CLI_STUDY,
      "auto, always (a bar) or never"},
-    {OPTION_JSON, "json", NULL, CLI_ALL, "results and messages as JSON, one object a line"},
+    {OPTION_JSON, "json", NULL, CLI_ALL, "results and messages as JSON, one object per line"},
     {'q', "quiet", NULL, CLI_ALL, "no notices, progress or summary; errors only"},
-    {'v', "verbose", NULL, CLI_ALL, "say more"},
+    {'v', "verbose", NULL, CLI_ALL, "print more details"},
     {OPTION_NO_COLOR, "no-color", NULL, CLI_ALL, "no colour, as with NO_COLOR set"},
     {'h', "help", NULL, CLI_ALL, "show this help"},
     {'V', "version", NULL, CLI_ALL, "show the version"},
@@ -102,11 +102,11 @@ void options_print(unsigned command)
     }
 }
 
-/* ---- faults ------------------------------------------------------------------------------------------------------ */
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
 
-static bool bad_value(const char *name, const char *option, const char *value, const char *wanted)
+static bool bad_value(const char *name, const char *option, const char *value, const char *expected)
 {
-    message_usage(name, "--%s: '%s' is not %s", option, value, wanted);
+    message_usage(name, "--%s: '%s' is not %s", option, value, expected);
     return false;
 }
 
@@ -135,7 +135,7 @@ static void unknown_option(const char *name, unsigned command, const char *given
 
 /* ---- values ------------------------------------------------------------------------------------------------------ */
 
-/* The place of `value` in a NULL-terminated list, or -1. */
+/* The index of `value` in a NULL-terminated list, or -1. */
 static int find_word(const char *value, const char *const *words)
 {
     for (int i = 0; words[i] != NULL; ++i)
@@ -144,7 +144,7 @@ static int find_word(const char *value, const char *const *words)
     return -1;
 }
 
-static bool take_override(cli_options *options, const char *name, char *pair)
+static bool add_override(cli_options *options, const char *name, char *pair)
 {
     char *equals = strchr(pair, '=');
     if (equals == NULL || equals == pair)
@@ -160,7 +160,7 @@ static bool take_override(cli_options *options, const char *name, char *pair)
     return true;
 }
 
-static bool take_isa(cli_options *options, const char *name, const char *value)
+static bool set_isa(cli_options *options, const char *name, const char *value)
 {
     static const char *const words[] = {"auto", "baseline", "avx2", "avx512", NULL};
     int isa = find_word(value, words);
@@ -174,7 +174,7 @@ static bool take_isa(cli_options *options, const char *name, const char *value)
     return true;
 }
 
-static bool take_progress(cli_options *options, const char *name, const char *value)
+static bool set_progress(cli_options *options, const char *name, const char *value)
 {
     static const char *const words[] = {"auto", "always", "never", NULL};
     int mode = find_word(value, words);
@@ -184,7 +184,7 @@ static bool take_progress(cli_options *options, const char *name, const char *va
     return true;
 }
 
-static bool take_style(cli_options *options, const char *name, const char *value)
+static bool set_style(cli_options *options, const char *name, const char *value)
 {
     static const char *const words[] = {"metaballs", "points", NULL};
     int style = find_word(value, words);
@@ -195,7 +195,7 @@ static bool take_style(cli_options *options, const char *name, const char *value
     return true;
 }
 
-static bool take_gl(cli_options *options, const char *name, const char *value)
+static bool set_gl(cli_options *options, const char *name, const char *value)
 {
     static const char *const words[] = {"osmesa", "egl", NULL};
     if (find_word(value, words) < 0)
@@ -204,36 +204,36 @@ static bool take_gl(cli_options *options, const char *name, const char *value)
     return true;
 }
 
-static bool take_count(int *count, long most, const char *name, const char *option, const char *value)
+static bool set_count(int *count, long max, const char *name, const char *option, const char *value)
 {
     long number;
-    char wanted[TEXT_SIZE];
-    snprintf(wanted, sizeof wanted, "a number from 1 to %ld", most);
-    if (!parse_count(value, 1, most, &number))
-        return bad_value(name, option, value, wanted);
+    char expected[TEXT_SIZE];
+    snprintf(expected, sizeof expected, "a number from 1 to %ld", max);
+    if (!parse_count(value, 1, max, &number))
+        return bad_value(name, option, value, expected);
     *count = (int)number;
     return true;
 }
 
-static bool take_color(cli_options *options, const char *name, const char *value)
+static bool set_color(cli_options *options, const char *name, const char *value)
 {
-    if (!picture_color_known(value)) {
+    if (!frame_color_known(value)) {
         char colors[200];
-        return bad_value(name, "color", value, picture_colors(colors, sizeof colors));
+        return bad_value(name, "color", value, frame_colors(colors, sizeof colors));
     }
     options->color = value;
     return true;
 }
 
-static bool take_radius(cli_options *options, const char *name, const char *value)
+static bool set_radius(cli_options *options, const char *name, const char *value)
 {
     if (!parse_number(value, &options->radius) || options->radius <= 0)
         return bad_value(name, "radius", value, "a number above 0, in metres");
     return true;
 }
 
-/* Options that only say that something is so; false for one that is none of them. */
-static bool take_flag(cli_options *options, int id)
+/* Sets an option without an argument; false for other options. */
+static bool set_flag(cli_options *options, int id)
 {
     switch (id) {
     case 'f':
@@ -274,24 +274,24 @@ static bool take_flag(cli_options *options, int id)
     }
 }
 
-static bool take_value(cli_options *options, const char *name, int id, char *value)
+static bool set_value(cli_options *options, const char *name, int id, char *value)
 {
     switch (id) {
     case 'o':
         options->output = value;
         return true;
     case 's':
-        return take_override(options, name, value);
+        return add_override(options, name, value);
     case 'j':
-        return take_count(&options->threads, 1024, name, "threads", value);
+        return set_count(&options->threads, 1024, name, "threads", value);
     case 'J':
-        return take_count(&options->jobs, 1024, name, "jobs", value);
+        return set_count(&options->jobs, 1024, name, "jobs", value);
     case OPTION_PROGRESS:
-        return take_progress(options, name, value);
+        return set_progress(options, name, value);
     case OPTION_ISA:
-        return take_isa(options, name, value);
+        return set_isa(options, name, value);
     case OPTION_REPEAT:
-        return take_count(&options->repeat, 100, name, "repeat", value);
+        return set_count(&options->repeat, 100, name, "repeat", value);
     case OPTION_TARGET:
         options->percent = strchr(value, '%') != NULL;
         return parse_fraction(value, &options->target) ||
@@ -303,16 +303,16 @@ static bool take_value(cli_options *options, const char *name, int id, char *val
         options->preview = value;
         return true;
     case OPTION_GL:
-        return take_gl(options, name, value);
+        return set_gl(options, name, value);
     case OPTION_SHADER_DIR:
         options->shader_dir = value;
         return true;
     case OPTION_STYLE:
-        return take_style(options, name, value);
+        return set_style(options, name, value);
     case OPTION_RADIUS:
-        return take_radius(options, name, value);
+        return set_radius(options, name, value);
     case OPTION_COLOR:
-        return take_color(options, name, value);
+        return set_color(options, name, value);
     case OPTION_MAX_WALL:
         return parse_duration(value, &options->max_wall) ||
                bad_value(name, "max-wall", value, "a time such as 90s, 45m or 1h30m");
@@ -329,7 +329,7 @@ static bool take_value(cli_options *options, const char *name, int id, char *val
 
 /* ---- getopt ------------------------------------------------------------------------------------------------------ */
 
-/* The two descriptions that getopt_long wants, for one command. */
+/* The two tables of getopt_long for one command. */
 typedef struct getopt_tables {
     char letters[2 * ROW_COUNT + 2];
     struct option longs[ROW_COUNT + 1];
@@ -340,7 +340,7 @@ static void make_tables(getopt_tables *tables, unsigned command)
     memset(tables, 0, sizeof *tables);
     char *letter = tables->letters;
     struct option *next = tables->longs;
-    *letter++ = ':'; /* tells a missing argument from an unknown option */
+    *letter++ = ':'; /* distinguishes a missing argument from an unknown option */
     for (size_t i = 0; i < ROW_COUNT; ++i) {
         if ((rows[i].commands & command) == 0)
             continue;
@@ -359,9 +359,9 @@ static bool is_long(const char *given)
     return given[0] == '-' && given[1] == '-' && given[2] != '\0';
 }
 
-/* Says what getopt_long stumbled over. It tells least about long options: there optopt is 0 for an unknown one, and the
- * option's own id for one that takes no argument but got one. */
-static void explain_fault(const char *name, unsigned command, int result, const char *given)
+/* Reports an error of getopt_long. For long options optopt is 0 if the option is unknown, and its id if it takes no
+ * argument but got one. */
+static void report_error(const char *name, unsigned command, int result, const char *given)
 {
     char letter[3] = {'-', (char)optopt, '\0'};
     if (result == ':')
@@ -372,8 +372,8 @@ static void explain_fault(const char *name, unsigned command, int result, const 
         unknown_option(name, command, is_long(given) ? given : letter);
 }
 
-/* --json changes how faults of the options themselves are reported, so it must be known before. */
-static void look_ahead(cli_options *options, int argc, char **argv)
+/* Finds --json and --no-color first, as they change how errors of the options are reported. */
+static void find_message_options(cli_options *options, int argc, char **argv)
 {
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; ++i) {
         options->json = options->json || strcmp(argv[i], "--json") == 0;
@@ -385,7 +385,7 @@ static void look_ahead(cli_options *options, int argc, char **argv)
 bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv)
 {
     *options = (cli_options){0};
-    look_ahead(options, argc, argv);
+    find_message_options(options, argc, argv);
     getopt_tables tables;
     make_tables(&tables, command);
     opterr = 0;
@@ -393,11 +393,11 @@ bool options_parse(cli_options *options, const char *name, unsigned command, int
     int before = optind;
     while ((id = getopt_long(argc, argv, tables.letters, tables.longs, NULL)) != -1) {
         if (id == '?' || id == ':') {
-            /* In a group of letters optind has not moved on yet: the fault is in the word it stands on. */
-            explain_fault(name, command, id, argv[optind > before ? optind - 1 : optind]);
+            /* Within a group of letters optind still points at the group. */
+            report_error(name, command, id, argv[optind > before ? optind - 1 : optind]);
             return false;
         }
-        if (!take_flag(options, id) && !take_value(options, name, id, optarg))
+        if (!set_flag(options, id) && !set_value(options, name, id, optarg))
             return false;
         before = optind;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file options.h
- *  The options of all subcommands, read with getopt_long from one table (options.c) that also prints their help. */
+ *  The options of all subcommands, from one table (options.c) for parsing and help. */
 #ifndef SPH2D_CLI_OPTIONS_H
 #define SPH2D_CLI_OPTIONS_H
 
@@ -12,9 +12,9 @@
 
 typedef enum progress_mode { PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER } progress_mode;
 
-/** What the command line says. Zero means not given. Strings are borrowed from argv. */
+/** The parsed command line. Zero means not given. Strings are borrowed from argv. */
 typedef struct cli_options {
-    char *const *operands; /**< what is no option: scenes, folders, snapshots */
+    char *const *operands; /**< arguments that are not options: scenes, folders, snapshots */
     size_t operand_count;
     bool help, version;
 
@@ -26,7 +26,7 @@ typedef struct cli_options {
     bool force;
     int threads, jobs, repeat;
     double target; /**< an error, > 0 */
-    bool percent;  /**< it was given in per cent */
+    bool percent;  /**< given in per cent */
     sph2d_isa isa;
     double max_wall; /**< [s] */
     bool no_frames, dry_run, all, profile;
@@ -42,8 +42,8 @@ typedef struct cli_options {
     double range[2]; /**< equal: not given */
 } cli_options;
 
-/** Reads argv[1] and on for the command `name`, whose bit is `command`; argv[0] is the command's own name. After a
- *  fault says so and returns false. */
+/** Parses argv[1] and on for the command `name`, whose bit is `command`; argv[0] is the command's own name. False after
+ *  an error, which is reported. */
 bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv);
 void options_free(cli_options *options);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file outputs.c
- *  What a run writes. */
+ *  The outputs of a run. */
 #include "outputs.h"
 
 #include <errno.h>
@@ -20,14 +20,14 @@ bool outputs_want_frames(const sph2d_scene *scene)
 }
 
 sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, const sph2d_scene_file *file,
-                          cli_painter *painter, saved_in saved, sph2d_report *report)
+                          frame_writer *writer, saved_in saved, sph2d_report *report)
 {
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     *o = (cli_outputs){.folder = folder,
                        .sim = sim,
                        .file = file,
-                       .painter = painter,
-                       .look = look_of_scene(scene),
+                       .writer = writer,
+                       .style = frame_style_of_scene(scene),
                        .saved_step = sph2d_sim_steps(sim),
                        .saved = saved};
     if (scene->probe_count == 0)
@@ -63,13 +63,13 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
 {
     uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_FRAME);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_FRAME);
-    if (o->painter == NULL)
+    if (o->writer == NULL)
         return SPH2D_OK;
     const char *path = folder_file(o->folder, "frames/frame_%06" PRIu64 ".png", number);
     if (path == NULL)
         return SPH2D_NOMEM;
     particle_source source = {.sim = o->sim};
-    return painter_paint(o->painter, &source, &o->look, path, &o->frames, report);
+    return frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
 }
 
 static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report)
@@ -102,13 +102,13 @@ static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report)
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_SNAPSHOT);
     const char *path = folder_file(o->folder, "snapshot_%06" PRIu64 ".h5", number);
     sph2d_status status = write_state(o, path, SAVED_IN_SNAPSHOT, report);
-    /* Now there is a newer moment to go on from. */
+    /* The snapshot is newer than the checkpoint. */
     return status == SPH2D_OK ? remove_checkpoint(o, report) : status;
 }
 
-/* ---- all that is due --------------------------------------------------------------------------------------------- */
+/* ---- outputs that are due ---------------------------------------------------------------------------------------- */
 
-/* The snapshot comes last: its state says that everything else at this step is written, so it must be. */
+/* The snapshot comes last, as its state says that all other outputs of this step are written. */
 sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
@@ -129,11 +129,11 @@ sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report)
 
 sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)
 {
-    bool here = o->saved_step == sph2d_sim_steps(o->sim);
-    bool wanted = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
-    if (here && o->saved == SAVED_IN_CHECKPOINT && wanted)
+    bool is_saved = o->saved_step == sph2d_sim_steps(o->sim);
+    bool needed = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
+    if (is_saved && o->saved == SAVED_IN_CHECKPOINT && needed)
         return SPH2D_OK;
-    if (wanted && !(here && o->saved == SAVED_IN_SNAPSHOT))
+    if (needed && !(is_saved && o->saved == SAVED_IN_SNAPSHOT))
         return write_state(o, folder_file(o->folder, "checkpoint.h5"), SAVED_IN_CHECKPOINT, report);
     return remove_checkpoint(o, report);
 }

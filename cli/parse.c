@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parse.c
- *  Values of options, from text. The command never calls setlocale, so strtod reads points, not commas. */
+ *  Parses values of options. The command never calls setlocale, so strtod expects decimal points. */
 #include "parse.h"
 
 #include <ctype.h>
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A number at the start of `text`; *end is what follows. strtod alone would skip spaces and take "nan" and "0x10". */
+/* Parses a number at the start of `text`, up to *end. strtod alone would accept spaces, "nan" and "0x10". */
 static bool leading_number(const char *text, double *value, const char **end)
 {
     const char *digits = text + (*text == '-' || *text == '+');
@@ -49,7 +49,7 @@ bool parse_count(const char *text, long min, long max, long *value)
     return errno == 0 && *end == '\0' && *value >= min && *value <= max;
 }
 
-/* Seconds in a unit, 0 for no unit of ours. */
+/* Seconds in a unit, 0 for an unknown one. */
 static double unit_seconds(char unit)
 {
     switch (unit) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parse.h
- *  Values of options, from text. Each function takes the whole text or says no. */
+ *  Parses values of options. Each function returns false unless the whole text is valid. */
 #ifndef SPH2D_CLI_PARSE_H
 #define SPH2D_CLI_PARSE_H
 
@@ -10,7 +10,7 @@
 bool parse_number(const char *text, double *value);
 /** A number above 0, or per cent of one: "0.01", "1%". */
 bool parse_fraction(const char *text, double *value);
-/** A whole number from `min` to `max`. */
+/** An integer from `min` to `max`. */
 bool parse_count(const char *text, long min, long max, long *value);
 /** A duration in seconds: "90", "90s", "1.5h", "1h30m"; units d, h, m, s. Above 0. */
 bool parse_duration(const char *text, double *seconds);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file progress.c
- *  How far a long job is. */
+ *  Progress of a long job. */
 #include "progress.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "message.h"
 #include "text.h"
 
-/* A bar ten times a second at most; a plain line when a tenth is done or after so many seconds without one. */
+/* Minimum interval of the bar [s]; maximum interval of plain lines [s], which are also printed at every tenth. */
 static const double bar_interval = 0.1;
 static const double line_interval = 30;
 enum { BAR_WIDTH = 24, LINE_SIZE = 240 };
@@ -25,7 +25,7 @@ cli_progress progress_begin(const cli_options *options, double from, double to)
     p.printed = p.begun;
     if (options->progress == PROGRESS_NEVER || (options->quiet && options->progress == PROGRESS_AUTO))
         return p;
-    /* JSON Lines have no place for a line that is drawn over and over. */
+    /* JSON Lines must not contain a bar that is redrawn. */
     bool bar = options->progress == PROGRESS_ALWAYS || message_terminal();
     p.form = bar && !options->json ? PROGRESS_BAR : PROGRESS_LINES;
     return p;
@@ -39,7 +39,7 @@ static unsigned terminal_width(void)
     return 80;
 }
 
-/* Cut to the terminal's width, since a line that wraps cannot be drawn over. */
+/* Truncated to the terminal's width, since a wrapped line cannot be redrawn. */
 static void draw_bar(double done, const char *detail, const char *left)
 {
     char bar[BAR_WIDTH + 1];
@@ -60,11 +60,12 @@ void progress_update(cli_progress *p, double now, const char *format, ...)
     if (p->form == PROGRESS_OFF)
         return;
     double clock = clock_wall();
-    double whole = p->to - p->from;
-    double done = whole > 0 ? fmin(fmax((now - p->from) / whole, 0), 1) : 1;
+    double total = p->to - p->from;
+    double done = total > 0 ? fmin(fmax((now - p->from) / total, 0), 1) : 1;
     double tenth = floor(done * 10);
-    double silent = clock - p->printed;
-    if (p->form == PROGRESS_BAR ? silent < bar_interval : tenth <= p->printed_tenth && silent < line_interval)
+    double since_printed = clock - p->printed;
+    if (p->form == PROGRESS_BAR ? since_printed < bar_interval
+                                : tenth <= p->printed_tenth && since_printed < line_interval)
         return;
     p->printed = clock;
     p->printed_tenth = tenth;

@@ -8,38 +8,38 @@
 #include "exit.h"
 #include "folder.h"
 #include "message.h"
-#include "painter.h"
 #include "progress.h"
 #include "threads.h"
+#include "frame_writer.h"
 
-/* What the command line says about the look stands above what the snapshot says. */
-static cli_look wanted_look(const sph2d_snapshot *snapshot, const cli_options *options)
+/* The frame style of a snapshot, with the options of the command line. */
+static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *options)
 {
-    cli_look look = look_of_snapshot(snapshot);
-    sph2d_frames *frames = &look.frames;
+    frame_style style = frame_style_of_snapshot(snapshot);
+    sph2d_frames *frames = &style.frames;
     if (options->width > 0) {
         frames->size[0] = options->width;
         frames->size[1] = options->height;
     }
-    sph2d_style own = frames->style;
+    sph2d_style scene_style = frames->style;
     if (options->style_given)
         frames->style = options->style;
     else if (options->color != NULL)
         frames->style = SPH2D_STYLE_POINTS; /* only points have colours */
     if (options->radius > 0)
         frames->radius = options->radius;
-    else if (frames->style != own)
-        frames->radius = 0; /* that of the other style means nothing for this one */
+    else if (frames->style != scene_style)
+        frames->radius = 0; /* the radius of another style does not apply */
     if (options->color != NULL) {
         frames->color = options->color;
         frames->color_range = (sph2d_vec2){0, 0};
     }
     if (options->range[0] < options->range[1])
         frames->color_range = (sph2d_vec2){options->range[0], options->range[1]};
-    return look;
+    return style;
 }
 
-static int usage_fault(const cli_options *options)
+static int check_usage(const cli_options *options)
 {
     if (options->operand_count == 0)
         message_usage("render", "a snapshot must be given");
@@ -52,45 +52,45 @@ static int usage_fault(const cli_options *options)
     return CLI_EXIT_USAGE;
 }
 
-/* What all workers share; only one of them uses it at a time. */
+/* Shared by all workers, used by one at a time. */
 typedef struct sequence {
     const cli_options *options;
     cli_folder folder;
     cli_progress progress;
     size_t next, drawn; /* the snapshot to read next; frames that are done */
-    painter_times spent;
-    double time;   /* of the snapshot before [s] */
-    bool disorder; /* it was reported that times go back */
-    int code;      /* of the first failure, after which no more is read */
+    frame_times times;
+    double time; /* of the last snapshot [s] */
+    bool warned; /* of decreasing times */
+    int code;    /* exit code of the first failure, after which nothing more is read */
 } sequence;
 
-/* Who draws: each has a painter, made for the first picture and again when one has another size or style. */
+/* A drawing thread, with a frame writer, which is replaced for frames of another size or style. */
 typedef struct worker {
     sequence *sequence;
-    cli_painter *painter;
-    painter_times spent;
+    frame_writer *writer;
+    frame_times times;
     sph2d_report report;
 } worker;
 
 /* A frame to draw. */
-typedef struct frame {
+typedef struct frame_job {
     size_t index;
     sph2d_snapshot *snapshot;
-    char *path; /* NULL before the folder is there */
-} frame;
+    char *path; /* NULL before the folder exists */
+} frame_job;
 
-/* A shell's order of files is that of time, but for a checkpoint, whose name comes before the snapshots'. */
-static void tell_disorder(sequence *s, double time, size_t index)
+/* A shell's order of files is that of time, except for a checkpoint, whose name comes before the snapshots'. */
+static void warn_disorder(sequence *s, double time, size_t index)
 {
-    if (index > 0 && time < s->time && !s->disorder) {
+    if (index > 0 && time < s->time && !s->warned) {
         message_warning(SPH2D_CODE_GENERAL, "'%s' is earlier than the file before it; frames keep the order given",
                         s->options->operands[index]);
-        s->disorder = true;
+        s->warned = true;
     }
     s->time = time;
 }
 
-/* Tells what went wrong, unless something did before. */
+/* Reports the first failure. */
 static void fail(worker *w, sph2d_status status)
 {
     if (w->sequence->code == CLI_EXIT_SUCCESS) {
@@ -99,24 +99,24 @@ static void fail(worker *w, sph2d_status status)
     }
 }
 
-/* Reads the next snapshot; false when there is none, or something failed. */
-static bool read_next(worker *w, frame *out)
+/* Reads the next snapshot; false if there is none, or after a failure. */
+static bool read_next(worker *w, frame_job *out)
 {
     sequence *s = w->sequence;
-    *out = (frame){.index = s->next};
+    *out = (frame_job){.index = s->next};
     if (s->code != CLI_EXIT_SUCCESS || s->next == s->options->operand_count)
         return false;
     ++s->next;
     sph2d_status status = sph2d_snapshot_read(s->options->operands[out->index], &out->snapshot, &w->report);
     if (status == SPH2D_OK)
-        tell_disorder(s, sph2d_snapshot_get_info(out->snapshot).time, out->index);
+        warn_disorder(s, sph2d_snapshot_get_info(out->snapshot).time, out->index);
     else
         fail(w, status);
     return status == SPH2D_OK;
 }
 
-/* Names its file; false without memory. */
-static bool name_frame(worker *w, frame *f)
+/* Sets the path of a frame; false when memory is short. */
+static bool name_frame(worker *w, frame_job *f)
 {
     const char *path = folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
     f->path = path != NULL ? strdup(path) : NULL;
@@ -125,26 +125,26 @@ static bool name_frame(worker *w, frame *f)
     return f->path != NULL;
 }
 
-static void end_frame(frame *f)
+static void end_frame(frame_job *f)
 {
     sph2d_snapshot_destroy(f->snapshot);
     free(f->path);
 }
 
-static sph2d_status make_painter(worker *w, const cli_look *look)
+static sph2d_status make_writer(worker *w, const frame_style *style)
 {
-    if (w->painter != NULL && painter_fits(w->painter, look))
+    if (w->writer != NULL && frame_writer_accepts(w->writer, style))
         return SPH2D_OK;
-    painter_destroy(w->painter);
-    return painter_create(look, w->sequence->options, &w->painter, &w->report);
+    frame_writer_destroy(w->writer);
+    return frame_writer_create(style, w->sequence->options, &w->writer, &w->report);
 }
 
-static sph2d_status draw(worker *w, const frame *f)
+static sph2d_status draw(worker *w, const frame_job *f)
 {
-    cli_look look = wanted_look(f->snapshot, w->sequence->options);
+    frame_style style = style_of(f->snapshot, w->sequence->options);
     particle_source source = {.snapshot = f->snapshot};
-    sph2d_status status = make_painter(w, &look);
-    return status == SPH2D_OK ? painter_paint(w->painter, &source, &look, f->path, &w->spent, &w->report) : status;
+    sph2d_status status = make_writer(w, &style);
+    return status == SPH2D_OK ? frame_writer_write(w->writer, &source, &style, f->path, &w->times, &w->report) : status;
 }
 
 static void count_frame(worker *w, sph2d_status status)
@@ -158,15 +158,15 @@ static void count_frame(worker *w, sph2d_status status)
     progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->options->operand_count);
 }
 
-/* The first frame, before the others: the folder is not touched before it is known that something can be drawn. */
+/* Draws the first frame before the others, as the folder is only changed once drawing works. */
 static void draw_first(worker *w)
 {
     sequence *s = w->sequence;
     const cli_options *options = s->options;
-    frame f;
+    frame_job f;
     if (read_next(w, &f)) {
-        cli_look look = wanted_look(f.snapshot, options);
-        sph2d_status status = make_painter(w, &look);
+        frame_style style = style_of(f.snapshot, options);
+        sph2d_status status = make_writer(w, &style);
         if (status == SPH2D_OK)
             s->code = folder_open_new(&s->folder, options->output, options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
         if (s->code == CLI_EXIT_SUCCESS && (status != SPH2D_OK || name_frame(w, &f)))
@@ -179,7 +179,7 @@ static void draw_first(worker *w)
 static void draw_rest(worker *w)
 {
     for (;;) {
-        frame f;
+        frame_job f;
         bool more;
 #pragma omp critical(sequence)
         more = read_next(w, &f) && name_frame(w, &f);
@@ -194,7 +194,7 @@ static void draw_rest(worker *w)
     }
 }
 
-/* Frames are drawn side by side, each by one thread: pictures of this size do not keep several busy. */
+/* Draws several frames in parallel, each by one thread, as frames are too small for more. */
 static void draw_all(sequence *s, int workers)
 {
     worker first = {.sequence = s};
@@ -202,20 +202,20 @@ static void draw_all(sequence *s, int workers)
 #pragma omp parallel num_threads(workers) if (workers > 1)
     {
         worker other = {.sequence = s};
-        bool mine = false; /* the first painter is used again */
+        bool is_first = false; /* one thread reuses the first worker */
 #pragma omp single nowait
-        mine = true;
-        worker *w = mine ? &first : &other;
+        is_first = true;
+        worker *w = is_first ? &first : &other;
         draw_rest(w);
-        painter_destroy(w->painter);
+        frame_writer_destroy(w->writer);
 #pragma omp critical(sequence)
-        painter_times_add(&s->spent, &w->spent);
+        frame_times_add(&s->times, &w->times);
     }
 }
 
 int command_render(const cli_options *options)
 {
-    int code = usage_fault(options);
+    int code = check_usage(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
     sequence s = {.options = options, .folder = FOLDER_CLOSED};
@@ -226,10 +226,10 @@ int command_render(const cli_options *options)
     s.progress = progress_begin(options, 0, (double)options->operand_count);
     draw_all(&s, workers);
     progress_end(&s.progress);
-    char spent[TEXT_SIZE];
+    char times[TEXT_SIZE];
     if (s.code == CLI_EXIT_SUCCESS)
         message_note("%zu frame%s in '%s': %s", s.drawn, s.drawn == 1 ? "" : "s", options->output,
-                     painter_times_describe(spent, &s.spent));
+                     frame_times_describe(times, &s.times));
     folder_close(&s.folder);
     return s.code;
 }

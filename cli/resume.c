@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file resume.c
- *  `sph2d resume DIR`: goes on with a run from its newest complete snapshot. */
+ *  `sph2d resume DIR`: continues a run from its newest complete snapshot. */
 #include <dirent.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -14,7 +14,7 @@
 #include "session.h"
 #include "summary.h"
 
-/* ---- which snapshot ---------------------------------------------------------------------------------------------- */
+/* ---- the newest snapshot ----------------------------------------------------------------------------------------- */
 
 static int compare_descending(const void *a, const void *b)
 {
@@ -49,7 +49,7 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
     return numbers;
 }
 
-/* Reads one snapshot; one that cannot be used is reported as a warning, since an older one may do. */
+/* Reads one snapshot; errors are reported as warnings, since an older one may be usable. */
 static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
 {
     sph2d_snapshot *snapshot = NULL;
@@ -63,8 +63,8 @@ static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
     return NULL;
 }
 
-/* The numbered snapshots of a run are in the order of its steps, so the first good one from the end is the newest; a
- *  checkpoint is newer when it has more steps. */
+/* The numbers of a run's snapshots increase with its steps, so the last valid one is the newest; a checkpoint is newer
+ * if it has more steps. */
 static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved)
 {
     size_t count;
@@ -89,10 +89,10 @@ static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved)
     return checkpoint;
 }
 
-/* ---- going on ---------------------------------------------------------------------------------------------------- */
+/* ---- continuing -------------------------------------------------------------------------------------------------- */
 
-/* Only the end of a run may change: with anything else it would not be the same run any more. */
-static int usage_fault(const cli_options *options)
+/* Only the end of a run may change: with any other change it would be another run. */
+static int check_usage(const cli_options *options)
 {
     if (options->operand_count != 1) {
         message_usage("resume",
@@ -117,8 +117,8 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot)
     return session_report(s, status);
 }
 
-/* There may be nothing left to do; then nothing in the folder changes. */
-static int go_on(cli_session *s, saved_in saved)
+/* Continues the run, unless it is complete; then the folder is not changed. */
+static int continue_run(cli_session *s, saved_in saved)
 {
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     if (loop_done(s->sim)) {
@@ -129,12 +129,12 @@ static int go_on(cli_session *s, saved_in saved)
             summary_print(s->sim, &nothing, "complete", &s->threads, s->options);
         return CLI_EXIT_SUCCESS;
     }
-    int code = session_make_painter(s);
-    if (code == CLI_EXIT_SUCCESS && s->painter != NULL)
+    int code = session_create_frame_writer(s);
+    if (code == CLI_EXIT_SUCCESS && s->writer != NULL)
         code = folder_make_inside(&s->folder, "frames");
     if (code != CLI_EXIT_SUCCESS)
         return code;
-    /* A guard that fires again writes it again. */
+    /* A guard that fires again writes its file again. */
     const char *guard = folder_file(&s->folder, "guard.h5");
     if (guard != NULL)
         unlink(guard);
@@ -143,19 +143,19 @@ static int go_on(cli_session *s, saved_in saved)
 
 int command_resume(const cli_options *options)
 {
-    int code = usage_fault(options);
+    int code = check_usage(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
     cli_session session;
     session_begin(&session, options);
     sph2d_snapshot *snapshot = NULL;
     saved_in saved = SAVED_NOWHERE;
-    code = folder_open_again(&session.folder, options->operands[0]);
+    code = folder_reopen(&session.folder, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS) {
         snapshot = newest_snapshot(&session, &saved);
         if (snapshot == NULL) {
             message_error(SPH2D_CODE_FILE_OPEN,
-                          "a run writes them where its scene has run.snapshots, and when it is stopped",
+                          "a run writes snapshots if its scene has run.snapshots, and a checkpoint when it is stopped",
                           "no complete snapshot in '%s'", session.folder.path);
             code = CLI_EXIT_NOINPUT;
         }
@@ -169,7 +169,7 @@ int command_resume(const cli_options *options)
         code = restore(&session, snapshot);
     sph2d_snapshot_destroy(snapshot);
     if (code == CLI_EXIT_SUCCESS)
-        code = go_on(&session, saved);
+        code = continue_run(&session, saved);
     session_end(&session);
     return code;
 }

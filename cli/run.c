@@ -6,7 +6,7 @@
 #include "message.h"
 #include "session.h"
 
-static int usage_fault(const cli_options *options)
+static int check_usage(const cli_options *options)
 {
     if (options->operand_count != 1) {
         message_usage("run", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
@@ -19,7 +19,7 @@ static int usage_fault(const cli_options *options)
     return CLI_EXIT_SUCCESS;
 }
 
-/* Everything that may be refused comes before the folder is touched. */
+/* All steps that may fail, before the folder is changed. */
 static int prepare(cli_session *s, const char *scene)
 {
     const cli_options *options = s->options;
@@ -31,26 +31,26 @@ static int prepare(cli_session *s, const char *scene)
     if (code != CLI_EXIT_SUCCESS)
         return code;
     sph2d_sim_options sim_options = session_sim_options(s);
-    cli_look look = look_of_scene(sph2d_scene_file_scene(s->file));
-    sph2d_status look_status = look_check(&look, &s->report);
+    frame_style style = frame_style_of_scene(sph2d_scene_file_scene(s->file));
+    sph2d_status style_status = frame_style_check(&style, &s->report);
     status = sph2d_sim_create(sph2d_scene_file_scene(s->file), &sim_options, &s->sim, &s->report);
-    code = session_report(s, status != SPH2D_OK ? status : look_status);
+    code = session_report(s, status != SPH2D_OK ? status : style_status);
     if (code == CLI_EXIT_SUCCESS)
-        code = session_make_painter(s);
+        code = session_create_frame_writer(s);
     return code;
 }
 
-static int take_folder(cli_session *s)
+static int open_folder(cli_session *s)
 {
     int code = folder_open_new(&s->folder, s->options->output, s->options->force ? FOLDER_CLEAR_RUN : FOLDER_KEEP);
-    if (code == CLI_EXIT_SUCCESS && s->painter != NULL)
+    if (code == CLI_EXIT_SUCCESS && s->writer != NULL)
         code = folder_make_inside(&s->folder, "frames");
     return code;
 }
 
 int command_run(const cli_options *options)
 {
-    int code = usage_fault(options);
+    int code = check_usage(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
     if (options->dry_run)
@@ -59,7 +59,7 @@ int command_run(const cli_options *options)
     session_begin(&session, options);
     code = prepare(&session, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS)
-        code = take_folder(&session);
+        code = open_folder(&session);
     if (code == CLI_EXIT_SUCCESS)
         code = session_run(&session, SAVED_NOWHERE);
     session_end(&session);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file session.c
- *  What `run` and `resume` have in common. */
+ *  The common part of `run` and `resume`. */
 #include "session.h"
 
 #include <signal.h>
@@ -41,23 +41,23 @@ int session_report(cli_session *s, sph2d_status status)
     return exit_of_status(status);
 }
 
-int session_make_painter(cli_session *s)
+int session_create_frame_writer(cli_session *s)
 {
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     if (!outputs_want_frames(scene) || s->options->no_frames)
         return CLI_EXIT_SUCCESS;
-    cli_look look = look_of_scene(scene);
-    sph2d_status status = painter_create(&look, s->options, &s->painter, &s->report);
+    frame_style style = frame_style_of_scene(scene);
+    sph2d_status status = frame_writer_create(&style, s->options, &s->writer, &s->report);
     char description[200];
     if (status == SPH2D_OK)
-        message_detail("drawing with %s", painter_describe(s->painter, description, sizeof description));
+        message_detail("drawing with %s", frame_writer_describe(s->writer, description, sizeof description));
     int code = session_report(s, status);
     if (status == SPH2D_RENDER)
-        message_note("the scene asks for frames; --no-frames simulates without them");
+        message_note("the scene has frames; --no-frames simulates without them");
     return code;
 }
 
-static void tell_start(const cli_session *s)
+static void report_start(const cli_session *s)
 {
     const sph2d_plan *plan = sph2d_sim_plan(s->sim);
     message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
@@ -108,16 +108,16 @@ int session_run(cli_session *s, saved_in saved)
 {
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     cli_outputs outputs;
-    sph2d_status status = outputs_open(&outputs, &s->folder, s->sim, s->file, s->painter, saved, &s->report);
+    sph2d_status status = outputs_open(&outputs, &s->folder, s->sim, s->file, s->writer, saved, &s->report);
     int code = session_report(s, status);
     if (status == SPH2D_OK) {
-        tell_start(s);
+        report_start(s);
         cli_progress progress = progress_begin(s->options, sph2d_sim_time(s->sim), scene->run.until);
         double deadline = s->options->max_wall > 0 ? s->begun + s->options->max_wall : 0;
         loop_result result = loop_run(s->sim, &outputs, &progress, deadline, &s->report);
         session_report(s, result.status);
         if (result.end == LOOP_SIGNAL || result.end == LOOP_MAX_WALL)
-            message_note("stopped by %s at t = %g s; 'sph2d resume %s' goes on", end_name(&result),
+            message_note("stopped by %s at t = %g s; 'sph2d resume %s' continues", end_name(&result),
                          sph2d_sim_time(s->sim), s->folder.path);
         if (result.end == LOOP_GUARD)
             message_note("state saved to '%s/guard.h5'", s->folder.path);
@@ -131,7 +131,7 @@ int session_run(cli_session *s, saved_in saved)
 
 void session_end(cli_session *s)
 {
-    painter_destroy(s->painter);
+    frame_writer_destroy(s->writer);
     sph2d_sim_destroy(s->sim);
     sph2d_scene_file_destroy(s->file);
     folder_close(&s->folder);

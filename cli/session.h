@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file session.h
- *  What `run` and `resume` have in common: everything that a run needs while it goes on, and how it ends. */
+ *  The common part of `run` and `resume`: the resources of a run, and its end. */
 #ifndef SPH2D_CLI_SESSION_H
 #define SPH2D_CLI_SESSION_H
 
@@ -11,34 +11,34 @@
 
 typedef struct cli_session {
     const cli_options *options;
-    double begun; /**< [s] on the wall clock; --max-wall counts from here */
+    double begun; /**< start on the wall clock, from which --max-wall counts [s] */
     thread_choice threads;
     sph2d_scene_file *file;
     sph2d_sim *sim;
     cli_folder folder;
-    cli_painter *painter;
+    frame_writer *writer;
     sph2d_report report;
 } cli_session;
 
-/** Starts the clock, chooses threads and catches signals. */
+/** Starts the clock, chooses the threads and installs the signal handlers. */
 void session_begin(cli_session *s, const cli_options *options);
 
 /** Options for sph2d_sim_create and sph2d_sim_restore. */
 sph2d_sim_options session_sim_options(const cli_session *s);
 
-/** After a scene was read: tells what was wrong with it and returns the exit code for `status`. When nothing was,
- *  warnings wait: making the simulation finds them again. */
+/** Prints the report of reading a scene and returns the exit code for `status`. Without errors the warnings are
+ *  dropped: creating the simulation repeats them. */
 int session_report_scene(cli_session *s, sph2d_status status);
 
-/** Tells what the report says and returns the exit code for `status`. */
+/** Prints the report and returns the exit code for `status`. */
 int session_report(cli_session *s, sph2d_status status);
 
-/** Makes the painter if the scene asks for frames and --no-frames is not given. Needs the simulation. Returns an exit
+/** Creates the frame writer if the scene has frames and --no-frames is not given. Needs the simulation. Returns an exit
  *  code. */
-int session_make_painter(cli_session *s);
+int session_create_frame_writer(cli_session *s);
 
-/** With the simulation and the folder ready: runs the loop, prints the summary and returns the exit code. `saved` tells
- *  what the simulation was restored from. */
+/** Runs the loop with the simulation and the folder, prints the summary and returns the exit code. `saved` is the file
+ *  that the simulation was restored from. */
 int session_run(cli_session *s, saved_in saved);
 
 /** Frees everything. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file signals.c
- *  Signals that ask a run to stop. */
+ *  Signals that stop a run. */
 #include "signals.h"
 
 #include <signal.h>
@@ -8,29 +8,28 @@
 
 static volatile sig_atomic_t caught;
 
-static const int stopping[] = {SIGINT, SIGTERM};
-enum { STOPPING_COUNT = sizeof stopping / sizeof *stopping };
+static const int stop_signals[] = {SIGINT, SIGTERM};
+enum { STOP_SIGNAL_COUNT = sizeof stop_signals / sizeof *stop_signals };
 
-static void take_note(int number)
+static void handle_signal(int number)
 {
     caught = number;
-    /* Whoever asks twice is in a hurry: both signals get their default action back. */
-    struct sigaction standard = {.sa_handler = SIG_DFL};
-    for (size_t i = 0; i < STOPPING_COUNT; ++i)
-        sigaction(stopping[i], &standard, NULL);
+    /* A second signal ends the process at once: restore the default actions. */
+    struct sigaction default_action = {.sa_handler = SIG_DFL};
+    for (size_t i = 0; i < STOP_SIGNAL_COUNT; ++i)
+        sigaction(stop_signals[i], &default_action, NULL);
 }
 
 void signals_install(void)
 {
-    struct sigaction action = {.sa_handler = take_note, .sa_flags = SA_RESTART};
+    struct sigaction action = {.sa_handler = handle_signal, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < STOPPING_COUNT; ++i) {
+    for (size_t i = 0; i < STOP_SIGNAL_COUNT; ++i) {
         struct sigaction before;
-        if (sigaction(stopping[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-            sigaction(stopping[i], &action, NULL);
+        if (sigaction(stop_signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(stop_signals[i], &action, NULL);
     }
-    /* A reader of our messages that goes away, or a limit on the size of files, must not end a run of hours. Writing
-     * fails then, and is noticed. */
+    /* A closed pipe or a file size limit must not kill a long run: writing fails with an error instead. */
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGPIPE, &ignore, NULL);
     sigaction(SIGXFSZ, &ignore, NULL);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file signals.h
- *  The first SIGINT or SIGTERM asks a run to stop after its step; the second does what it always does. */
+ *  The first SIGINT or SIGTERM stops a run after its step; the second has its default action. */
 #ifndef SPH2D_CLI_SIGNALS_H
 #define SPH2D_CLI_SIGNALS_H
 
-/** From now on signals are caught. One that the parent had switched off (nohup, a shell's background job) stays off. */
+/** Installs the signal handlers. A signal that the parent ignores (nohup, a background job) stays ignored. */
 void signals_install(void);
 
-/** SIGINT, SIGTERM, or 0 when none came. */
+/** The signal caught, SIGINT or SIGTERM; 0 for none. */
 int signals_caught(void);
 
 #endif

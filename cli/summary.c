@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file summary.c
- *  What a run was: its speed and its errors, side by side. */
+ *  The summary of a run: speed and errors. */
 #include "summary.h"
 
 #include <inttypes.h>
@@ -12,9 +12,9 @@
 static const char *const side_names[] = {"left", "right", "bottom", "top"};
 static const char *const limit_names[] = {"acoustic", "force", "viscous", "fixed"};
 
-static double ratio(double above, double below)
+static double ratio(double numerator, double denominator)
 {
-    return below > 0 ? above / below : NAN;
+    return denominator > 0 ? numerator / denominator : NAN;
 }
 
 double summary_energy_change(const sph2d_summary *s)
@@ -29,10 +29,11 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
     char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE];
     char output[TEXT_SIZE], output_cpu[TEXT_SIZE];
     if (result->steps > 0) {
-        double done = (double)result->particle_steps;
-        text_row("speed", "%s particle-steps/s; %s per CPU second", text_count(rate, ratio(done, result->step_wall)),
-                 text_count(cpu_rate, ratio(done, result->step_cpu)));
-        text_row("", "%.3g simulated seconds a second", ratio(result->simulated, result->step_wall));
+        double particle_steps = (double)result->particle_steps;
+        text_row("speed", "%s particle-steps/s; %s per CPU second",
+                 text_count(rate, ratio(particle_steps, result->step_wall)),
+                 text_count(cpu_rate, ratio(particle_steps, result->step_cpu)));
+        text_row("", "%.3g simulated seconds per second", ratio(result->simulated, result->step_wall));
     }
     text_row("", "stepping %s, CPU %s; output %s, CPU %s", text_seconds(wall, result->step_wall),
              text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall),
@@ -40,7 +41,7 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
     char frames[TEXT_SIZE], in_use[TEXT_SIZE];
     if (result->frames.frames > 0)
         text_row("", "%zu frame%s, %s", result->frames.frames, result->frames.frames == 1 ? "" : "s",
-                 painter_times_describe(frames, &result->frames));
+                 frame_times_describe(frames, &result->frames));
     text_row("", "%s, %s", threads_describe(in_use, sph2d_sim_threads(sim), threads),
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
@@ -55,31 +56,31 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
     if (excess > 1)
-        text_row("", "above method.max_compression, %.3g %%: about %.3g times the sound speed would keep it",
+        text_row("", "above method.max_compression, %.3g %%: about %.3g times the sound speed would limit it",
                  100 * scene->method.max_compression, fmax(1.01, sqrt(excess)));
     if (s->energy_start != 0)
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else
         text_row("energy", "%+.4g J/m", change);
-    text_row("", "start %.6g, now %.6g, came with particles %.6g J/m", s->energy_start,
+    text_row("", "start %.6g, now %.6g, net input by particles %.6g J/m", s->energy_start,
              s->kinetic + s->potential + s->elastic, s->energy_fed);
-    text_row("", "by walls %.4g, forces %.4g; taken by viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
-             s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped,
-             s->energy_pressed);
+    text_row(
+        "", "work of walls %.4g, forces %.4g; lost to viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
+        s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped, s->energy_pressed);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
-        text_row("energy error", "%+.3g %% of the scene's %.4g J/m do not add up",
+        text_row("energy error", "%+.3g %% of the scene's %.4g J/m unaccounted for",
                  100 * s->energy_error / s->energy_scale, s->energy_scale);
     if (s->energy_scale > 0 && isfinite(s->energy_rise))
-        text_row("", "%.3g %% came from nothing at most", 100 * s->energy_rise / s->energy_scale);
+        text_row("", "at most %.3g %% came from nothing", 100 * s->energy_rise / s->energy_scale);
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
-    text_row("fastest now", "%.4g m/s", s->speed_max);
+    text_row("largest speed", "%.4g m/s", s->speed_max);
 }
 
 static void print_particles(const sph2d_summary *s)
 {
     text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
     if (s->fed > 0 || s->blocked > 0)
-        text_row("", "fed %" PRIu64 ", places taken %" PRIu64, s->fed, s->blocked);
+        text_row("", "fed %" PRIu64 ", blocked %" PRIu64, s->fed, s->blocked);
     uint64_t lost = s->drained;
     for (int i = 0; i < 4; ++i)
         lost += s->left_open[i];
@@ -101,7 +102,7 @@ static void print_steps(const sph2d_summary *s)
         if (s->limited_by[i] > 0)
             text_row("", "%s: %" PRIu64, limit_names[i], s->limited_by[i]);
     if (s->iterations > 0)
-        text_row("pressure solver", "%.3g iterations a step; not done after %" PRIu64 " steps",
+        text_row("pressure solver", "%.3g iterations per step; not converged in %" PRIu64 " steps",
                  ratio((double)s->iterations, (double)s->steps), s->unconverged);
 }
 
@@ -117,7 +118,7 @@ static void print_profile(const sph2d_sim *sim, const loop_result *result)
         if (p.calls[k] == 0)
             continue;
         char wall[TEXT_SIZE], cpu[TEXT_SIZE];
-        text_row(row, "%-8s %4.1f %%  %s, CPU %s; %.3g CPU ns a particle and step", sph2d_phase_name((sph2d_phase)k),
+        text_row(row, "%-8s %4.1f %%  %s, CPU %s; %.3g CPU ns per particle and step", sph2d_phase_name((sph2d_phase)k),
                  100 * ratio(p.wall[k], all), text_seconds(wall, p.wall[k]), text_seconds(cpu, p.cpu[k]),
                  1e9 * ratio(p.cpu[k], (double)result->particle_steps));
         row = "";
@@ -138,7 +139,7 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
-static void add_frames(cli_json *line, const painter_times *frames)
+static void add_frames(cli_json *line, const frame_times *frames)
 {
     json_open_object(line, "frames");
     json_count(line, "count", frames->frames);
@@ -150,10 +151,10 @@ static void add_frames(cli_json *line, const painter_times *frames)
 
 static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
 {
-    double done = (double)result->particle_steps;
+    double particle_steps = (double)result->particle_steps;
     json_open_object(line, "speed");
-    json_number(line, "particle_steps_per_second", ratio(done, result->step_wall));
-    json_number(line, "particle_steps_per_cpu_second", ratio(done, result->step_cpu));
+    json_number(line, "particle_steps_per_second", ratio(particle_steps, result->step_wall));
+    json_number(line, "particle_steps_per_cpu_second", ratio(particle_steps, result->step_cpu));
     json_number(line, "real_time_factor", ratio(result->simulated, result->step_wall));
     json_number(line, "step_seconds", result->step_wall);
     json_number(line, "step_cpu_seconds", result->step_cpu);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file templates.c
- *  The scenes that `sph2d init` starts from. Small, so that a first run takes seconds. */
+ *  The templates of `sph2d init`: small scenes that run in seconds. */
 #include "templates.h"
 
-/* What they all share. */
+/* The outputs of all templates. */
 #define OUTPUTS                                                                                                        \
     {"run.snapshots.per_second", "60"}, {"run.frames.per_second", "60"}, {"run.frames.size", "[1280, 720]"},           \
     {                                                                                                                  \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file templates.h
- *  The scenes that `sph2d init` starts from: for each key that has something to say, its path and value. */
+ *  The templates of `sph2d init`: path and value of each key that is set. */
 #ifndef SPH2D_CLI_TEMPLATES_H
 #define SPH2D_CLI_TEMPLATES_H
 
@@ -16,7 +16,7 @@ typedef struct scene_template {
     size_t count;
 } scene_template;
 
-/** All of them, the standard one first. */
+/** All templates, the default first. */
 extern const scene_template scene_templates[];
 extern const size_t scene_template_count;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text.c
- *  Small text for people. */
+ *  Human-readable formatting. */
 #include "text.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Longest word that suggestions look at; longer ones get none. */
+/* Longer words get no suggestions. */
 #define WORD_MAX 48
 
 static size_t smallest(size_t a, size_t b, size_t c)
@@ -18,8 +18,8 @@ static size_t smallest(size_t a, size_t b, size_t c)
     return least < c ? least : c;
 }
 
-/* How many letters must be put in, left out, changed or swapped with their neighbour to come from a to b. Three rows of
- * the table of all beginnings of a against all of b are enough: this one, the one before, and the one before that. */
+/* Edit distance from a to b: insertions, deletions, changes and transpositions. Only three rows of the table over all
+ * prefixes are kept: the present one and the two before. */
 static size_t edit_distance(const char *a, const char *b)
 {
     size_t length_b = strlen(b);
@@ -45,7 +45,7 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
     size_t length = strlen(word);
     if (length == 0 || length > WORD_MAX)
         return NULL;
-    /* A third of the letters may be wrong, and at least one: more is a guess, not a suggestion. */
+    /* At most a third of the letters may differ, at least one. */
     size_t best = length < 4 ? 1 : length / 3;
     const char *nearest = NULL;
     for (size_t i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
     return nearest;
 }
 
-/* Overlong forms, surrogates and stray bytes are refused. */
+/* Overlong forms, surrogates and stray bytes are invalid. */
 size_t text_utf8_length(const char *text)
 {
     static const struct {
@@ -139,11 +139,11 @@ char *text_count(char out[TEXT_SIZE], double count)
     return out;
 }
 
-/* Appends the base units whose exponent has the wanted sign; returns how many there were. */
+/* Appends the base units whose exponent has a sign; returns their number. */
 static int append_units(char out[TEXT_SIZE], const signed char unit[3], int sign)
 {
     static const char *const names[] = {"m", "kg", "s"};
-    /* kg before m before s, as everyone writes them */
+    /* in the usual order kg, m, s */
     static const int order[] = {1, 0, 2};
     int written = 0;
     for (int i = 0; i < 3; ++i) {
@@ -168,13 +168,13 @@ char *text_unit(char out[TEXT_SIZE], const signed char unit[3])
         snprintf(out, TEXT_SIZE, "Pa");
         return out;
     }
-    char below[TEXT_SIZE] = "";
-    int above_count = append_units(out, unit, 1);
-    int below_count = append_units(below, unit, -1);
-    if (below_count > 0) {
+    char denominator[TEXT_SIZE] = "";
+    int numerator_count = append_units(out, unit, 1);
+    int denominator_count = append_units(denominator, unit, -1);
+    if (denominator_count > 0) {
         size_t used = strlen(out);
-        const char *format = below_count > 1 ? "%s/(%.40s)" : "%s/%.40s";
-        snprintf(out + used, TEXT_SIZE - used, format, above_count > 0 ? "" : "1", below);
+        const char *format = denominator_count > 1 ? "%s/(%.40s)" : "%s/%.40s";
+        snprintf(out + used, TEXT_SIZE - used, format, numerator_count > 0 ? "" : "1", denominator);
     }
     return out;
 }

@@ -1,30 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 /** @file text.h
- *  Small text for people: sizes, durations, units, table rows, and the word that someone may have meant. */
+ *  Human-readable formatting: sizes, durations, units, table rows; and suggestions for misspelt words. */
 #ifndef SPH2D_CLI_TEXT_H
 #define SPH2D_CLI_TEXT_H
 
 #include <stddef.h>
 
-/** Long enough for everything that the text_ functions write. */
+/** Long enough for all results of the text_ functions. */
 #define TEXT_SIZE 64
 
-/** The one of `words` nearest to `word`, or NULL when none is near enough to suggest. */
+/** The one of `words` nearest to `word`, or NULL if none is similar enough. */
 const char *text_nearest(const char *word, const char *const *words, size_t count);
 
-/** Length of the UTF-8 sequence of two bytes or more that `text` starts with; 0 when there is none. */
+/** Length of the UTF-8 sequence of two bytes or more at the start of `text`; 0 if there is none. */
 size_t text_utf8_length(const char *text);
 
-/** Takes away what a cut left of a character at the end of `text`. Returns `text`. */
+/** Removes a partial UTF-8 sequence from the end of a truncated text. Returns `text`. */
 char *text_whole(char *text);
 
 /** "12.3 MiB". Returns `out`. */
 char *text_bytes(char out[TEXT_SIZE], double bytes);
 /** "4.2 s", "3 min 12 s", "2 h 05 min". Returns `out`. */
 char *text_seconds(char out[TEXT_SIZE], double seconds);
-/** "0.34", "2.4", "24", "240": a number of at least two digits. Returns `out`. */
+/** "0.34", "2.4", "24", "240": a number with at least two significant digits. Returns `out`. */
 char *text_short(char out[TEXT_SIZE], double number);
-/** "6.91 M": a count of things, in three digits. Returns `out`. */
+/** "6.91 M": a count with three significant digits. Returns `out`. */
 char *text_count(char out[TEXT_SIZE], double count);
 /** A unit from its exponents of metre, kilogram and second: "kg/m^3", "Pa", "" for none. Returns `out`. */
 char *text_unit(char out[TEXT_SIZE], const signed char unit[3]);

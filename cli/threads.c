@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file threads.c
- *  How many threads. */
+ *  Choice of the number of threads. */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "threads.h"
 
@@ -11,7 +11,7 @@
 
 enum { THREADS_MAX = 1024 };
 
-/* OMP_NUM_THREADS may be a list, one number a nesting level; the first counts. 0 when there is none. */
+/* OMP_NUM_THREADS may be a list, one number per nesting level, of which the first is used. 0 if there is none. */
 static int environment_threads(void)
 {
     const char *text = getenv("OMP_NUM_THREADS");
@@ -22,7 +22,7 @@ static int environment_threads(void)
     return end != text && (*end == '\0' || *end == ',') && count >= 1 && count <= THREADS_MAX ? (int)count : 0;
 }
 
-/* 0 when the system does not say. */
+/* 0 if unknown. */
 static int affinity_threads(void)
 {
     cpu_set_t set;
@@ -49,7 +49,7 @@ thread_choice threads_choose(const cli_options *options)
     thread_choice choice = choose(options);
     char count[16];
     snprintf(count, sizeof count, "%d", choice.count);
-    setenv("LP_NUM_THREADS", count, 0); /* failing leaves Mesa its own choice */
+    setenv("LP_NUM_THREADS", count, 0); /* if it fails, Mesa chooses */
     return choice;
 }
 
@@ -61,7 +61,7 @@ int threads_for_frames(const cli_options *options, size_t frames)
     count = frames < (size_t)count ? (int)frames : count;
 #endif
     if (count > 1)
-        setenv("LP_NUM_THREADS", "0", 0); /* Mesa draws in the thread that asks */
+        setenv("LP_NUM_THREADS", "0", 0); /* Mesa draws in the calling thread */
     else
         threads_choose(options);
     return count > 1 ? count : 1;

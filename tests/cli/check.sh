@@ -45,12 +45,12 @@ blocks:
 END
 }
 wall auto 0.2
-expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.16 m^2 asked for, 0.16 m^2 placed (+0.00 %)'
+expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.16 m^2 requested, 0.16 m^2 placed (+0.00 %)'
 wall auto 0.1
 expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S106\]: obstacles\[0\].line: liquid lies on both'
 says 'hint: `liquid: both` makes it a solid 0.06 m thick'
 wall both 0.1
-expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.176 m^2 asked for, 0.176 m^2 placed (+0.00 %)'
+expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.176 m^2 requested, 0.176 m^2 placed (+0.00 %)'
 wall left 0.2
 expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S108\]: obstacles\[0\].line: .* layers of boundary particles'
 says 'try `liquid: right`'

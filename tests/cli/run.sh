@@ -24,7 +24,7 @@ done
 prints 'finished at t = 0.4' && prints 'particle-steps/s; .* per CPU second' && prints 'p99 .*mean .*maximum'
 grep -q 'above method.max_compression' out && fail 'the sound speed of the scene is not enough'
 expect 0 "$SPH2D" run "$TINY" -o soft --no-frames --progress never --set method.stiffness=1
-prints 'above method.max_compression, 10 %: about [0-9.]* times the sound speed would keep it'
+prints 'above method.max_compression, 10 %: about [0-9.]* times the sound speed would limit it'
 expect 0 "$SPH2D" run "$TINY" -o quiet --no-frames --quiet && empty && silent
 expect 0 "$SPH2D" run "$TINY" -o json --no-frames --json --progress never && lines 1
 for key in scene end time until speed particle_steps_per_second real_time_factor step_cpu_seconds output_cpu_seconds \
@@ -49,7 +49,7 @@ expect 0 "$SPH2D" run "$TINY" -o bare --no-frames --json --progress never && pri
 
 # Where the time went, for who asks.
 expect 0 "$SPH2D" run "$TINY" -o profile --no-frames --progress never --profile
-prints '^profile  *move  *[0-9.]* %' && prints '^  *density  *[0-9.]* %  .* CPU ns a particle and step'
+prints '^profile  *move  *[0-9.]* %' && prints '^  *density  *[0-9.]* %  .* CPU ns per particle and step'
 expect 0 "$SPH2D" run "$TINY" -o profiled --no-frames --json --profile && prints '"profile": {"move": {"seconds": '
 
 # The same bytes again, and without frames.

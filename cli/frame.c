@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/** @file picture.c
- *  From particles to what the renderer draws. */
-#include "picture.h"
+/** @file frame.c
+ *  Converts particles to the renderer's picture. */
+#include "frame.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -11,20 +11,20 @@
 
 #include "text.h"
 
-cli_look look_of_scene(const sph2d_scene *scene)
+frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
-    return (cli_look){scene->run.frames, scene->domain, scene->spacing};
+    return (frame_style){scene->run.frames, scene->domain, scene->spacing};
 }
 
-cli_look look_of_snapshot(const sph2d_snapshot *snapshot)
+frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 {
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
-    return (cli_look){info.frames, info.domain, info.spacing};
+    return (frame_style){info.frames, info.domain, info.spacing};
 }
 
 /* ---- fields ------------------------------------------------------------------------------------------------------ */
 
-/* A field by name; its name is NULL when there is none. */
+/* A field by name; its name is NULL if there is none. */
 static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name)
 {
     if (source->snapshot != NULL) {
@@ -39,7 +39,7 @@ static sph2d_array find_field(const particle_source *source, sph2d_group group, 
     return (sph2d_array){0};
 }
 
-/* A field of two numbers a particle, as doubles one after the other; its name is NULL when it is of another form. */
+/* A field of two contiguous doubles per particle; its name is NULL if it has another type or layout. */
 static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name)
 {
     sph2d_array array = find_field(source, group, name);
@@ -55,7 +55,7 @@ static sph2d_status missing_field(sph2d_report *report, const char *name)
 
 /* ---- colours ----------------------------------------------------------------------------------------------------- */
 
-bool picture_color_known(const char *name)
+bool frame_color_known(const char *name)
 {
     if (strcmp(name, "speed") == 0)
         return true;
@@ -67,7 +67,7 @@ bool picture_color_known(const char *name)
     return false;
 }
 
-char *picture_colors(char *out, size_t size)
+char *frame_colors(char *out, size_t size)
 {
     snprintf(out, size, "speed");
     for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
@@ -79,19 +79,19 @@ char *picture_colors(char *out, size_t size)
     return out;
 }
 
-sph2d_status look_check(const cli_look *look, sph2d_report *report)
+sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 {
-    const char *color = look->frames.color;
-    if (look->frames.style != SPH2D_STYLE_POINTS || color == NULL || picture_color_known(color))
+    const char *color = style->frames.color;
+    if (style->frames.style != SPH2D_STYLE_POINTS || color == NULL || frame_color_known(color))
         return SPH2D_OK;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, "run.frames.color",
-                                           "'%s' is no field to colour by", color);
+                                           "'%s' is not a field to colour by", color);
     char colors[200];
-    sph2d_diagnostic_hint(d, "there are: %s", picture_colors(colors, sizeof colors));
+    sph2d_diagnostic_hint(d, "one of: %s", frame_colors(colors, sizeof colors));
     return SPH2D_SCENE;
 }
 
-static bool make_room(picture_buffers *buffers, size_t count)
+static bool reserve(frame_buffers *buffers, size_t count)
 {
     if (count <= buffers->capacity)
         return true;
@@ -117,17 +117,17 @@ static void fill_values(double *values, const sph2d_array *field)
                                              : (double)((const uint64_t *)field->data[0])[i * field->stride];
 }
 
-/* The numbers that colour the points, and the text at the colour bar. */
-static sph2d_status make_values(const particle_source *source, const cli_look *look, picture_buffers *buffers,
+/* Sets the values that colour the points, and the label of the colour bar. */
+static sph2d_status make_values(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                 sph2d_picture *picture, sph2d_report *report)
 {
-    const char *name = look->frames.color;
+    const char *name = style->frames.color;
     bool speed = strcmp(name, "speed") == 0;
     sph2d_array field =
         speed ? find_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : find_field(source, SPH2D_GROUP_FLUID, name);
     if (field.name == NULL || field.count != picture->count || (!speed && field.components != 1))
         return missing_field(report, speed ? "Velocities" : name);
-    if (!make_room(buffers, field.count))
+    if (!reserve(buffers, field.count))
         return SPH2D_NOMEM;
     if (speed)
         fill_speeds(buffers->values, &field);
@@ -137,41 +137,41 @@ static sph2d_status make_values(const particle_source *source, const cli_look *l
     text_unit(unit, field.unit);
     snprintf(buffers->label, sizeof buffers->label, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
     picture->values = buffers->values;
-    picture->value_min = look->frames.color_range.x;
-    picture->value_max = look->frames.color_range.y;
+    picture->value_min = style->frames.color_range.x;
+    picture->value_max = style->frames.color_range.y;
     picture->value_label = buffers->label;
     return SPH2D_OK;
 }
 
-/* ---- the picture ------------------------------------------------------------------------------------------------- */
+/* ---- frames ------------------------------------------------------------------------------------------------------ */
 
-sph2d_status picture_make(const particle_source *source, const cli_look *look, picture_buffers *buffers,
-                          sph2d_picture *picture, sph2d_report *report)
+sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                        sph2d_picture *picture, sph2d_report *report)
 {
     sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
     sph2d_array walls = find_vectors(source, SPH2D_GROUP_WALL, "Coordinates");
     if (fluid.name == NULL || walls.name == NULL)
         return missing_field(report, "Coordinates");
-    bool points = look->frames.style == SPH2D_STYLE_POINTS;
-    double standard_radius = (points ? 0.5 : 2) * look->spacing;
+    bool points = style->frames.style == SPH2D_STYLE_POINTS;
+    double default_radius = (points ? 0.5 : 2) * style->spacing;
     *picture = (sph2d_picture){
-        .view = look->domain,
-        .radius = look->frames.radius > 0 ? look->frames.radius : standard_radius,
+        .view = style->domain,
+        .radius = style->frames.radius > 0 ? style->frames.radius : default_radius,
         .count = fluid.count,
         .x = fluid.data[0],
         .y = fluid.data[1],
         .wall_count = walls.count,
         .wall_x = walls.data[0],
         .wall_y = walls.data[1],
-        .wall_radius = 0.5 * look->spacing,
+        .wall_radius = 0.5 * style->spacing,
     };
-    if (!points || look->frames.color == NULL)
+    if (!points || style->frames.color == NULL)
         return SPH2D_OK;
-    return make_values(source, look, buffers, picture, report);
+    return make_values(source, style, buffers, picture, report);
 }
 
-void picture_free(picture_buffers *buffers)
+void frame_free(frame_buffers *buffers)
 {
     free(buffers->values);
-    *buffers = (picture_buffers){0};
+    *buffers = (frame_buffers){0};
 }

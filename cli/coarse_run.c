@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/** @file pilot.c
- *  The run with larger particles: with k times the spacing it has k^2 times fewer particles and k times fewer steps. */
-#include "pilot.h"
+/** @file coarse_run.c
+ *  The coarse run: k times the spacing means k^2 times fewer particles and k times fewer steps. */
+#include "coarse_run.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "clock.h"
 
-/* What it may take, and the fewest particles that still flow like the scene's. */
-static const double WANTED = 0.7, LONGEST = 1.5, FEWEST = 150;
+/* Target and maximum of its duration [s], and the minimum number of particles for a flow like the scene's. */
+static const double TARGET = 0.7, LONGEST = 1.5, MIN_PARTICLES = 150;
 
-/* Coarser than this, nothing is left of a scene; less, and nothing is gained. */
+/* Maximum coarsening, which keeps the shape of a scene, and the minimum that is worth a run. */
 static const double COARSEST = 8, FINEST = 1.4;
 
-/* With sources the start tells nothing of what comes: the pilot tells all, and may take longer. Until it has run, a
- * particle in a step is taken to need so long [s]. */
-static const double WANTED_WITH_SOURCES = 1.4, LONGEST_WITH_SOURCES = 4, USUAL = 4e-7;
+/* With sources the first steps do not show the cost of later ones, so the coarse run may take longer; its own duration
+ * is estimated by this time of a particle and step [s]. */
+static const double TARGET_WITH_SOURCES = 1.4, LONGEST_WITH_SOURCES = 4, USUAL = 4e-7;
 
-/* The steps whose time the scene's own first ones are compared with. */
+/* Number of its first steps, whose time is the reference for later ones. */
 enum { FIRST = 50 };
 
-#define NOTHING_KNOWN ((cli_pilot){.steps = 1, .particles = 1, .cost = 1})
+#define UNKNOWN ((coarse_run){.steps = 1, .particles = 1, .cost = 1})
 
-/** Mean number of particles of a scene with sources, when nothing is lost and the domain is not overfull. */
+/** Estimated mean number of particles of a scene with sources, without losses, limited by the domain's area. */
 static double mean_particles(const sph2d_scene *scene, double start)
 {
     const sph2d_box d = scene->domain;
@@ -37,20 +37,21 @@ static double mean_particles(const sph2d_scene *scene, double start)
     return fmin(start + fed / 2, (d.max.x - d.min.x) * (d.max.y - d.min.y) / area);
 }
 
-/** How much coarser, or 0 where that is of no use. `steps` and `seconds` are what the first steps let expect. */
+/** The factor of the spacing, or 0 for no coarse run. `steps` and `seconds` are expected from the scene's first
+ *  steps. */
 static double choose_coarsening(const sph2d_scene *scene, double steps, double seconds, double particles)
 {
     if (scene->particles.count > 0)
         return 0;
     if (scene->source_count > 0) {
         seconds = steps * mean_particles(scene, particles) * USUAL;
-        return fmin(fmax(cbrt(seconds / WANTED_WITH_SOURCES), FINEST), COARSEST);
+        return fmin(fmax(cbrt(seconds / TARGET_WITH_SOURCES), FINEST), COARSEST);
     }
-    double k = fmin(fmax(cbrt(seconds / WANTED), FINEST), COARSEST);
-    return k * k * FEWEST > particles ? sqrt(particles / FEWEST) : k;
+    double k = fmin(fmax(cbrt(seconds / TARGET), FINEST), COARSEST);
+    return k * k * MIN_PARTICLES > particles ? sqrt(particles / MIN_PARTICLES) : k;
 }
 
-/** The scene with larger particles. The blocks are copies that the caller frees; NULL without memory. */
+/** Enlarges the particles of a scene. Its blocks become copies, which the caller frees; NULL when memory is short. */
 static sph2d_block *coarsen(sph2d_scene *scene, double k)
 {
     sph2d_block *blocks = malloc((scene->block_count + 1) * sizeof *blocks);
@@ -65,7 +66,7 @@ static sph2d_block *coarsen(sph2d_scene *scene, double k)
     return blocks;
 }
 
-/** Steps as points (particles, seconds), summed for a straight line through them. */
+/** Sums for a linear fit of the time of steps over their number of particles. */
 typedef struct line_fit {
     double steps, n, nn, t, nt;
 } line_fit;
@@ -79,8 +80,8 @@ static void fit_add(line_fit *f, double n, double t)
     f->nt += n * t;
 }
 
-/** What a step takes: so much, and so much for each particle. Where their number hardly changes all is put down to the
- *  particles. */
+/** Fits the time of a step: a constant, and a part per particle. If the number of particles hardly changes, all of it
+ *  is attributed to the particles. */
 static void fit_end(const line_fit *f, double *of_step, double *of_particle)
 {
     const double spread = f->steps * f->nn - f->n * f->n;
@@ -92,7 +93,7 @@ static void fit_end(const line_fit *f, double *of_step, double *of_particle)
     *of_step = 0;
 }
 
-static cli_pilot follow(sph2d_sim *sim, double until, double longest)
+static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
 {
     const double begun = clock_cpu(), first_step = sph2d_sim_plan(sim)->time_step;
     double start = (double)sph2d_sim_fluid(sim).count, before = begun, count_time = 0;
@@ -113,38 +114,38 @@ static cli_pilot follow(sph2d_sim *sim, double until, double longest)
     sph2d_report_clear(&report);
     const double steps = (double)sph2d_sim_steps(sim), time = sph2d_sim_time(sim);
     if (!(steps > 0 && time > 0 && before > begun && fit.n > 0))
-        return NOTHING_KNOWN;
-    /* what is left is taken to gain, or lose, as many particles in a second as came so far */
+        return UNKNOWN;
+    /* extrapolates the gain or loss of particles per second to the rest of the run */
     const double end = (double)sph2d_sim_fluid(sim).count, left = fmax(until - time, 0);
     const double mean = (count_time + left * fmax(end + (end - start) / time * left / 2, 0)) / (time + left);
     const double cost = (before - begun) / fit.n;
-    cli_pilot pilot = {.steps = steps * first_step / time,
-                       .particles = start > 0 ? mean / start : 1,
-                       .cost = start > 0 && first_cost > 0 ? cost / first_cost : 1,
-                       .mean = mean};
-    fit_end(&fit, &pilot.cpu_of_step, &pilot.cpu_of_particle);
-    return pilot;
+    coarse_run run = {.steps = steps * first_step / time,
+                      .particles = start > 0 ? mean / start : 1,
+                      .cost = start > 0 && first_cost > 0 ? cost / first_cost : 1,
+                      .mean = mean};
+    fit_end(&fit, &run.cpu_of_step, &run.cpu_of_particle);
+    return run;
 }
 
-cli_pilot pilot_run(const sph2d_scene *scene, double steps, double seconds, double particles)
+coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double seconds, double particles)
 {
-    cli_pilot pilot = NOTHING_KNOWN;
+    coarse_run run = UNKNOWN;
     const double k = choose_coarsening(scene, steps, seconds, particles);
     if (!(k >= FINEST))
-        return pilot;
+        return run;
     sph2d_scene coarse = *scene;
     sph2d_block *blocks = coarsen(&coarse, k);
     if (blocks == NULL)
-        return pilot;
+        return run;
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 1;
     sph2d_sim *sim = NULL;
     sph2d_report report = {0};
     if (sph2d_sim_create(&coarse, &options, &sim, &report) == SPH2D_OK)
-        pilot = follow(sim, coarse.run.until, scene->source_count > 0 ? LONGEST_WITH_SOURCES : LONGEST);
-    pilot.mean *= k * k;
+        run = run_coarse(sim, coarse.run.until, scene->source_count > 0 ? LONGEST_WITH_SOURCES : LONGEST);
+    run.mean *= k * k;
     sph2d_sim_destroy(sim);
     sph2d_report_clear(&report);
     free(blocks);
-    return pilot;
+    return run;
 }

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/** @file frame.h
+ *  Converts particles to the renderer's picture, for the frames of a run and `sph2d render`, so that the same particles
+ *  give the same pixels. */
+#ifndef SPH2D_CLI_FRAME_H
+#define SPH2D_CLI_FRAME_H
+
+#include <sph2d/io.h>
+#include <sph2d/render.h>
+
+/** The style of frames: the scene's settings, domain and spacing. */
+typedef struct frame_style {
+    sph2d_frames frames;
+    sph2d_box domain; /**< [m] */
+    double spacing;   /**< [m] */
+} frame_style;
+
+frame_style frame_style_of_scene(const sph2d_scene *scene);
+frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot);
+
+/** Checks the field to colour by. Errors: SPH2D_SCENE, at the key. */
+sph2d_status frame_style_check(const frame_style *style, sph2d_report *report);
+
+/** The source of particles: a simulation or a snapshot. */
+typedef struct particle_source {
+    const sph2d_sim *sim;
+    const sph2d_snapshot *snapshot;
+} particle_source;
+
+/** Values that a picture borrows. Initialise with {0}, keep it as long as the picture, free it with frame_free. */
+typedef struct frame_buffers {
+    double *values;
+    size_t capacity;
+    char label[96];
+} frame_buffers;
+
+/** Makes a picture of the particles. Errors: SPH2D_FORMAT if a field is missing, SPH2D_NOMEM. */
+sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                        sph2d_picture *picture, sph2d_report *report);
+void frame_free(frame_buffers *buffers);
+
+/** Whether points can be coloured by this field. */
+bool frame_color_known(const char *name);
+/** All such fields, "speed, Densities, ...". Returns `out`. */
+char *frame_colors(char *out, size_t size);
+
+#endif
