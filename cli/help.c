@@ -53,7 +53,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "Runs the scene that STUDY names once a row, each with changes of its own, reduces the series of probes\n"
         "to numbers, compares them with what is expected, and prints one table, error beside speed, and the\n"
         "cheapest row for a wanted error. Ends with 1 when an error is above its bound. With -o the folder gets\n"
-        "the numbers, plots, a page and the cheapest scene, and the same command goes on where it was stopped.\n"
+        "the numbers, plots, a page and the cheapest scene, and the same command continues where it was stopped.\n"
         "STUDY may be a scene: then its spacing and its stiffness are varied.\n"
         "\n"
         "  sph2d study study.yaml\n"

@@ -250,7 +250,7 @@ START_TEST(a_single_bit_is_noticed)
     size_t size;
     unsigned char *bytes = load_file("a.h5", &size);
     for (size_t i = 0; i < 200; ++i) {
-        size_t at = (size - 16) * i / 200; /* the seal has 16 bytes */
+        size_t at = (size - 16) * i / 200; /* the trailer has 16 bytes */
         bytes[at] ^= (unsigned char)(1u << i % 8);
         store_file("b.h5", bytes, size);
         bytes[at] ^= (unsigned char)(1u << i % 8);
@@ -262,7 +262,7 @@ START_TEST(a_single_bit_is_noticed)
 END_TEST
 
 /* Eight letters, then XXH64 of all before them, which other programs can compute, lowest byte first. */
-START_TEST(the_seal_is_a_standard_checksum)
+START_TEST(the_trailer_is_a_standard_checksum)
 {
     write_snapshot("a.h5", 0);
     ck_assert_uint_eq(XXH64("", 0, 0), UINT64_C(0xef46db3751d8e999)); /* as its specification says */
@@ -294,7 +294,7 @@ static bool survives(void)
            H5Fget_obj_count((hid_t)H5F_OBJ_ALL, H5F_OBJ_ALL) == 0;
 }
 
-/* Plain and compressed files; without their seal HDF5 1.10 itself reads a few bytes past the buffer of a damaged
+/* Plain and compressed files; without their trailer HDF5 1.10 itself reads a few bytes past the buffer of a damaged
  * compressed chunk, which AddressSanitizer sees in it. */
 #ifdef __SANITIZE_ADDRESS__
 enum { DAMAGED_KINDS = 1 };
@@ -302,7 +302,7 @@ enum { DAMAGED_KINDS = 1 };
 enum { DAMAGED_KINDS = 2 };
 #endif
 
-/** Takes the seal off and turns bits and bytes at random. HDF5 must not crash over them, nor the reader, nor a
+/** Removes the trailer and turns bits and bytes at random. HDF5 must not crash over them, nor the reader, nor a
  *  simulation made of the result. In a process of its own: HDF5 loses memory over damaged files, and would say so. */
 START_TEST(damaged_files_do_no_harm)
 {
@@ -344,7 +344,7 @@ TCase *snapshot_refusals(void)
     tcase_add_test(refused, what_is_no_snapshot_is_refused);
     tcase_add_test(refused, cut_files_are_refused);
     tcase_add_test(refused, a_single_bit_is_noticed);
-    tcase_add_test(refused, the_seal_is_a_standard_checksum);
+    tcase_add_test(refused, the_trailer_is_a_standard_checksum);
     tcase_add_loop_test(refused, damaged_files_do_no_harm, 0, DAMAGED_KINDS);
     return refused;
 }

@@ -230,8 +230,8 @@ hid_t sph2d__h5_dataset(sph2d__h5_writer *w, hid_t at, const char *name, hid_t t
     hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     bool ok = space >= 0 && set_object(properties) && H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER) >= 0;
     if (ok && w->compress > 0 && rows >= MIN_COMPRESSED_ROWS) {
-        size_t most = CHUNK_VALUES / (columns > 0 ? columns : 1);
-        hsize_t chunk[2] = {rows < most ? rows : most, columns};
+        size_t max_rows = CHUNK_VALUES / (columns > 0 ? columns : 1);
+        hsize_t chunk[2] = {rows < max_rows ? rows : max_rows, columns};
         ok = H5Pset_chunk(properties, rank, chunk) >= 0 && H5Pset_shuffle(properties) >= 0 &&
              H5Pset_deflate(properties, w->compress) >= 0;
     }

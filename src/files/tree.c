@@ -68,7 +68,7 @@ sph2d__place sph2d__node_place(const sph2d__node *node)
     return node->key && (block || sph2d__node_is_null(node)) ? node->key_place : node->place;
 }
 
-/** The number of leading bytes of a text, at limit `limit`, on its first line, without a partial UTF-8 character. */
+/** The number of leading bytes of a text, at most `limit`, on its first line, without a partial UTF-8 character. */
 static size_t truncate_text(const char *text, size_t limit)
 {
     size_t line = strcspn(text, "\n\r");

@@ -14,7 +14,7 @@ static const double MARGIN = 1 + 1e-6;
 
 /* Cells have 32-bit indices. */
 static const double MAX_CELLS = 4e9;
-/* Cells grow by at most this factor at a time, so that an extent near DBL_MAX does not make them infinite. */
+/* Cells grow by at max_sorters this factor at a time, so that an extent near DBL_MAX does not make them infinite. */
 static const double MAX_GROWTH = 1e100;
 
 typedef struct bounds {
@@ -246,9 +246,9 @@ static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_
 /** Depends on the team's limit, not on the threads in use: the memory then stays the same. */
 static int sorters_for(const sph2d__team *team, size_t count)
 {
-    int most = sph2d__team_limit(team) < SORTERS ? sph2d__team_limit(team) : SORTERS;
+    int max_sorters = sph2d__team_limit(team) < SORTERS ? sph2d__team_limit(team) : SORTERS;
     size_t worth = count / SPH2D__GRAIN;
-    return worth < 1 ? 1 : worth < (size_t)most ? (int)worth : most;
+    return worth < 1 ? 1 : worth < (size_t)max_sorters ? (int)worth : max_sorters;
 }
 
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,

@@ -32,13 +32,13 @@ static axis axis_of(double low, double high, double period, double dx, const dou
     double cells = fmax(ceil((high - low) * CELLS / dx - 1e-9), 1), size = (high - low) / cells;
     if (period > 0)
         return (axis){low, size, (size_t)cells, (size_t)cells};
-    double least = low, most = high, far = high - low;
+    double lowest = low, highest = high, far = high - low;
     for (size_t i = 0; i < count; ++i) {
-        least = fmin(least, x[i]);
-        most = fmax(most, x[i]);
+        lowest = fmin(lowest, x[i]);
+        highest = fmax(highest, x[i]);
     }
-    double before = REACH + ceil((low - fmax(least, low - far)) / size);
-    double behind = REACH + ceil((fmin(most, high + far) - high) / size);
+    double before = REACH + ceil((low - fmax(lowest, low - far)) / size);
+    double behind = REACH + ceil((fmin(highest, high + far) - high) / size);
     size_t all = (size_t)(cells + before + behind);
     return (axis){low - before * size, size, all, all + 1};
 }

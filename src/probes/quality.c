@@ -15,7 +15,7 @@ typedef struct distances {
     size_t paired;      /**< number of distances below half a spacing */
 } distances;
 
-/** Distance from particle `i` to its nearest neighbour [m], at most the support radius. */
+/** Distance from particle `i` to its nearest neighbour [m], at largest the support radius. */
 static double nearest(const sph2d_sim *sim, size_t i)
 {
     const sph2d__store *f = &sim->system.fluid;
@@ -94,18 +94,18 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
     search l = {.sim = sim};
     find_distances(&l);
     const distances *d = &l.found;
-    double n = (double)f->count, square = 0, most = 0, speed2 = 0;
+    double n = (double)f->count, square = 0, largest = 0, speed2 = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double error = f->density[i] / s->rest_density - 1, v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         square += error * error;
-        most = fmax(most, fabs(error));
+        largest = fmax(largest, fabs(error));
         speed2 = fmax(speed2, v2);
     }
     values[0] = quantile(d, 0) / s->spacing;
     values[1] = quantile(d, f->count / 100) / s->spacing;
     values[2] = (double)d->paired / n;
     values[3] = sqrt(square / n);
-    values[4] = most;
+    values[4] = largest;
     values[5] = sqrt(speed2) / s->sound_speed;
     sph2d_densities inside = sph2d_sim_densities(sim);
     values[6] = inside.reported;

@@ -19,7 +19,7 @@
 enum { QUADRATIC = 6, LINEAR = 3, CONSTANT = 1, TERMS = QUADRATIC, FIELDS = 4 };
 
 /* A term is not determined by the neighbours if its pivot is below this fraction of its diagonal element. Inside liquid
- * it is at least a tenth; from a hundredth on, noise is amplified tenfold at most. */
+ * it is at least a tenth; from a hundredth on, noise is amplified tenfold at largest. */
 static const double MIN_PIVOT = 0.01;
 
 /** The particles around a point. */
@@ -68,7 +68,7 @@ static double weigh(const surroundings *s, int r, size_t j, double terms[TERMS])
 /** Sums the matrix, and finds the nearest neighbour and the range of each field. */
 static void sum_matrix(surroundings *s)
 {
-    double terms[TERMS], most = 0;
+    double terms[TERMS], largest = 0;
     SPH2D__FOR_NEIGHBOURS (&s->ranges, r, j) {
         double w = weigh(s, r, j, terms);
         if (!(w > 0))
@@ -81,8 +81,8 @@ static void sum_matrix(surroundings *s)
             s->low[k] = s->neighbours > 0 ? fmin(s->low[k], value) : value;
             s->high[k] = s->neighbours > 0 ? fmax(s->high[k], value) : value;
         }
-        if (w > most) {
-            most = w;
+        if (w > largest) {
+            largest = w;
             s->nearest = j;
         }
         ++s->neighbours;

@@ -105,17 +105,18 @@ typedef struct layout {
 static layout arrange(int width, int height, const char *label)
 {
     layout at = {.unit = fmax(1.1, (width < height ? width : height) / 400.0)};
-    const double pads = 2 * PAD * at.unit, most = width / 3.0 - pads, numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
+    const double pads = 2 * PAD * at.unit, max_width = width / 3.0 - pads,
+                 numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
     snprintf(at.title, sizeof at.title, "%s", label != NULL ? label : "");
     size_t length = strlen(at.title);
-    while (length > 0 && sph2d__canvas_text_width(at.unit, at.title) > most)
+    while (length > 0 && sph2d__canvas_text_width(at.unit, at.title) > max_width)
         at.title[--length] = '\0';
     at.width = (int)ceil(fmax(numbers, sph2d__canvas_text_width(at.unit, at.title)) + pads);
     at.bar_width = (int)lrint(BAR * at.unit);
     at.bar_height = (int)lrint(0.4 * height);
     at.bar_x = width - at.width + (int)lrint(PAD * at.unit);
     at.bar_y = (int)lrint((PAD + TITLE) * at.unit);
-    const bool fits = numbers <= most && at.bar_height >= 10 * TICKS_TARGET * at.unit &&
+    const bool fits = numbers <= max_width && at.bar_height >= 10 * TICKS_TARGET * at.unit &&
                       at.bar_y + at.bar_height + PAD * at.unit < height;
     if (!fits)
         at.width = 0;

@@ -46,7 +46,7 @@ enum { COLUMNS = 4 };
 static const double MIN_NARROW_RATIO = 2.8;
 
 /** The arrays of floats of the fluid that pair loops read (methods/common/packed.h). Fitted operators use no volumes,
- *  and read boundary particles in double precision. */
+ *  and read boundary particles from the arrays of doubles. */
 static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
 {
     const sph2d__set more = SPH2D__BIT(packed_gradient) | SPH2D__BIT(packed_strain),

@@ -88,11 +88,11 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_outline *outline, sp
         double t = i / count;
         sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x), s.a.y + t * (s.b.y - s.a.y)};
         double thickness = thickness_at(outline, p, in, dx / STEPS_PER_SPACING, required * (1 - 1e-9));
-        double room = required * (1 - 1e-9) - thickness;
-        if (!(room > 0))
+        double distance = required * (1 - 1e-9) - thickness;
+        if (!(distance > 0))
             continue;
-        double front = surface_height(scene, outline, p, (sph2d_vec2){-in.x, -in.y}, room);
-        double back = surface_height(scene, outline, displaced(p, in, thickness), in, room);
+        double front = surface_height(scene, outline, p, (sph2d_vec2){-in.x, -in.y}, distance);
+        double back = surface_height(scene, outline, displaced(p, in, thickness), in, distance);
         *found = (thin){p, thickness, fabs(front - back)};
         if (found->apart > fmax(thickness, dx)) /* false if one is NaN */
             return true;

@@ -221,8 +221,8 @@ sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
 
 void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt)
 {
-    double most = s->speed > 0 ? limit * s->support / (s->speed * dt) : INFINITY;
-    s->shift_gain = fmin(s->method.shifting * gain, most);
+    double max_gain = s->speed > 0 ? limit * s->support / (s->speed * dt) : INFINITY;
+    s->shift_gain = fmin(s->method.shifting * gain, max_gain);
 }
 
 void sph2d__predict(sph2d_sim *sim, double dt, sph2d__batch *w)

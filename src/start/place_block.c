@@ -331,8 +331,8 @@ sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *
     snprintf(path, sizeof path, "blocks[%zu]", index);
     if (sph2d__sim_too_many(sim, (double)fluid->count + count, path, report))
         return SPH2D_SCENE;
-    double most = fmax(count, (l.nx + 2) * (l.ny + 2)); /* of a stretched lattice */
-    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + (size_t)ceil(most)))
+    double max_count = fmax(count, (l.nx + 2) * (l.ny + 2)); /* of a stretched lattice */
+    if (!sph2d__store_reserve(fluid, &sim->memory, fluid->count + (size_t)ceil(max_count)))
         return SPH2D_NOMEM;
     if (rings > 0)
         place_rings(sim, &b, (size_t)rings);
