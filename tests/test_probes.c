@@ -2,21 +2,24 @@
 /** @file test_probes.c
  *  Each kind of probe on particles placed by hand, whose answer is known. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "hand_made.h"
 #include "sph2d/key.h"
 
 static const double DX = 0.01;
-enum { KINDS = SPH2D_PROBE_LEVEL + 1 };
+#define ONE_MORE(...) +1
+enum { KINDS = 0 SPH2D_PROBE_MAP(ONE_MORE) };
 
 /** A scene with one probe of each kind at a point. */
 static sph2d_scene with_probes(sph2d_scene scene, sph2d_vec2 at)
 {
     static sph2d_probe probes[KINDS];
-    static const char *const names[KINDS] = {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k"};
+    static char names[KINDS][4];
     for (int k = 0; k < KINDS; ++k) {
         probes[k] = sph2d_probe_default();
+        snprintf(names[k], sizeof names[k], "p%d", k);
         probes[k].name = names[k];
         probes[k].kind = (sph2d_probe_kind)k;
         probes[k].at = at;
@@ -87,6 +90,7 @@ START_TEST(without_liquid_nothing_has_a_value)
     sph2d_sim *sim = in_the_open(1);
     for (int k = 0; k < KINDS; ++k) {
         const double *values = evaluate(sim, (sph2d_probe_kind)k);
+        ck_assert_msg(words[k], "what kind %d has without liquid is missing above", k);
         for (size_t c = 0; words[k][c]; ++c)
             ck_assert(words[k][c] == 'n' ? isnan(values[c]) : values[c] == 0);
     }

@@ -135,7 +135,7 @@ void study_table_print(const cli_study *s)
 {
     study_column *columns;
     size_t count = study_columns_shown(s, &columns);
-    int *widths = malloc((count + 1) * sizeof *widths);
+    int *widths = calloc(count + 1, sizeof *widths);
     char line[1024], build[1024];
     if (columns != NULL && widths != NULL)
         print_rows(s, columns, widths, count);

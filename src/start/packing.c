@@ -70,9 +70,17 @@ static bool set_positions(sph2d__packing_state *p)
  *  pairs (Dehnen & Aly 2012): with the cubic spline at H = 3.9 dx they came within 1e-6 dx of each other. */
 static sph2d_kernel packing_kernel(sph2d_kernel kernel)
 {
-    if (kernel == SPH2D_KERNEL_CUBIC)
+    switch (kernel) {
+    case SPH2D_KERNEL_CUBIC:
         return SPH2D_KERNEL_WENDLAND_C2;
-    return kernel == SPH2D_KERNEL_QUINTIC ? SPH2D_KERNEL_WENDLAND_C4 : kernel;
+    case SPH2D_KERNEL_QUINTIC:
+        return SPH2D_KERNEL_WENDLAND_C4;
+    case SPH2D_KERNEL_WENDLAND_C2:
+    case SPH2D_KERNEL_WENDLAND_C4:
+    case SPH2D_KERNEL_WENDLAND_C6:
+        break;
+    }
+    return kernel;
 }
 
 static sph2d__packing_state state_of(sph2d_sim *sim, sph2d__region *region)

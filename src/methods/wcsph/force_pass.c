@@ -95,15 +95,19 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 /* The kernel that nearly all scenes have. */
 static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
 
-/** The copy that has a scene's terms and no others. */
+/** The copy that has a scene's terms and no others; for terms that have none, loops that ask for them. */
 SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
     const terms with = terms_of(s, USUAL);
 #define TRY(of, form1, form2, rough)                                                                                   \
-    if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 && with.eddies == rough) \
-        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, rough}, walls_of);
+    if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 &&                       \
+        with.eddies == rough) {                                                                                        \
+        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, rough}, walls_of);                 \
+        return;                                                                                                        \
+    }
     FOR_COPIES(TRY)
 #undef TRY
+    force_with(s, first, last, with, walls_of);
 }
 
 /* For every kernel; those that are not usual ask for their terms in the loops, which takes 2 % of a step. */
