@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file body.h
- *  What acts on each particle by itself: gravity, a central force, spring walls, point forces. */
+ *  Body forces on a particle: gravity, a central force, spring walls, point forces. */
 #ifndef SPH2D_METHODS_COMMON_BODY_H
 #define SPH2D_METHODS_COMMON_BODY_H
 
@@ -14,7 +14,7 @@ typedef struct sph2d__body {
     double center_x, center_y;   /**< of the central force [m] */
     double central_rate2;        /**< B^2 in the acceleration -B^2 (x - center) [1/s^2] */
     sph2d__spring_walls springs;
-    const sph2d__point_force *points; /**< that act now */
+    const sph2d__point_force *points; /**< those active at present */
     size_t point_count;
 } sph2d__body;
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file group.h
- *  The traversal of pair loops: some particles of one row at a time, one in each lane, and the particles around all of
- *  them one by one.
+ *  The traversal of pair loops: a group of particles of one row at a time, one in each lane, and the candidates around
+ *  all of them one by one.
  *
- *  What is read of a candidate serves every lane, and no sum must be added up over lanes in the end; the price is that
- *  candidates of the group's other particles count as nothing for most lanes. On a lattice of H/dx = 2.6 a particle
- *  goes through 13 candidates at 4 lanes, 8 at 8 and 5.5 at 16, where 21 are neighbours. A quarter of them is not
- *  near the box around the group: loops that do much with a pair sift them first (tests/bench/README.md).
+ *  A candidate is loaded once for all lanes, and no sum is reduced over lanes at the end; the price is that a candidate
+ *  contributes nothing to lanes that it is too far from. On a lattice with H/dx = 2.6 the loop visits 13 candidates per
+ *  particle with 4 lanes, 8 with 8 and 5.5 with 16, where 21 are neighbours. A quarter of them is farther than H from
+ *  the box around the group: loops with expensive pair terms filter them first (tests/bench/README.md).
  *
- *  Each lane sums in the order of memory, so that doubles have the same bits whatever the number of lanes. Lanes behind
- *  the last particle hold whatever follows in memory (arrays are padded); what they sum up is not kept. */
+ *  Each lane sums in memory order, so that doubles have the same bits for any number of lanes. Lanes after the last
+ *  particle hold whatever follows in memory (arrays are padded); their sums are discarded. */
 #ifndef SPH2D_METHODS_COMMON_GROUP_H
 #define SPH2D_METHODS_COMMON_GROUP_H
 
@@ -21,12 +21,12 @@
 /** How a store's particles are grouped. */
 typedef struct sph2d__grouping {
     const sph2d__store *store;
-    const sph2d__cells *cells, *other; /**< the store's, and others' in which particles near a group are; or NULL */
-    uint32_t columns;                  /**< that the last particle of a group may be away from the first */
-    double width, height;              /**< a group of several particles is no larger: other cells ask for that [m] */
+    const sph2d__cells *cells, *other; /**< the store's own, and those of the other store that is searched; or NULL */
+    uint32_t columns;                  /**< most columns between the first particle of a group and the last */
+    double width, height;              /**< largest box of a group of several particles, set by `other` [m] */
 } sph2d__grouping;
 
-/** A group: particles first to first + count - 1, the cells in which they are and, where there are others, the box. */
+/** A group: particles first to first + count - 1, their cells and, if there are other cells, their bounding box. */
 typedef struct sph2d__group {
     size_t first;
     int count;
@@ -34,18 +34,18 @@ typedef struct sph2d__group {
     double low_x, low_y, high_x, high_y;
 } sph2d__group;
 
-/* A group is no wider than this many support radii: in spray its particles are far apart. */
+/* Largest width of a group in support radii: in spray particles are far apart. */
 enum { SPH2D__GROUP_WIDTH = 4 };
 
-/** Columns of the period that a group may take beside its first so that what is around it does not meet itself; one is
- *  kept for rounding at the period's end. */
+/** The columns that a group may span after its first without its neighbourhood overlapping itself across the period;
+ *  one is kept for rounding at the end of the period. */
 static inline uint32_t sph2d__spare_columns(const sph2d__cells *cells)
 {
     uint32_t spare = cells->nx - 2 * SPH2D__RIM * cells->columns - (2 * cells->columns + 1);
     return spare > 0 ? spare - 1 : 0;
 }
 
-/** The grouping of a store's particles, in `own` cells, that meet others in their own and in `other` cells. */
+/** The grouping of a store's particles, in `own` cells, whose neighbours are in their own and in `other` cells. */
 static inline sph2d__grouping sph2d__grouping_of(const sph2d__store *store, const sph2d__cells *own,
                                                  const sph2d__cells *other)
 {
@@ -53,17 +53,17 @@ static inline sph2d__grouping sph2d__grouping_of(const sph2d__store *store, cons
     if (own->period.length_x > 0 && sph2d__spare_columns(own) < by.columns)
         by.columns = sph2d__spare_columns(own);
     if (other && (other->width != own->width || other->height != own->height)) {
-        by.height = other->height; /* two rows, then, and one on either side */
+        by.height = other->height; /* so that a group covers two rows at most, and one more on either side */
         if (own->period.length_x > 0)
             by.width = (sph2d__spare_columns(other) - 1.0) * other->width;
     }
-    /* In a period of three rows those around two would meet themselves. */
+    /* In a period of three rows the neighbourhood of two rows would overlap itself. */
     if (other && own->period.length_y > 0 && other->ny - 2 * SPH2D__RIM < 4)
         by.height = 0;
     return by;
 }
 
-/** Lays the box around a group. */
+/** Sets the bounding box of a group. */
 static inline void sph2d__group_box(const sph2d__store *store, sph2d__group *g)
 {
     const double *x = store->x + g->first, *y = store->y + g->first;
@@ -80,8 +80,8 @@ static inline void sph2d__group_box(const sph2d__store *store, sph2d__group *g)
     g->high_y = high_y;
 }
 
-/** The group that begins with particle i, before particle `last`. Called, as there is a copy of the loops for each set
- *  of terms: compilers would put it into some of them. */
+/** The group that starts at particle i and ends before particle `last`. Not inlined: there is a copy of the loops for
+ *  each set of terms, and compilers would inline it into some of them. */
 static __attribute__((noinline, unused)) sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, size_t last)
 {
     const sph2d__cells *c = by->cells;
@@ -100,7 +100,7 @@ static __attribute__((noinline, unused)) sph2d__group sph2d__group_at(const sph2
     return g;
 }
 
-/** The particles of the cells of a patch and around it. */
+/** The particles in the cells of a patch and around it. */
 static __attribute__((noinline, unused)) void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__patch *p,
                                                                   sph2d__ranges *to)
 {
@@ -129,8 +129,8 @@ static __attribute__((noinline, unused)) void sph2d__patch_ranges(const sph2d__c
     to->count = count;
 }
 
-/** The particles of the other cells that may be near a group. False when there are none. */
-static inline bool sph2d__group_near(const sph2d__grouping *by, const sph2d__group *g, sph2d__ranges *to)
+/** The candidates for a group in the other cells. False when there are none. */
+static inline bool sph2d__group_others(const sph2d__grouping *by, const sph2d__group *g, sph2d__ranges *to)
 {
     sph2d__patch patch;
     if (!by->other || !sph2d__cells_patch(by->other, g->low_x, g->low_y, g->high_x, g->high_y, &patch))
@@ -139,37 +139,37 @@ static inline bool sph2d__group_near(const sph2d__grouping *by, const sph2d__gro
     return to->count > 0;
 }
 
-/** Coordinates of a group in the lanes, moved by the way that belongs to a range. */
-SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double way)
+/** Loads values of a group, one in each lane, plus an offset: for coordinates the image offset of a range. */
+SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double offset)
 {
 #ifdef SPH2D__MIXED
     sph2d__real moved[SPH2D__LANES];
     for (int l = 0; l < SPH2D__LANES; ++l)
-        moved[l] = (sph2d__real)(from[l] + way);
+        moved[l] = (sph2d__real)(from[l] + offset);
     return sph2d__lanes_load(moved);
 #else
-    return sph2d__lanes_load(from) + way;
+    return sph2d__lanes_load(from) + offset;
 #endif
 }
 
-/* Candidates that are sifted at a time. */
+/* Candidates that are filtered at a time. */
 enum { SPH2D__SIFTED = 256 };
 
-/** Hands out the candidates of a group that are near the box around it, which must have been laid: 71 of 100
- *  at 4 lanes, 77 at 8. Where vectors are of 16 bytes it hands out all, as sifting takes as long as it saves. */
+/** Yields the candidates of a group within H of its bounding box, which must be set: 71 of 100 with 4 lanes, 77 with 8.
+ *  With vectors of 16 bytes it yields all, since filtering costs as much as it saves. */
 typedef struct sph2d__sieve {
-    sph2d__real reach2;        /**< more than the squared support radius, by more than rounding */
-    int range;                 /**< where to go on, in this range */
-    size_t next, count;        /**< with this particle; candidates found */
-    double offset_x, offset_y; /**< the way that belongs to them [m] */
+    sph2d__real reach2;        /**< squared support radius, larger by more than rounding errors */
+    int range;                 /**< the range to continue in */
+    size_t next, count;        /**< the particle to continue with; the number of candidates found */
+    double offset_x, offset_y; /**< image offset of the candidates [m] */
 #ifdef __AVX__
-    uint32_t index[SPH2D__SIFTED + SPH2D__PADDING]; /**< blocks are written whole */
+    uint32_t index[SPH2D__SIFTED + SPH2D__PADDING]; /**< the candidates; written in whole blocks */
 #else
-    size_t first; /**< the first one found */
+    size_t first; /**< the first candidate */
 #endif
 } sph2d__sieve;
 
-/** Begins with the candidates in some ranges. */
+/** Starts with the candidates in `ranges`. */
 static inline void sph2d__sieve_start(sph2d__sieve *sieve, const sph2d__ranges *ranges, double support)
 {
     sieve->reach2 = (sph2d__real)(support * support * 1.0001);
@@ -177,7 +177,7 @@ static inline void sph2d__sieve_start(sph2d__sieve *sieve, const sph2d__ranges *
     sieve->next = ranges->count > 0 ? ranges->begin[0] : 0;
 }
 
-/** Finds more candidates, of those at `x` and `y`. False when there are none left. */
+/** Finds the next candidates, whose positions are in `x` and `y`. False when there are none left. */
 #ifdef __AVX__
 SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const sph2d__ranges *ranges,
                                const sph2d__real *x, const sph2d__real *y)
@@ -191,7 +191,7 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
     const sph2d__lanes zero = {0};
     size_t j = sieve->next, count = 0;
     do {
-        const size_t room = SPH2D__SIFTED - count, end = ranges->end[r], stop = end - j > room ? j + room : end;
+        const size_t space = SPH2D__SIFTED - count, end = ranges->end[r], stop = end - j > space ? j + space : end;
         for (; j < stop; j += SPH2D__LANES) {
             sph2d__lanes at_x = sph2d__lanes_load(x + j), at_y = sph2d__lanes_load(y + j);
             sph2d__lanes dx = sph2d__lanes_max(sph2d__lanes_max(low_x - at_x, at_x - high_x), zero);
@@ -216,7 +216,7 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
     return true;
 }
 
-/** Runs the statement behind it for each candidate `j` that was found. */
+/** Runs the statement that follows for each candidate `j` that was found. */
 #define SPH2D__FOR_FOUND(sieve, j)                                                                                     \
     for (size_t k_##j = 0, j; k_##j < (sieve).count && (j = (sieve).index[k_##j], true); ++k_##j)
 #else
@@ -240,10 +240,10 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
 #define SPH2D__FOR_FOUND(sieve, j) for (size_t j = (sieve).first; j < (sieve).first + (sieve).count; ++j)
 #endif
 
-/** Runs the statement behind it for each lane that has a particle. */
+/** Runs the statement that follows for each lane that has a particle. */
 #define SPH2D__FOR_LANES(g, l) for (int l = 0; l < SPH2D__LANES && l < (g).count; ++l)
 
-/** Runs the statement behind it for each group `g` of particles `from` to `last` - 1. */
+/** Runs the statement that follows for each group `g` of particles `from` to `last` - 1. */
 #define SPH2D__FOR_GROUPS(by, g, from, last)                                                                           \
     for (size_t at_##g = (from); at_##g < (last);)                                                                     \
         for (sph2d__group g = sph2d__group_at(by, at_##g, last); at_##g == g.first; at_##g += (size_t)g.count)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file packed.c
- *  Copying into floats. */
+ *  Copies particle data into floats. */
 #include "methods/common/packed.h"
 
 #include "methods/common/slabs.h"
 
-/** Copies values `first` to `last` - 1, less what they are relative to. */
+/** Copies values `first` to `last` - 1, minus their reference value. */
 static void pack(float *restrict to, const double *restrict from, double relative_to, size_t first, size_t last)
 {
     if (to && from)
@@ -13,8 +13,8 @@ static void pack(float *restrict to, const double *restrict from, double relativ
             to[i] = (float)(from[i] - relative_to);
 }
 
-/** Copies places, tile after tile. */
-static void pack_places(const sph2d__store *t, const sph2d__cells *cells, size_t first, size_t last)
+/** Copies positions, tile by tile. */
+static void pack_positions(const sph2d__store *t, const sph2d__cells *cells, size_t first, size_t last)
 {
     while (first < last) {
         uint32_t cell = cells->cell[cells->order[first]], row = cell / cells->nx, column = cell - row * cells->nx;
@@ -27,11 +27,11 @@ static void pack_places(const sph2d__store *t, const sph2d__cells *cells, size_t
     }
 }
 
-/** All but what one of the pair loops reads alone. */
+/** Copies what all pair loops read. */
 static void pack_common(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    pack_places(f, &s->fluid_cells, first, last);
+    pack_positions(f, &s->fluid_cells, first, last);
     pack(sph2d__floats(f, f->packed_velocity, 0), f->vx, 0, first, last);
     pack(sph2d__floats(f, f->packed_velocity, 1), f->vy, 0, first, last);
     pack(sph2d__floats(f, f->packed_density, 0), f->density, s->rest_density, first, last);
@@ -59,7 +59,7 @@ static void pack_some_fluid_rates(sph2d__system *s, size_t first, size_t last)
 static void pack_some_wall_rates(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *w = &s->walls;
-    pack_places(w, &s->wall_cells, first, last);
+    pack_positions(w, &s->wall_cells, first, last);
     pack(sph2d__floats(w, w->packed_velocity, 0), w->image_vx, 0, first, last);
     pack(sph2d__floats(w, w->packed_velocity, 1), w->image_vy, 0, first, last);
     pack(sph2d__floats(w, w->packed_density, 1), w->mass, 0, first, last);

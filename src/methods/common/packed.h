@@ -1,36 +1,40 @@
 /* SPDX-License-Identifier: MIT */
 /** @file packed.h
- *  What the pair loops of method `wcsph` read of the other particle: the store's own arrays, or, with precision
- *  `mixed`, copies in floats. The state stays in doubles, as do the sums once a particle's are complete.
+ *  What the pair loops of method `wcsph` read of a neighbour: the store's own arrays or, with precision `mixed`, copies
+ *  in floats. The state stays in doubles, as do the sums of a particle once they are complete.
  *
- *  Floats have seven digits. Places are relative to the corner of a tile of cells (cells.h), densities to the rest
- *  density, so that none of them is lost to where a scene lies or to what all particles have in common. */
+ *  Floats have seven digits. Positions are relative to the corner of a tile of cells (cells.h), densities to the rest
+ *  density, so that no digits are lost to the origin of the scene or to a common offset. */
 #ifndef SPH2D_METHODS_COMMON_PACKED_H
 #define SPH2D_METHODS_COMMON_PACKED_H
 
 #include "methods/common/system.h"
 #include "simd/lanes.h"
 
-/* What the float arrays hold: places; velocities, of walls those that liquid sees; volumes beside pressures or, for the
- * rate of density, the excess of liquid (Fourtakas' diffusion) and the wall_rate of walls; densities, where a term
- * reads them, or the slide of walls, beside the min_eigenvalue of liquid or the mass of walls; slopes, or the direction along
- * walls; rates of strain or, for the rate of density, H grad C (shift.h). */
+/* The two halves of each float array:
+ *   packed_place     x, y
+ *   packed_velocity  velocity; of walls the image velocity
+ *   packed_state     volume, pressure; for the rate of density instead of pressure the excess of liquid (Fourtakas'
+ *                    diffusion) or the wall_rate of walls
+ *   packed_density   density and min_eigenvalue of liquid; slide and mass of walls
+ *   packed_gradient  gradient of density of liquid; slip direction of walls
+ *   packed_strain    stretch, shear; for the rate of density H grad C (shift.h) */
 
-/** Arrays of one value a particle. Density is that over `from`. */
+/** Arrays with one value per particle. Density is relative to `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *density_grad_x, *density_grad_y,
         *min_eigenvalue, *excess, *stretch, *shear, *grad_c_x, *grad_c_y, *wall_rate, *slide, *along_x, *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
-/** The floats that an array of doubles has room for: two arrays. */
+/** One of the two arrays of floats in the space of an array of doubles. */
 static inline float *sph2d__floats(const sph2d__store *store, double *array, int which)
 {
-    void *floats = array; /* nothing else is ever kept there */
+    void *floats = array; /* it never holds anything else */
     return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
 }
 
-/** Those of the fluid that are set straight away, without a copy in doubles; NULL in double precision. */
+/** Arrays of the fluid that are set directly, without a copy in doubles; NULL in double precision. */
 static inline float *sph2d__packed_volume(const sph2d__store *store)
 {
     return sph2d__floats(store, store->packed_state, 0);
@@ -98,12 +102,12 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
 }
 #endif
 
-/** Copies what pair loops read of the fluid, or of the boundary particles; nothing without packed arrays. */
+/** Copy what the force loops read of the fluid and of the boundary particles; nothing without packed arrays. */
 void sph2d__pack_fluid(sph2d__system *system);
 void sph2d__pack_walls(sph2d__system *system);
 
-/** The same for the rate of density: crowding in place of strain, of boundary particles wall_rate in place of pressure.
- */
+/** The same for the rate of density: H grad C in place of strain, and wall_rate in place of pressure for boundary
+ *  particles. */
 void sph2d__pack_fluid_rates(sph2d__system *system);
 void sph2d__pack_wall_rates(sph2d__system *system);
 

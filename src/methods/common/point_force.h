@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file point_force.h
- *  Pull or push at a point: acceleration * (1 - r/radius) towards it, zero from radius on and at the point itself. */
+ *  Attraction to a point, or repulsion from it: acceleration * (1 - r/radius) towards it, zero from radius on and at
+ *  the point itself. */
 #ifndef SPH2D_METHODS_COMMON_POINT_FORCE_H
 #define SPH2D_METHODS_COMMON_POINT_FORCE_H
 
@@ -9,7 +10,7 @@
 typedef struct sph2d__point_force {
     double x, y;         /**< [m] */
     double radius;       /**< [m] */
-    double acceleration; /**< at the point [m/s^2]; positive pulls */
+    double acceleration; /**< the limit at the point [m/s^2]; positive attracts */
 } sph2d__point_force;
 
 static inline void sph2d__point_force_add(const sph2d__point_force *f, double x, double y, double *ax, double *ay)

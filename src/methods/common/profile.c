@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file profile.c
- *  Reading the clocks. */
+ *  Clocks of the phases of a step. */
 #include "methods/common/profile.h"
 
 #include <time.h>

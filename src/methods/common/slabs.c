@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file slabs.c
- *  Sharing slabs among threads. */
+ *  Work on slabs, shared among threads. */
 #include "methods/common/slabs.h"
 
 /** Slab k of a store. */
@@ -10,16 +10,16 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
     return (sph2d__slab){rows, walls, first, last < rows->count ? last : rows->count};
 }
 
-/* So many slabs are worth a second thread. */
-enum { WORTH = 4 };
+/* The fewest slabs that are shared among threads. */
+enum { MIN_SLABS = 4 };
 
-/** The team for so many slabs. */
+/** The team for this number of slabs; NULL: one thread. */
 static sph2d__team *team_for(const sph2d__system *s, size_t slabs)
 {
-    return slabs < WORTH ? NULL : s->team;
+    return slabs < MIN_SLABS ? NULL : s->team;
 }
 
-/** What is done to slabs: those of the fluid, then those of the boundary particles. */
+/** Work on slabs: those of the fluid, then those of the boundary particles. */
 typedef struct task {
     sph2d__system *system;
     size_t fluid;
@@ -33,7 +33,7 @@ static void do_slabs(void *task_, size_t first, size_t last)
     sph2d__system *s = t->system;
     for (size_t k = first; k < last; ++k) {
         sph2d__slab slab = k < t->fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - t->fluid);
-        sph2d__slab_sum sum = {0}; /* of its own while it is added to: neighbours would share its cache line */
+        sph2d__slab_sum sum = {0}; /* local while it is added to: adjacent sums share a cache line */
         t->work(s, &slab, t->with, &sum);
         *(k < t->fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - t->fluid]) = sum;
     }
@@ -43,11 +43,11 @@ static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d_
 {
     sph2d__share(team_for(s, fluid + walls), fluid + walls, 1, do_slabs, &(task){s, fluid, work, with});
     sph2d__slab_sum total = sph2d__neighbours_total(&s->neighbours, fluid);
-    sph2d__slab_sum beside = sph2d__neighbours_total(&s->wall_neighbours, walls);
-    total.first += beside.first;
-    total.second += beside.second;
-    total.third += beside.third;
-    total.most = beside.most > total.most ? beside.most : total.most;
+    sph2d__slab_sum of_walls = sph2d__neighbours_total(&s->wall_neighbours, walls);
+    total.first += of_walls.first;
+    total.second += of_walls.second;
+    total.third += of_walls.third;
+    total.most = of_walls.most > total.most ? of_walls.most : total.most;
     return total;
 }
 
@@ -62,7 +62,7 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const
     return over(s, sph2d__slabs(s->fluid.count), walls, work, with);
 }
 
-/** What is done to some of the particles of a store. */
+/** Work on the particles of a store. */
 typedef struct span {
     sph2d__system *system;
     size_t count;

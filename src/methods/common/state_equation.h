@@ -5,12 +5,11 @@
  *      linear   p = c0^2 (rho - rho0)
  *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
  *
- *  Both have dp/drho = c0^2 at rest density. Pressure falls no further than to -tension (system.h). What it takes to
- *  compress a kilogram,
+ *  Both have dp/drho = c0^2 at rest density. Pressure is at least -tension (system.h). The elastic energy per mass,
  *
  *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
  *
- *  is least, 0, at rest density. */
+ *  has its minimum, 0, at rest density. */
 #ifndef SPH2D_METHODS_COMMON_STATE_EQUATION_H
 #define SPH2D_METHODS_COMMON_STATE_EQUATION_H
 
@@ -28,7 +27,7 @@ static inline double sph2d__pressure_of(const sph2d__system *s, double density)
     return fmax(pressure, -s->tension);
 }
 
-/** The inverse; a pressure below what the equation can give is cut off at a thousandth of the rest density. */
+/** The inverse; at least a thousandth of the rest density, for pressures that the equation cannot give. */
 static inline double sph2d__density_of(const sph2d__system *s, double pressure)
 {
     double c2 = s->sound_speed * s->sound_speed;
@@ -38,16 +37,16 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
     return fmax(density, 1e-3 * s->rest_density);
 }
 
-/** e: the elastic energy of a kilogram [J/kg]. */
+/** e: elastic energy per mass [J/kg]. */
 static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
-    if (s->modulus > 0) { /* density is a sum: no tension */
+    if (s->modulus > 0) { /* density by summation: no tension */
         double x = fmax(density / s->rest_density, 1);
         return s->modulus * (log(x) + 1 / x - 1);
     }
-    double torn = sph2d__density_of(s, -s->tension);
-    if (density < torn)
-        return sph2d__elastic_of(s, torn) + s->tension * (1 / density - 1 / torn);
+    double cutoff = sph2d__density_of(s, -s->tension);
+    if (density < cutoff)
+        return sph2d__elastic_of(s, cutoff) + s->tension * (1 / density - 1 / cutoff);
     double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
     if (s->method.state_equation == SPH2D_STATE_LINEAR)
         return c2 * (log(x) + 1 / x - 1);
@@ -55,7 +54,7 @@ static inline double sph2d__elastic_of(const sph2d__system *s, double density)
     return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
 }
 
-/** dp/drho, the square of the speed of sound at a density [m^2/s^2]. */
+/** dp/drho: squared speed of sound at a density [m^2/s^2]. */
 static inline double sph2d__sound_speed2_at(const sph2d__system *s, double density)
 {
     double c2 = s->sound_speed * s->sound_speed;
@@ -73,7 +72,7 @@ static inline void sph2d__state_equation_some(void *system, size_t first, size_t
         f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
 }
 
-/** Sets the pressure of every particle of the fluid. */
+/** Sets the pressure of every fluid particle. */
 static inline void sph2d__state_equation_apply(sph2d__system *s)
 {
     sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, sph2d__state_equation_some, s);

@@ -31,7 +31,7 @@ static void density(sph2d__system *s, size_t first, size_t last)
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         sph2d__lanes rho = own * density_sum(support2, fluid, &g, &ranges, fluid, NULL);
-        if (sph2d__group_near(&by, &g, &ranges))
+        if (sph2d__group_others(&by, &g, &ranges))
             rho += poly6 * density_sum(support2, fluid, &g, &ranges, &s->walls, s->walls.mass);
         for (int l = 0; l < g.count; ++l) {
             size_t i = g.first + (size_t)l;
@@ -49,7 +49,7 @@ static void wall_density(sph2d__system *s, size_t first, size_t last)
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
         sph2d__lanes sum = {0};
-        if (sph2d__group_near(&by, &g, &ranges))
+        if (sph2d__group_others(&by, &g, &ranges))
             sum = density_sum(support2, walls, &g, &ranges, &s->fluid, NULL);
         for (int l = 0; l < g.count; ++l) {
             size_t b = g.first + (size_t)l;
@@ -95,7 +95,7 @@ static void force(sph2d__system *s, size_t first, size_t last)
         sph2d__group_box(f, &g);
         force_sums sums = sum_forces(s, &g, &ranges, f);
         sph2d__lanes fx = press * sums.press_x + drag * sums.drag.x, fy = press * sums.press_y + drag * sums.drag.y;
-        if (sph2d__group_near(&by, &g, &ranges)) {
+        if (sph2d__group_others(&by, &g, &ranges)) {
             sums = sum_forces(s, &g, &ranges, &s->walls);
             sph2d__lanes hard =
                 wall_press * sph2d__lanes_load(f->pressure + g.first) / sph2d__lanes_load(f->density + g.first);

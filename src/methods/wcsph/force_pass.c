@@ -13,7 +13,7 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
                              terms with, const constants *k, const group_state *own, const sph2d__packed *walls)
 {
     sph2d__ranges ranges;
-    if (!sph2d__group_near(by, g, &ranges))
+    if (!sph2d__group_others(by, g, &ranges))
         return;
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);

@@ -10,7 +10,7 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
     const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
     wall_sums sums = {0};
     sph2d__ranges ranges;
-    if (!sph2d__group_near(by, g, &ranges))
+    if (!sph2d__group_others(by, g, &ranges))
         return sums;
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);

@@ -14,7 +14,7 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
         sph2d__sieve sieve;
         sph2d__ranges ranges = {0};
         const walled own = walled_of(s, g.first);
-        sph2d__group_near(&by, &g, &ranges);
+        sph2d__group_others(&by, &g, &ranges);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
             place at = place_of(&s->walls, &g, sieve.offset_x, sieve.offset_y);
