@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file force_pass.c
- *  The loops of the forces of method `wcsph` over groups and candidates; what a pair does is in force_pair.h. Compiled
- *  once for each instruction set, named by SPH2D__ISA, and in it once for each kernel. */
+ *  The loops of the forces of method `wcsph` over groups and candidates; the pair terms are in force_pair.h. Compiled
+ *  once for each instruction set, named by SPH2D__ISA, and within it once for each kernel. */
 #include "methods/wcsph/force_pair.h"
 
-/** Adds the boundary particles near a group. There is one for every kernel, in which the other terms are asked for: few
+/** Adds the boundary particles near a group. There is one for each kernel, with the other terms tested at run time: few
  *  particles are near walls, and copies take long to compile. */
 typedef void wall_adder(const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums,
                         terms with, const constants *k, const group_state *own, const sph2d__packed *walls);
@@ -18,7 +18,7 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, const sph2d__grouping *by, 
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);
     while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
-        place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
+        positions at = positions_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(with.kernel, k->inverse_support, &at, walls, j);
             add_wall(sums, with, k, own, &p, walls, j);
@@ -53,18 +53,18 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         sph2d__group_box(f, &g);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
-            place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
+            positions at = positions_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(with.kernel, k.inverse_support, &at, &liquid, j);
                 add_liquid(&sums, with, &k, &own, &p, &liquid, j);
             }
         }
-        const force_sums beside = sums; /* the sums themselves can then stay in registers */
+        const force_sums liquid_sums = sums; /* a copy, so that the sums can stay in registers */
         force_sums all = sums;
         if (by.other)
             walls_of(s, &by, &g, &all, with, &k, &own, &walls);
         SPH2D__FOR_LANES (g, l)
-            finish(s, g.first + (size_t)l, &all, &beside, l, with, &k);
+            finish(s, g.first + (size_t)l, &all, &liquid_sums, l, with, &k);
     }
 }
 
@@ -82,27 +82,27 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
     return with;
 }
 
-/* The copies of the loops for the usual kernel: detail, the Laplacian form of viscosity, the central one, eddies. */
-#define OF_LAYOUT(X, detail) X(detail, 0, 0, 0) X(detail, 0, 1, 0) X(detail, 1, 0, 0) X(detail, 1, 1, 0)
+/* The copies of the loops for the usual kernel: detail, Laplacian and central form of viscosity, subgrid viscosity. */
+#define OF_DETAIL(X, detail) X(detail, 0, 0, 0) X(detail, 0, 1, 0) X(detail, 1, 0, 0) X(detail, 1, 1, 0)
 #define WITH_EDDIES(X) X(SHIFT, 0, 1, 1) X(SHIFT, 1, 1, 1)
 #define FOR_COPIES(X)                                                                                                  \
-    OF_LAYOUT(X, NONE)                                                                                                 \
-    OF_LAYOUT(X, GRADIENT)                                                                                             \
-    OF_LAYOUT(X, EIGENVALUE)                                                                                           \
-    OF_LAYOUT(X, SHIFT)                                                                                                \
+    OF_DETAIL(X, NONE)                                                                                                 \
+    OF_DETAIL(X, GRADIENT)                                                                                             \
+    OF_DETAIL(X, EIGENVALUE)                                                                                           \
+    OF_DETAIL(X, SHIFT)                                                                                                \
     WITH_EDDIES(X)
 
-/* The kernel that nearly all scenes have. */
+/* The kernel of nearly all scenes. */
 static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
 
-/** The copy that has a scene's terms and no others; for terms that have none, loops that ask for them. */
+/** Runs the copy with exactly the scene's terms or, if there is none, loops that test the terms. */
 SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
     const terms with = terms_of(s, USUAL);
-#define TRY(of, form1, form2, rough)                                                                                   \
+#define TRY(of, form1, form2, form3)                                                                                   \
     if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 &&                       \
-        with.eddies == rough) {                                                                                        \
-        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, rough}, walls_of);                 \
+        with.eddies == form3) {                                                                                        \
+        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, form3}, walls_of);                 \
         return;                                                                                                        \
     }
     FOR_COPIES(TRY)
@@ -110,7 +110,7 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
     force_with(s, first, last, with, walls_of);
 }
 
-/* For every kernel; those that are not usual ask for their terms in the loops, which takes 2 % of a step. */
+/* For each kernel; unusual ones test their terms in the loops, which takes 2 % of a step. */
 #define FOR_KERNEL(name, word)                                                                                         \
     static __attribute__((noinline)) void walls_##word(                                                                \
         const sph2d__system *s, const sph2d__grouping *by, const sph2d__group *g, force_sums *sums, terms with,        \

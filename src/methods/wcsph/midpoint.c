@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file midpoint.c
- *  One step of a method whose density has a rate: leapfrog as kick-drift-kick, with density moved at the half step.
+ *  Time scheme for a method that integrates the rate of density: leapfrog as kick-drift-kick, with density advanced by
+ *  its rate at the half step.
  *
  *      v(n+1/2)   = v(n) + dt/2 a(n)
  *      x(n+1/2)   = x(n) + dt/2 v(n+1/2)
@@ -9,9 +10,9 @@
  *      a(n+1)     = a(x(n+1), rho(n+1), v(n) + dt a(n))
  *      v(n+1)     = v(n+1/2) + dt/2 a(n+1)
  *
- *  with the shift velocity w (methods/terms/shift.h), which the rate of density knows too. Without dissipation
- *  and shifting the rate depends on places and velocities alone: then each line undoes itself when time runs back, so
- *  that energy neither grows nor falls in the long run. */
+ *  with the shift velocity w (methods/terms/shift.h), which the rate of density includes. Without dissipation and
+ *  shifting the rate depends on positions and velocities alone: the scheme is then time-reversible, so that energy has
+ *  no long-term drift. */
 #include "methods/wcsph/wcsph.h"
 #include "sim/stages.h"
 
@@ -27,9 +28,9 @@ static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
     }
 }
 
-/** Moves density by its rate, then the other half of the drift, and the shift. A particle by itself is not compressed,
- *  nor does it remember that it was. */
-static void compress(sph2d_sim *sim, double dt, sph2d__batch *w)
+/** Advances density by its rate, then the second half of the drift and the shift. Isolated particles have rest density.
+ */
+static void advance_density(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     sph2d__store *f = &sim->system.fluid;
     const bool shifted = sim->system.method.shifting > 0;
@@ -57,7 +58,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     sim->method->density_rate(&sim->system);
     sph2d__sim_book_diffusion(sim, dt);
     sph2d__sim_set_drift_interval(sim, middle, end);
-    status = sph2d__advect(sim, dt, compress, sph2d__predict);
+    status = sph2d__advect(sim, dt, advance_density, sph2d__predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file pair.h
- *  What the pair loops of method `wcsph` with symmetric operators share. */
+ *  Shared by the pair loops of method `wcsph` with symmetric operators. */
 #ifndef SPH2D_METHODS_WCSPH_PAIR_H
 #define SPH2D_METHODS_WCSPH_PAIR_H
 
@@ -8,23 +8,23 @@
 #include "methods/common/group.h"
 #include "methods/common/packed.h"
 
-/** Distances of a group to a candidate, in units of the support radius too, and g of the kernel there. */
+/** Distances of a group from a candidate, q = r/H, and g of the kernel. */
 typedef struct pair {
     sph2d__lanes dx, dy, r2, q, g;
 } pair;
 
-/** Where the particles of a group are, as candidates see them to which they have the same way. */
-typedef struct place {
+/** Positions of the particles of a group, plus the image offset of the candidates. */
+typedef struct positions {
     sph2d__lanes x, y;
-} place;
+} positions;
 
-SPH2D__INLINE place place_of(const sph2d__store *store, const sph2d__group *g, double offset_x, double offset_y)
+SPH2D__INLINE positions positions_of(const sph2d__store *store, const sph2d__group *g, double offset_x, double offset_y)
 {
-    return (place){sph2d__group_lanes(store->x + g->first, offset_x),
-                   sph2d__group_lanes(store->y + g->first, offset_y)};
+    return (positions){sph2d__group_lanes(store->x + g->first, offset_x),
+                       sph2d__group_lanes(store->y + g->first, offset_y)};
 }
 
-SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const place *at,
+SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, const positions *at,
                              const sph2d__packed *from, size_t j)
 {
     pair p;
@@ -36,20 +36,20 @@ SPH2D__INLINE pair pair_with(sph2d_kernel kernel, sph2d__real inverse_support, c
     return p;
 }
 
-/** C/H^4: grad W is this times g times the distance. */
+/** C/H^4: grad W is this times g r_ij. */
 static inline double slope_scale(const sph2d__system *s)
 {
     double h2 = s->support * s->support;
     return sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
 }
 
-/* det M / (tr M)^2 is 0.25 in the bulk, about as much at a flat surface, and 0 where all neighbours are on one line, as
- * in a film on a wall; below this the inverse would magnify noise. */
+/* det M / (tr M)^2 is 0.25 in the bulk, about as much at a flat surface, and 0 if all neighbours are on one line, as in
+ * a film on a wall; below this the inverse would amplify noise. */
 static const double MIN_CONDITION = 0.1;
 
-/** Inverts M and gives a gradient from its sums, both without the same constant; zero where neighbours are on a line.
- */
-SPH2D__INLINE void corrected(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
+/** Sets (gx, gy) to the renormalised gradient M^-1 b, M and b without the same constant; zero if the neighbours are on
+ *  one line. */
+SPH2D__INLINE void renormalise(double xx, double xy, double yy, double bx, double by, double *gx, double *gy)
 {
     double det = xx * yy - xy * xy;
     bool invertible = det > MIN_CONDITION * (xx + yy) * (xx + yy);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file rate_pair.h
- *  What a pair of particles adds to the rate of density of method `wcsph`, to strain and to shifts; and what becomes of
- *  a particle when all is summed. No loops: wcsph.h has the equations. */
+ *  Pair terms of the rate of density of method `wcsph`, of strain and shifts, and the results of a particle's sums. No
+ *  loops: wcsph.h has the equations. */
 #ifndef SPH2D_METHODS_WCSPH_RATE_PAIR_H
 #define SPH2D_METHODS_WCSPH_RATE_PAIR_H
 
@@ -13,46 +13,46 @@
 #include "methods/wcsph/pair.h"
 #include "methods/wcsph/wcsph.h"
 
-/* Particles less full than this are the free surface. */
-static const double SURFACE = 0.6;
-/* Less full than this, the slope of density is that of few; nor do places say there what density is. */
+/* Eigenvalue below which particles are the free surface. */
+static const double SURFACE_EIGENVALUE = 0.6;
+/* Eigenvalue below which the gradient of density is of few neighbours, and the density sum incomplete. */
 static const double BULK = 0.75;
-/* Time in which density comes to what places say, over H/c0. Energy of a dam break to t sqrt(g/H) = 20 never rose above
- * an earlier moment with 60 to 120; with 400 it did by 0.1 %, and the level took longer to be right. With 30 and less
- * the start of a scene sounds. */
-static const double PACKING_TIME = 100;
-/* Walls that overlap can fill more than there is. */
-static const double ROOM = 0.1;
+/* Relaxation time of density to its sum, over H/c0. With 60 to 120 the energy of a dam break never rose above an
+ * earlier value until t sqrt(g/H) = 20; with 400 it did by 0.1 %, and the level took longer to become right. With 30
+ * and less the start of a scene excites sound. */
+static const double RELAXATION_TIME = 100;
+/* Least free part of the support: overlapping walls can fill more than all of it. */
+static const double MIN_FREE_PART = 0.1;
 
-/** What diffuses. */
+/** Forms of density diffusion. */
 typedef enum diffusion {
     NO_DIFFUSION,
-    ANTUONO,  /**< density less what its slopes explain */
-    FOURTAKAS /**< density less that of a liquid at rest */
+    ANTUONO,  /**< of density minus its linear part */
+    FOURTAKAS /**< of density minus the hydrostatic density */
 } diffusion;
 
-/** The particles of a group that meet a candidate. `density` is the one that diffuses. */
+/** The particles of a group. `density` is the one that diffuses. */
 typedef struct group_state {
     sph2d__lanes vx, vy, density, density_grad_x, density_grad_y;
 } group_state;
 
-/** What is summed for the rate of density, and for the rate of strain. */
+/** Sums of the rate of density and the strain rate; all without the constant of grad W. */
 typedef struct rate_sums {
-    sph2d__lanes flux;               /* of mass, with what diffuses */
+    sph2d__lanes flux;               /* of mass, with diffusion */
     sph2d__lanes filling;            /* g */
-    sph2d__lanes xx, xy, yy;         /* M without its constant */
+    sph2d__lanes xx, xy, yy;         /* minus M */
     sph2d__lanes ux, uy, vx, vy;     /* velocity differences times grad W */
-    sph2d__lanes grad_c_x, grad_c_y; /* g H grad C */
-    sph2d__lanes nearest2;           /* squared distance to the surface */
+    sph2d__lanes grad_c_x, grad_c_y; /* H grad C of the neighbours times g */
+    sph2d__lanes nearest2;           /* squared distance to the nearest particle of the surface */
 } rate_sums;
 
 /** v_ij . r_ij. */
-SPH2D__INLINE sph2d__lanes approach_of(const pair *p, const group_state *own, const sph2d__packed *from, size_t j)
+SPH2D__INLINE sph2d__lanes velocity_term(const pair *p, const group_state *own, const sph2d__packed *from, size_t j)
 {
     return (own->vx - from->vx[j]) * p->dx + (own->vy - from->vy[j]) * p->dy;
 }
 
-/** What stands for v_ij . r_ij by the diffusion of density: `strength` times V_j psi. */
+/** The diffusion's equivalent of v_ij . r_ij: `strength` times V_j psi . r_ij/2. */
 SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, const pair *p, const group_state *own,
                                         const sph2d__packed *f, size_t j)
 {
@@ -64,7 +64,7 @@ SPH2D__INLINE sph2d__lanes diffusion_of(diffusion form, sph2d__real strength, co
     return (own->density - f->density[j] - half * linear) * (strength * f->volume[j]);
 }
 
-/** Adds velocity differences and crowding. */
+/** Adds a neighbour to the sums of the velocity gradient and of the mean concentration gradient. */
 SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const group_state *own, const sph2d__packed *f, size_t j)
 {
     sph2d__lanes vg = p->g * f->volume[j];
@@ -81,10 +81,10 @@ SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const group_state 
     sums->grad_c_y += p->g * f->grad_c_y[j];
 }
 
-/** Looks whether a candidate is the nearest of the free surface. */
-SPH2D__INLINE void look_for_surface(rate_sums *sums, const pair *p, const sph2d__packed *f, size_t j)
+/** Updates the distance to the free surface by a candidate. */
+SPH2D__INLINE void update_surface_distance(rate_sums *sums, const pair *p, const sph2d__packed *f, size_t j)
 {
-    if (f->min_eigenvalue[j] < SURFACE)
+    if (f->min_eigenvalue[j] < SURFACE_EIGENVALUE)
         sums->nearest2 = -sph2d__lanes_max(-sums->nearest2, -p->r2);
 }
 
@@ -94,8 +94,8 @@ SPH2D__INLINE bool is_inside(const sph2d__system *s, size_t i)
     return s->fluid.min_eigenvalue[i] > BULK && s->fluid.surface_distance[i] >= s->support;
 }
 
-/** The shift. Density changes along it as the density around says (Sun et al. 2019), if that is known. The velocity
- *  does not: taken from the gradients around it fed jets beside a wall with 3 to 28 % of the energy of a dam break. */
+/** Sets the shift velocity w. Density changes by w . grad rho (Sun et al. 2019) where the gradient is known. Velocity
+ *  does not: w . grad v fed jets beside a wall with 3 to 28 % of the energy of a dam break. */
 SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     sph2d__store *f = &s->fluid;
@@ -110,59 +110,59 @@ SPH2D__INLINE void finish_shift(sph2d__system *s, size_t i, const rate_sums *sum
         f->density_rate[i] += w.x * f->density_grad_x[i] + w.y * f->density_grad_y[i];
 }
 
-/** |S| of which a step stands the viscosity (2 C H)^2 |S|, a third of what it stands in Morris' form; shifts grow with
- *  it up to 0.05/dt (shift.h). */
-SPH2D__INLINE double most_strain(const sph2d__system *s)
+/** The largest |S| for which the step is stable with the viscosity (2 C H)^2 |S|, whose limit is a third of that of
+ *  Morris' form; shifts grow with |S| up to 0.05/dt (shift.h). */
+SPH2D__INLINE double max_strain_rate(const sph2d__system *s)
 {
     const double filter = 2 * SPH2D__SMAGORINSKY;
     return sph2d__viscosity_step(s->method.kernel) / (3 * filter * filter * s->step);
 }
 
-/** The rate of strain, by which the next step shifts and eddies damp; no larger than what a step stands of either. */
+/** Sets the strain rate, which scales shifts and subgrid viscosity; limited so that the step is stable with both. */
 SPH2D__INLINE void finish_strain(const sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     double xx = sums->xx[l], xy = sums->xy[l], yy = sums->yy[l];
     double ux, uy, vx, vy;
-    corrected(xx, xy, yy, sums->ux[l], sums->uy[l], &ux, &uy);
-    corrected(xx, xy, yy, sums->vx[l], sums->vy[l], &vx, &vy);
+    renormalise(xx, xy, yy, sums->ux[l], sums->uy[l], &ux, &uy);
+    renormalise(xx, xy, yy, sums->vx[l], sums->vy[l], &vx, &vy);
     s->fluid.stretch[i] = (ux - vy) / 2;
     s->fluid.shear[i] = (uy + vx) / 2;
-    double part = fmin(most_strain(s) / sph2d__strain_rate(&s->fluid, i), 1);
-    s->fluid.stretch[i] *= part;
-    s->fluid.shear[i] *= part;
+    double factor = fmin(max_strain_rate(s) / sph2d__strain_rate(&s->fluid, i), 1);
+    s->fluid.stretch[i] *= factor;
+    s->fluid.shear[i] *= factor;
 }
 
-/** Inside the liquid, density comes to what places say: its rate forgets what surfaces that met or parted did to it. */
-SPH2D__INLINE void finish_packing(sph2d__system *s, size_t i)
+/** Inside the liquid, density relaxes to its sum, which corrects errors due to surfaces that merged or separated. */
+SPH2D__INLINE void relax_density(sph2d__system *s, size_t i)
 {
     sph2d__store *f = &s->fluid;
     if (is_inside(s, i))
-        f->density_rate[i] += (f->packing[i] - f->density[i]) * s->sound_speed / (PACKING_TIME * s->support);
+        f->density_rate[i] += (f->packing[i] - f->density[i]) * s->sound_speed / (RELAXATION_TIME * s->support);
 }
 
-/** What boundary particles do: m_b v_ib . r_ib g, and m_b f times their wall_rate. */
+/** Sums over boundary particles: m_b v_ib . r_ib g; m_b f times their wall_rate; m_b g. */
 typedef struct wall_sums {
-    sph2d__lanes flux, returned, filling; /* the last: m_b g */
+    sph2d__lanes flux, returned, filling;
 } wall_sums;
 
-/** The filling by other liquid, of the room that walls leave. */
+/** Sets the part of the support outside walls that other liquid fills. */
 SPH2D__INLINE void finish_filling(sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
 {
     double others = (double)sums->filling[l] - sph2d__kernel_slope_at(s->method.kernel, 0);
-    double room = s->lattice_slopes - (double)walls->filling[l] / s->mass; /* both are negative */
-    s->fluid.filling[i] = others / fmin(room, ROOM * s->lattice_slopes);
+    double space = s->lattice_slopes - (double)walls->filling[l] / s->mass; /* both are negative */
+    s->fluid.filling[i] = others / fmin(space, MIN_FREE_PART * s->lattice_slopes);
 }
 
-/** Distance to the surface. */
+/** Sets the distance to the free surface. */
 SPH2D__INLINE void finish_surface(sph2d__system *s, size_t i, const rate_sums *sums, int l)
 {
     sph2d__store *f = &s->fluid;
     bool far = sums->nearest2[l] >= (sph2d__real)(s->support * s->support);
     double surface = far ? s->support : sqrt(sums->nearest2[l]);
-    f->surface_distance[i] = f->min_eigenvalue[i] < SURFACE ? 0 : surface;
+    f->surface_distance[i] = f->min_eigenvalue[i] < SURFACE_EIGENVALUE ? 0 : surface;
 }
 
-/** The receivers of a group. */
+/** Loads the particles of a group. */
 SPH2D__INLINE group_state group_state_of(const sph2d__packed *f, size_t first, diffusion form)
 {
     group_state own = {.vx = sph2d__lanes_load(f->vx + first), .vy = sph2d__lanes_load(f->vy + first)};
@@ -176,7 +176,7 @@ SPH2D__INLINE group_state group_state_of(const sph2d__packed *f, size_t first, d
     return own;
 }
 
-/** The rate that the sums of a lane stand for. */
+/** The rate of density of particle i, whose sums are in lane l. */
 SPH2D__INLINE double total_rate(const sph2d__system *s, size_t i, const wall_sums *walls, const rate_sums *sums, int l)
 {
     double ratio = s->fluid.density[i] / s->rest_density;

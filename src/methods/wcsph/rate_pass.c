@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file rate_pass.c
- *  The loops of the rate of density of method `wcsph`; what a pair does is in rate_pair.h. Compiled once for each
- *  instruction set, named by SPH2D__ISA, and in it once for each kernel. */
+ *  The loops of the rate of density of method `wcsph`; the pair terms are in rate_pair.h. Compiled once for each
+ *  instruction set, named by SPH2D__ISA, and within it once for each kernel. */
 #include "methods/wcsph/rate_pair.h"
 
 SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
@@ -15,10 +15,10 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
     sph2d__sieve sieve;
     sph2d__sieve_start(&sieve, &ranges, s->support);
     while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
-        place at = place_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
+        positions at = positions_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
         SPH2D__FOR_FOUND (sieve, j) {
             pair p = pair_with(kernel, inverse_support, &at, walls, j);
-            sums.flux += approach_of(&p, own, walls, j) * p.g * walls->mass[j];
+            sums.flux += velocity_term(&p, own, walls, j) * p.g * walls->mass[j];
             sums.filling += p.g * walls->mass[j];
             sums.returned += sph2d__kernel_value(kernel, p.q) * (walls->mass[j] * walls->wall_rate[j]);
         }
@@ -43,41 +43,41 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
         sph2d__group_box(f, &g);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, liquid.x, liquid.y)) {
-            place at = place_of(f, &g, sieve.offset_x, sieve.offset_y);
+            positions at = positions_of(f, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &liquid, j);
-                sph2d__lanes approach = approach_of(&p, &own, &liquid, j);
+                sph2d__lanes term = velocity_term(&p, &own, &liquid, j);
                 if (form != NO_DIFFUSION)
-                    approach += diffusion_of(form, strength, &p, &own, &liquid, j);
-                sums.flux += p.g * approach;
+                    term += diffusion_of(form, strength, &p, &own, &liquid, j);
+                sums.flux += p.g * term;
                 sums.filling += p.g;
                 if (detail >= SPH2D__DETAIL_SHIFT)
                     add_strain(&sums, &p, &own, &liquid, j);
                 if (detail >= SPH2D__DETAIL_EIGENVALUE)
-                    look_for_surface(&sums, &p, &liquid, j);
+                    update_surface_distance(&sums, &p, &liquid, j);
             }
         }
-        const rate_sums done = sums; /* the sums themselves can then stay in registers */
-        const wall_sums beside = sum_walls(s, kernel, &by, &g, &own, &walls);
+        const rate_sums liquid_sums = sums; /* a copy, so that the sums can stay in registers */
+        const wall_sums of_walls = sum_walls(s, kernel, &by, &g, &own, &walls);
         SPH2D__FOR_LANES (g, l) {
             const size_t i = g.first + (size_t)l;
-            f->density_rate[i] = total_rate(s, i, &beside, &done, l);
-            finish_filling(s, i, &beside, &done, l);
+            f->density_rate[i] = total_rate(s, i, &of_walls, &liquid_sums, l);
+            finish_filling(s, i, &of_walls, &liquid_sums, l);
             if (detail >= SPH2D__DETAIL_EIGENVALUE) {
-                finish_surface(s, i, &done, l);
-                finish_packing(s, i);
+                finish_surface(s, i, &liquid_sums, l);
+                relax_density(s, i);
             }
             if (detail >= SPH2D__DETAIL_SHIFT) {
-                finish_strain(s, i, &done, l);
-                finish_shift(s, i, &done, l);
+                finish_strain(s, i, &liquid_sums, l);
+                finish_shift(s, i, &liquid_sums, l);
             }
         }
     }
 }
 
-/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+/* ---- one for each kernel ----------------------------------------------------------------------------------------- */
 
-/** The copy of the loops that has the scene's terms and no others. */
+/** Runs the copy of the loops with exactly the scene's terms. */
 SPH2D__INLINE void rate_by_terms(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel)
 {
     sph2d__detail detail = sph2d__wcsph_detail(&s->method);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wall_pair.h
- *  Boundary particles of method `wcsph`: what the liquid in front does, carried on behind the surface. No loops: wcsph.h
- *  has the equations. */
+ *  Boundary particles of method `wcsph`: extrapolation of the liquid in front of the wall. No loops: wcsph.h has the
+ *  equations. */
 #ifndef SPH2D_METHODS_WCSPH_WALL_PAIR_H
 #define SPH2D_METHODS_WCSPH_WALL_PAIR_H
 
@@ -15,33 +15,33 @@
 /** Sums over the liquid around a boundary particle, weighted by the kernel. */
 typedef struct wall_sums {
     sph2d__lanes weight, filling, pressure, weight_x, weight_y, vx, vy, flux;
-    sph2d__lanes along; /* of the flux, or of p V^2 grad W: the part along the wall */
+    sph2d__lanes along; /* the part along the wall of the flux, or of p V^2 grad W */
 } wall_sums;
 
-/* Liquid slides along a smooth wall where its mean filling is up to the first, as in films, and not at all from the
- * second on; at a flat surface it is 0.5, at H below it 1. */
+/* Mean fillings: liquid slips along a smooth wall fully up to the first, as in films, and not at all from the second
+ * on; it is 0.5 at a flat surface and 1 at H below it. */
 static const double THIN = 0.6, COVERED = 0.85;
-/* Speed of sliding over c0 from which on it counts. Liquid that slides does not press on walls as its weight asks, so
- * that it would not come to rest. Sloshing with 0.003 c0 in a tank 50 spacings wide is 1.2 % too fast where nothing
- * slides, 1.1 % with 0.004, 0.9 % with 0.002, 0.5 % with 0.001 and 0.02 % with 0; a tank at rest keeps 0.001 sqrt(gH)
- * with 0.002, 0.005 with 0.001, and water between walls 160 degrees apart 0.04 and 0.05. */
-static const double RINGING = 0.002;
+/* Speed over c0 from which on sliding counts. Liquid that slides is not in hydrostatic balance with the wall and would
+ * not come to rest. Sloshing with 0.003 c0 in a tank 50 spacings wide is 1.2 % too fast without slip, 1.1 % with 0.004,
+ * 0.9 % with 0.002, 0.5 % with 0.001 and 0.02 % with 0; a tank at rest keeps 0.001 sqrt(gH) with 0.002 and 0.005 with
+ * 0.001, and water between walls 160 degrees apart 0.04 and 0.05. */
+static const double MIN_SLIP_SPEED = 0.002;
 
-/** How far liquid slides along the wall of a boundary particle: from 0 to 1, smooth. */
-SPH2D__INLINE double sliding(const sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
+/** s_b: by how much the wall of a boundary particle slips with the liquid, from 0 to 1, smooth. */
+SPH2D__INLINE double slip_factor(const sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     const sph2d__store *w = &s->walls;
     if (s->wall_slip == SPH2D_SLIP_NONE || !(share > 0))
         return 0;
-    double t = (COVERED - share * (double)sums->filling[l]) / (COVERED - THIN), ringing = RINGING * s->sound_speed;
-    double past = w->normal_x[b] * (share * (double)sums->vy[l] - w->vy[b]) -
+    double t = (COVERED - share * (double)sums->filling[l]) / (COVERED - THIN), low = MIN_SLIP_SPEED * s->sound_speed;
+    double slip = w->normal_x[b] * (share * (double)sums->vy[l] - w->vy[b]) -
                   w->normal_y[b] * (share * (double)sums->vx[l] - w->vx[b]);
     t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return w->front[b] * t * t * (3 - 2 * t) * past * past / (past * past + ringing * ringing);
+    return w->front[b] * t * t * (3 - 2 * t) * slip * slip / (slip * slip + low * low);
 }
 
-/** Pressure, density and volume; none where no liquid is near; what slides. `share` is one over the summed weight, or
- *  0. Under tension the wall is as at rest. */
+/** Sets pressure, density, volume and slip; pressure is 0 if no liquid is near. `share` is one over the sum of weights,
+ *  or 0. Under tension the wall has rest density. */
 SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     sph2d__store *w = &s->walls;
@@ -52,36 +52,36 @@ SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *
     w->pressure[b] = pressure;
     w->density[b] = sph2d__density_of(s, fmax(pressure, 0));
     w->volume[b] = w->mass[b] / w->density[b];
-    double length = sqrt(sliding(s, b, sums, l, share));
+    double length = sqrt(slip_factor(s, b, sums, l, share));
     w->along_x[b] = -length * w->normal_y[b];
     w->along_y[b] = length * w->normal_x[b];
     w->slide[b] = share * w->mass[b] / s->mass * length * (double)sums->along[l];
 }
 
-/** The velocity that liquid rubs against, so that it sticks to the surface: what is in front, turned round. */
+/** Sets the image velocity for no slip at the surface: that of the liquid in front, mirrored. */
 SPH2D__INLINE void finish_image(sph2d__store *w, size_t b, const wall_sums *sums, int l, double share)
 {
-    bool wet = share > 0; /* where all is dry, the wall's own */
+    bool wet = share > 0; /* of dry walls their own velocity */
     w->image_vx[b] = wet ? 2 * w->vx[b] - share * (double)sums->vx[l] : w->vx[b];
     w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] : w->vy[b];
 }
 
-/** wall_rate; and the velocity that the rate of density sees: the wall's own, along it that of liquid that slides. */
+/** Sets wall_rate, and the velocity of the wall in the rate of density: its own plus the slip along it. */
 SPH2D__INLINE void finish_rate(const sph2d__system *s, sph2d__store *w, size_t b, const wall_sums *sums, int l,
                                double share)
 {
-    double ratio = s->rest_density / w->density[b], part = sliding(s, b, sums, l, share);
+    double ratio = s->rest_density / w->density[b], factor = slip_factor(s, b, sums, l, share);
     double tx = -w->normal_y[b], ty = w->normal_x[b];
-    double past = tx * (share * (double)sums->vx[l] - w->vx[b]) + ty * (share * (double)sums->vy[l] - w->vy[b]);
-    w->wall_rate[b] = share * ratio * ratio * ((double)sums->flux[l] - part * (double)sums->along[l]);
-    w->image_vx[b] = (s->walls_move ? w->vx[b] : 0) + (share > 0 ? part * past * tx : 0);
-    w->image_vy[b] = (s->walls_move ? w->vy[b] : 0) + (share > 0 ? part * past * ty : 0);
+    double slip = tx * (share * (double)sums->vx[l] - w->vx[b]) + ty * (share * (double)sums->vy[l] - w->vy[b]);
+    w->wall_rate[b] = share * ratio * ratio * ((double)sums->flux[l] - factor * (double)sums->along[l]);
+    w->image_vx[b] = (s->walls_move ? w->vx[b] : 0) + (share > 0 ? factor * slip * tx : 0);
+    w->image_vy[b] = (s->walls_move ? w->vy[b] : 0) + (share > 0 ? factor * slip * ty : 0);
 }
 
-/** What is wanted of the walls. */
-typedef enum wanted { RATES, PRESSURES, PRESSURES_AND_IMAGES } wanted;
+/** What a pass computes. */
+typedef enum wall_output { RATES, PRESSURES, PRESSURES_AND_IMAGES } wall_output;
 
-SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums, int l, wanted what)
+SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums, int l, wall_output what)
 {
     sph2d__store *w = &s->walls;
     double weight = sums->weight[l];
@@ -95,23 +95,23 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums
 }
 
 /** The boundary particles of a group: their velocities, and the direction along the wall. */
-typedef struct walled {
+typedef struct group_state {
     sph2d__lanes vx, vy, along_x, along_y;
-} walled;
+} group_state;
 
-SPH2D__INLINE walled walled_of(const sph2d__system *s, size_t first)
+SPH2D__INLINE group_state group_state_of(const sph2d__system *s, size_t first)
 {
     const sph2d__store *w = &s->walls;
-    const sph2d__real moves = s->walls_move; /* a side that slides along itself stays where it is */
-    return (walled){.vx = moves * sph2d__group_lanes(w->vx + first, 0),
-                    .vy = moves * sph2d__group_lanes(w->vy + first, 0),
-                    .along_x = -sph2d__group_lanes(w->normal_y + first, 0),
-                    .along_y = sph2d__group_lanes(w->normal_x + first, 0)};
+    const sph2d__real moves = s->walls_move; /* a side that slides along itself does not move */
+    return (group_state){.vx = moves * sph2d__group_lanes(w->vx + first, 0),
+                         .vy = moves * sph2d__group_lanes(w->vy + first, 0),
+                         .along_x = -sph2d__group_lanes(w->normal_y + first, 0),
+                         .along_y = sph2d__group_lanes(w->normal_x + first, 0)};
 }
 
 /** Adds a candidate to the sums. */
 SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const sph2d__packed *f, size_t j,
-                                 sph2d_kernel kernel, wanted what, const pair *p, const walled *own)
+                                 sph2d_kernel kernel, wall_output what, const pair *p, const group_state *own)
 {
     sph2d__lanes weight = sph2d__kernel_value(kernel, p->q);
     const double filling = s->fluid.filling[j];
@@ -126,10 +126,10 @@ SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const 
         sums->along += (own->along_x * dvx + own->along_y * dvy) * (own->along_x * gx + own->along_y * gy);
         return;
     }
-    sph2d__lanes heavy = weight * ((sph2d__real)s->mass / f->volume[j] * (sph2d__real)sph2d__connection(filling));
+    sph2d__lanes rho_weight = weight * ((sph2d__real)s->mass / f->volume[j] * (sph2d__real)sph2d__connection(filling));
     sums->pressure += weight * f->pressure[j];
-    sums->weight_x += heavy * p->dx;
-    sums->weight_y += heavy * p->dy;
+    sums->weight_x += rho_weight * p->dx;
+    sums->weight_y += rho_weight * p->dy;
     sums->along +=
         p->g * (f->pressure[j] * f->volume[j] * f->volume[j]) * (own->along_x * p->dx + own->along_y * p->dy);
 }

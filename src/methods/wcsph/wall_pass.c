@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wall_pass.c
- *  The loops of method `wcsph` over boundary particles; what a pair does is in wall_pair.h. Compiled once for each
- *  instruction set, named by SPH2D__ISA, and in it once for each kernel. */
+ *  The loops of method `wcsph` over boundary particles; the pair terms are in wall_pair.h. Compiled once for each
+ *  instruction set, named by SPH2D__ISA, and within it once for each kernel. */
 #include "methods/wcsph/wall_pair.h"
 
-SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, wanted what)
+SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, wall_output what)
 {
     const sph2d__packed f = sph2d__packed_of(s, &s->fluid, false);
     const sph2d__grouping by = sph2d__grouping_of(&s->walls, &s->wall_cells, &s->fluid_cells);
@@ -13,23 +13,23 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
         wall_sums sums = {0};
         sph2d__sieve sieve;
         sph2d__ranges ranges = {0};
-        const walled own = walled_of(s, g.first);
+        const group_state own = group_state_of(s, g.first);
         sph2d__group_others(&by, &g, &ranges);
         sph2d__sieve_start(&sieve, &ranges, s->support);
         while (sph2d__sift(&sieve, &g, &ranges, f.x, f.y)) {
-            place at = place_of(&s->walls, &g, sieve.offset_x, sieve.offset_y);
+            positions at = positions_of(&s->walls, &g, sieve.offset_x, sieve.offset_y);
             SPH2D__FOR_FOUND (sieve, j) {
                 pair p = pair_with(kernel, inverse_support, &at, &f, j);
                 add_candidate(&sums, s, &f, j, kernel, what, &p, &own);
             }
         }
-        const wall_sums done = sums; /* the sums themselves can then stay in registers */
+        const wall_sums done = sums; /* a copy, so that the sums can stay in registers */
         SPH2D__FOR_LANES (g, l)
             finish_wall(s, g.first + (size_t)l, &done, l, what);
     }
 }
 
-/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+/* ---- one for each kernel ----------------------------------------------------------------------------------------- */
 
 #define FOR_KERNEL(name, word)                                                                                         \
     static void rates_##word(sph2d__system *s, size_t first, size_t last)                                              \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph.c
- *  Method `wcsph` with symmetric operators: step limits. The pair loops are in wcsph_*_pass.c. */
+ *  Method `wcsph` with symmetric operators: setup, order of the passes, step limits. The pair loops are in *_pass.c. */
 #include "methods/wcsph/wcsph.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 /* Step limit as a fraction of sqrt(H/a). */
 static const double FORCE = 0.25;
 
-/** Runs a pass that suits the system, over the particles of a store. */
+/** Runs a pass in the system's precision and kernel over the particles of a store. */
 static void run(sph2d__system *s, const sph2d__store *store, const sph2d__wcsph_pass *in_doubles,
                 const sph2d__wcsph_pass *mixed)
 {
@@ -26,11 +26,11 @@ static void run(sph2d__system *s, const sph2d__store *store, const sph2d__wcsph_
 #define RUN(pass, s, store)                                                                                            \
     run(s, store, sph2d__wcsph_##pass##_find((s)->isa), sph2d__wcsph_##pass##_find_mixed((s)->isa))
 
-/* Lattice places on either side of a particle that the widest support reaches. */
+/* Lattice sites on either side of a particle within the widest support. */
 enum { REACH = 8 };
 
-/** Sum of f over boundary particles in front of the surface that b is behind, each as much as it has mass. */
-static double taken_in_front(const sph2d__system *s, size_t b)
+/** Sum of f, weighted with mass, over the boundary particles in front of the surface of b. */
+static double sum_in_front(const sph2d__system *s, size_t b)
 {
     const sph2d__store *w = &s->walls;
     uint32_t cell = sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]);
@@ -51,7 +51,7 @@ static double taken_in_front(const sph2d__system *s, size_t b)
 static void walls_placed(sph2d__system *s)
 {
     for (size_t b = 0; b < s->walls.count; ++b)
-        s->walls.front[b] = fmax(1 - taken_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
+        s->walls.front[b] = fmax(1 - sum_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
 }
 
 static void prepare(sph2d__system *s)
@@ -68,14 +68,14 @@ static void prepare(sph2d__system *s)
     walls_placed(s);
 }
 
-/** Whether density diffuses by what exceeds that of a liquid at rest. */
+/** Whether density diffusion has Fourtakas' form, of the excess over hydrostatic density. */
 static bool diffuses_excess(const sph2d_method_options *m)
 {
     return m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
 }
 
-/** Work of gravity and the central force from (x, y) to the domain's corner, over rho0/c0^2 the density of a liquid at
- *  rest there [m^2/s^2]. None in periodic directions. */
+/** Work of gravity and the central force from the domain's corner to (x, y) [m^2/s^2]: times rho0/c0^2 it is the
+ *  hydrostatic density there, up to a constant. None in periodic directions. */
 static double work_from(const sph2d__system *s, double x, double y)
 {
     const sph2d__period *p = &s->fluid_cells.period;
@@ -85,7 +85,7 @@ static double work_from(const sph2d__system *s, double x, double y)
     return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry);
 }
 
-/** Volumes of particles, in the precision in which pair loops read them. */
+/** Sets volumes, in the precision in which pair loops read them. */
 static void set_some_volumes(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
@@ -98,7 +98,7 @@ static void set_some_volumes(sph2d__system *s, size_t first, size_t last)
             f->volume[i] = s->mass / f->density[i];
 }
 
-/** What of a density diffuses in Fourtakas' form. */
+/** The excess over hydrostatic density, which diffuses in Fourtakas' form. */
 static double excess_of(const sph2d__system *s, size_t i)
 {
     const sph2d__store *f = &s->fluid;
@@ -106,7 +106,7 @@ static double excess_of(const sph2d__system *s, size_t i)
     return f->density[i] - s->rest_density * (1 + work_from(s, f->x[i], f->y[i]) / c2);
 }
 
-/** What the rate of density needs of particles. */
+/** Sets volumes and excess densities. */
 static void set_some_excesses(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
@@ -122,7 +122,7 @@ static void set_some_excesses(sph2d__system *s, size_t first, size_t last)
             f->excess[i] = excess_of(s, i);
 }
 
-/** What the force needs. */
+/** Sets volumes and pressures. */
 static void set_some_pressures(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
@@ -167,10 +167,10 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
-/* Fuller, and farther than H from the surface, is inside: as in force_pass.c. */
+/* Particles with a larger eigenvalue, and farther than H from the surface, are inside: as in force_pair.h. */
 static const double BULK = 0.75;
 
-/** What slides is pushed along by liquid, not by the wall: along_x, along_y take that part off. */
+/** Where the wall slips, the part of the force along (along_x, along_y) is exerted by liquid, not by the wall. */
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
@@ -178,12 +178,12 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double g = sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
                sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
     double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
-    bool held = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->min_eigenvalue[i] > BULK &&
-                f->surface_distance[i] >= s->support;
-    double own = held ? -f->pressure[i] : f->pressure[i];
+    bool absolute = f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->min_eigenvalue[i] > BULK &&
+                    f->surface_distance[i] >= s->support;
+    double own = absolute ? -f->pressure[i] : f->pressure[i];
     double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
-    double push = -g * press, slides = push * (dx * w->along_x[b] + dy * w->along_y[b]);
-    sph2d__wall_force force = {.pressure = {push * dx - slides * w->along_x[b], push * dy - slides * w->along_y[b]}};
+    double push = -g * press, slip = push * (dx * w->along_x[b] + dy * w->along_y[b]);
+    sph2d__wall_force force = {.pressure = {push * dx - slip * w->along_x[b], push * dy - slip * w->along_y[b]}};
     force.friction = sph2d__friction_of(s, b, dx, dy);
     if (s->wall_slip != SPH2D_SLIP_NONE)
         return force;
@@ -194,24 +194,24 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double sound = sqrt(sph2d__sound_speed2_at(s, s->max_density));
+    double sound_speed = sqrt(sph2d__sound_speed2_at(s, s->max_density));
     double nu = sph2d__viscosity_limiting(s), viscous = sph2d__viscosity_step(s->method.kernel);
-    return sph2d__shortest_step(s, sound, speed, acceleration, nu, viscous, FORCE, limit);
+    return sph2d__shortest_step(s, sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
 }
 
-/** What is known of how liquid is strained. */
+/** The arrays of the strain rate. */
 #define STRAINS (SPH2D__BIT(stretch) | SPH2D__BIT(shear))
 
 static sph2d__set unused(const sph2d_method_options *m)
 {
     sph2d__detail detail = sph2d__wcsph_detail(m);
-    sph2d__set slopes = SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y), excess = SPH2D__BIT(excess);
-    sph2d__set full = SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing);
+    sph2d__set gradients = SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y), excess = SPH2D__BIT(excess);
+    sph2d__set surface = SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing);
     sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
-    sph2d__set crowd = SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | shifts | STRAINS;
+    sph2d__set concentration = SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | shifts | STRAINS;
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
-    return (detail < SPH2D__DETAIL_GRADIENT ? slopes : 0) | (detail < SPH2D__DETAIL_EIGENVALUE ? full : 0) |
-           (detail < SPH2D__DETAIL_SHIFT ? crowd : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
+    return (detail < SPH2D__DETAIL_GRADIENT ? gradients : 0) | (detail < SPH2D__DETAIL_EIGENVALUE ? surface : 0) |
+           (detail < SPH2D__DETAIL_SHIFT ? concentration : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
            (floats ? SPH2D__BIT(volume) : 0);
 }
 
