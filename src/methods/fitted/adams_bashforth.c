@@ -1,30 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 /** @file adams_bashforth.c
- *  One step of Adams and Bashforth's third-order scheme, for methods that give the rates f of velocity and density:
- *  the parabola through those of this step and of the two before is integrated over the step, however long each was
- *  (Hairer, Norsett & Wanner 1993, III.5),
+ *  Third-order Adams-Bashforth scheme for the rates f of velocity and density: the parabola through those of this step
+ *  and of the two before is integrated over the step, with variable steps (Hairer, Norsett & Wanner 1993, III.5),
  *
  *      v(n+1)   = v(n)   + dt (b0 f(n) + b1 f(n-1) + b2 f(n-2))     b = 23/12, -16/12, 5/12 where steps are equal
  *      rho(n+1) = rho(n) + ... likewise
  *      x(n+1)   = x(n)   + dt (v(n) + v(n+1))/2
  *
- *  The first step knows one rate, the second two. On top of each, particles are shifted by dt w(n), velocity and
- *  density by what they find on that way, in one forward step: it stands five times the shift that a parabola does.
+ *  The first step has one rate, the second two. In addition particles are shifted by dt w(n), and velocity and density
+ *  are advected by that shift, with a forward Euler step: it is stable for five times the shift that the parabola is.
  *
- *  A step looks at the neighbours once. Waves are stable up to w dt = 0.72 (Durran 1991), with three stages
- *  of Runge and Kutta's up to 1.73; what decays at a rate r up to r dt = 6/11. */
+ *  A step evaluates the neighbours once. Oscillations are stable up to w dt = 0.72 (Durran 1991), with three-stage
+ *  Runge-Kutta up to 1.73; decay at a rate r up to r dt = 6/11. */
 #include "methods/common/state_equation.h"
 #include "methods/fitted/fitted.h"
 #include "sim/stages.h"
 
-/* Shift velocity over the largest speed and the crowding, for shifting: 1. */
+/* s of fitted.h for `shifting: 1`. */
 static const double SHIFT_GAIN = 2.5;
-/* Shifting is a diffusion of particles with D = gain U H: D dt / H^2 that is stable; 0.1 still is. */
+/* Shifting is a diffusion of particles with D = gain U H: largest D dt / H^2; 0.1 is still stable. */
 static const double SHIFT_LIMIT = 0.05;
 
-/** The part of each rate in a step of `dt` after one of `last` and one of `older` before that; 0: there was
- *  none. */
-static void weigh(double weights[3], double dt, double last, double older)
+/** Sets the weights b of the rates for a step `dt` after one of `last` and one of `older` before that; 0: none. */
+static void set_weights(double weights[3], double dt, double last, double older)
 {
     double both = last + older;
     weights[1] = weights[2] = 0;
@@ -44,8 +42,8 @@ static void swap(double **a, double **b)
     *b = array;
 }
 
-/** The rates become those of the step before, and those of two steps before make room. */
-static void age_rates(sph2d__store *f)
+/** Makes the rates those of the step before, which become those of two steps before. */
+static void rotate_rates(sph2d__store *f)
 {
     double **now[] = {&f->ax, &f->ay, &f->density_rate};
     double **old[] = {&f->old_ax, &f->old_ay, &f->old_density_rate};
@@ -56,8 +54,8 @@ static void age_rates(sph2d__store *f)
     }
 }
 
-/** Ways, velocities and densities of a batch. */
-static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
+/** Displacements, velocities and densities of a batch. */
+static void advance(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     sph2d__store *f = &sim->system.fluid;
     const double now = dt * sim->weights[0], old = dt * sim->weights[1], older = dt * sim->weights[2];
@@ -82,9 +80,9 @@ static double mean_density(const sph2d__store *f)
     return f->count > 0 ? sum / (double)f->count : 0;
 }
 
-/** Liquid that fills a closed room keeps its mass, so that its mean density is known; fits that are not conservative
- *  let it drift (a cavity at Re 1000 by 0.07 % in a time L/U), and the drift is the same everywhere. */
-static void keep_mass(sph2d_sim *sim)
+/** Restores the mean density, which is constant in a closed domain; the fits are not conservative and let it drift (a
+ *  cavity at Re 1000 by 0.07 % in a time L/U), uniformly. */
+static void restore_mean_density(sph2d_sim *sim)
 {
     sph2d__store *f = &sim->system.fluid;
     double drift = mean_density(f) - sim->record.mean_density;
@@ -99,21 +97,21 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     sph2d__limit_shift(s, SHIFT_GAIN, SHIFT_LIMIT, dt);
     if (!(r->mean_density > 0))
         r->mean_density = mean_density(&s->fluid);
-    age_rates(&s->fluid);
+    rotate_rates(&s->fluid);
     sph2d_status status = sph2d__sim_update_forcing(sim, r->time);
     if (status != SPH2D_OK)
         return status;
     if (!sph2d__sim_book_fitted(sim, dt))
         return SPH2D_NOMEM;
-    weigh(sim->weights, dt, r->last_step, r->older_step);
+    set_weights(sim->weights, dt, r->last_step, r->older_step);
     r->older_step = r->last_step;
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
-    status = sph2d__advect(sim, dt, go, NULL);
+    status = sph2d__advect(sim, dt, advance, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
-    keep_mass(sim);
+    restore_mean_density(sim);
     sph2d__state_equation_apply(s);
     return SPH2D_OK;
 }

@@ -9,9 +9,9 @@
 #include "methods/common/state_equation.h"
 #include "methods/terms/stable_step.h"
 
-/* Step limits as fractions of H^2/nu and sqrt(H/a), and of H/(delta c0) for density diffusion. Adams and Bashforth's
- * scheme is stable on a lattice up to 0.0089 H^2/nu (H/dx 2 to 4; between walls that liquid sticks to 0.0065), 0.107
- * H/(delta c0), and, for sound, 0.315 H/c0. */
+/* Step limits as fractions of H^2/nu and sqrt(H/a), and of H/(delta c0) for density diffusion. The Adams-Bashforth
+ * scheme is stable on a lattice up to 0.0089 H^2/nu (H/dx 2 to 4; between no-slip walls 0.0065), 0.107 H/(delta c0),
+ * and, for sound, 0.315 H/c0. */
 static const double VISCOUS = 0.0075;
 static const double VISCOUS_AT_WALLS = 0.005;
 static const double FORCE = 0.25;
@@ -23,7 +23,7 @@ static const sph2d__fitted_passes *passes(const sph2d__system *s)
     return mixed ? sph2d__fitted_passes_find_mixed(s->isa) : sph2d__fitted_passes_find(s->isa);
 }
 
-/** On f = r^4 the fit finds c (x^2 + y^2), whose Laplacian 4c is all error at the centre, and leaves the residual R:
+/** For f = r^4 the fit gives c (x^2 + y^2), whose Laplacian 4c is wrong at the centre, and leaves the residual R:
  *  gamma makes 4c + gamma R = 0. */
 double sph2d__fitted_residual_gain(double ratio)
 {
@@ -61,9 +61,9 @@ static bool evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double sound = sqrt(sph2d__sound_speed2_at(s, s->max_density)), nu = s->viscosity / s->rest_density;
+    double sound_speed = sqrt(sph2d__sound_speed2_at(s, s->max_density)), nu = s->viscosity / s->rest_density;
     double viscous = s->walls_press ? VISCOUS_AT_WALLS : VISCOUS;
-    double step = sph2d__shortest_step(s, sound, speed, acceleration, nu, viscous, FORCE, limit);
+    double step = sph2d__shortest_step(s, sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
     double diffusive = DIFFUSIVE * s->support / (s->method.density_diffusion * s->sound_speed);
     if (step <= diffusive)
         return step;
@@ -71,11 +71,11 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     return diffusive;
 }
 
-/* What is known of a step: the rates along the way of the liquid. */
+/* The rates that are kept for two steps. */
 #define RATES (SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density_rate))
 #define OLD_RATES (SPH2D__BIT(old_ax) | SPH2D__BIT(old_ay) | SPH2D__BIT(old_density_rate))
 #define OLDER_RATES (SPH2D__BIT(older_ax) | SPH2D__BIT(older_ay) | SPH2D__BIT(older_density_rate))
-/* What a shift does. */
+/* The shift velocity and the rates by advection with it. */
 #define SHIFT                                                                                                          \
     (SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(shift_ax) | SPH2D__BIT(shift_ay) |                         \
      SPH2D__BIT(shift_density_rate))

@@ -10,20 +10,20 @@
  *      grad f = (c_1, c_2)/H   lap f = 2 (c_3 + c_5)/H^2 + gamma R
  *      R = 4 (sum w df - c . sum w phi) / ((A_11 + A_22) H^2)
  *
- *  R, the residual of the fit as a Laplacian, is of fourth derivatives on a smooth field and large on noise from
- *  particle to particle: gamma makes the Laplacian of r^4 right on a lattice, and R of density is the density
- *  diffusion. Nothing else stands for delta-SPH's diffusion, and no volume or mass appears.
+ *  R, the residual of the fit as a Laplacian, is of fourth derivatives of a smooth field and large for noise at the
+ *  particle scale: gamma makes the Laplacian of r^4 exact on a lattice, and R of density is the density diffusion. It
+ *  replaces delta-SPH's; volume and mass do not appear.
  *
- *  Particles move with the liquid and a small shift w_s towards where neighbours are few (Lind et al. 2012; Sun et al.
- *  2017, eq. 7), and every equation is written along that way (Sun et al. 2019):
+ *  Particles move with the liquid plus a small shift velocity w_s against the concentration gradient (Lind et al. 2012;
+ *  Sun et al. 2017, eq. 7), and the equations are written along these trajectories (Sun et al. 2019):
  *
  *      dx/dt   = v + w_s                       w_s = -s U S,  |w_s| <= U/2,  U the largest speed
  *      dv/dt   = -c^2 grad rho / rho + nu lap v + body force + (w_s . grad) v
  *      drho/dt = -rho div v + delta h c0 R(rho) + w_s . grad rho
  *      S       = 140/pi (dx/H)^2 sum w [1 + 0.2 (W(r)/W(dx))^4] (xi, eta),   W Wendland's C2
  *
- *  Momentum is not conserved to round-off: the error is that of the fit. Where neighbours are too few or on a line the
- *  fit falls back to a linear one, then to no gradient. */
+ *  Momentum is not conserved to round-off: the error is that of the fit. If the neighbours are too few or on one line
+ *  the fit falls back to a linear one, then to zero gradient. */
 #ifndef SPH2D_METHODS_FITTED_FITTED_H
 #define SPH2D_METHODS_FITTED_FITTED_H
 
@@ -31,13 +31,13 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-/** Its time scheme (adams_bashforth.c): method.h. */
+/** The time scheme (adams_bashforth.c): method.h. */
 sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
 
 /** The pair loops, compiled once for each instruction set and precision. */
 typedef struct sph2d__fitted_passes {
-    /** The fluid's acceleration and density_rate along the way of the liquid, its shift and what that adds to both
-     *  (way). */
+    /** Sets the fluid's acceleration and density_rate along the motion of the liquid, its shift velocity, and the rates
+     *  by advection with that. */
     sph2d__span_work *rates;
 } sph2d__fitted_passes;
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file fitted_pair.h
- *  What a neighbour, or a wall, adds to the sums that a fit is made of: fitted.h has the equations. No loops over
- *  particles. */
+ *  What a neighbour or a wall adds to the sums of a fit: fitted.h has the equations. No loops over particles. */
 #ifndef SPH2D_METHODS_FITTED_FITTED_PAIR_H
 #define SPH2D_METHODS_FITTED_FITTED_PAIR_H
 
@@ -13,8 +12,8 @@
 #include "methods/common/state_equation.h"
 #include "methods/fitted/fitted.h"
 
-/* What is summed over the neighbours of a particle. Moments of order 1 to 4 of (xi, eta), then of the differences of
- * u, v and rho: plain, and with each basis function. */
+/* Sums over the neighbours of a particle: moments of order 1 to 4 of (xi, eta), the concentration gradient, then the
+ * differences of u, v and rho, by themselves and times each basis function. */
 enum {
     M10,
     M01,
@@ -30,8 +29,8 @@ enum {
     M22,
     M13,
     M04,
-    CROWD_X,
-    CROWD_Y,
+    GRAD_C_X,
+    GRAD_C_Y,
     FIELDS,
     FIELD_SUMS = 6, /* sum w df, then b_1 to b_5 */
     SUMS = FIELDS + 3 * FIELD_SUMS
@@ -49,14 +48,14 @@ enum { MATRIX = 15 };
 typedef struct constants {
     sph2d__packed liquid;
     sph2d__real inverse_support; /**< 1/H [1/m] */
-    sph2d__real near;            /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
-    double crowd;                /**< 140/pi (dx/H)^2 */
+    sph2d__real value_scale;     /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
+    double grad_c_scale;         /**< 140/pi (dx/H)^2 */
     double viscosity;            /**< kinematic [m^2/s] */
 } constants;
 
-/* ---- liquid -------------------------------------------------------------------------------------------------------- */
+/* ---- liquid ------------------------------------------------------------------------------------------------------ */
 
-/** From the particles of a group to a candidate, in units of H, and 1 - q where that is positive, else 0. */
+/** From the particles of a group to a candidate, in units of H, and 1 - q, at least 0. */
 typedef struct offset {
     sph2d__lanes x, y, t;
 } offset;
@@ -79,12 +78,12 @@ SPH2D__INLINE void add_field(fit_sums *to, int field, const offset *at, sph2d__l
     b[5] += yd * at->y;
 }
 
-/** Adds the moments, and the crowding. */
+/** Adds the moments and the concentration gradient. */
 SPH2D__INLINE void add_moments(fit_sums *to, sph2d__lanes x, sph2d__lanes y, sph2d__lanes t, const constants *k)
 {
-    sph2d__lanes t2 = t * t, w = t2 * t, near = t2 * t2 * (5 * k->near - 4 * k->near * t);
-    near *= near;
-    sph2d__lanes wx = w * x, wy = w * y, crowd = 1 + near * near;
+    sph2d__lanes t2 = t * t, w = t2 * t, value = t2 * t2 * (5 * k->value_scale - 4 * k->value_scale * t);
+    value *= value;
+    sph2d__lanes wx = w * x, wy = w * y, factor = 1 + value * value;
     sph2d__lanes wxx = wx * x, wxy = wx * y, wyy = wy * y;
     sph2d__lanes w30 = wxx * x, w21 = wxx * y, w12 = wyy * x, w03 = wyy * y;
     to->of[M10] += wx;
@@ -101,19 +100,19 @@ SPH2D__INLINE void add_moments(fit_sums *to, sph2d__lanes x, sph2d__lanes y, sph
     to->of[M22] += w21 * y;
     to->of[M13] += w03 * x;
     to->of[M04] += w03 * y;
-    to->of[CROWD_X] += crowd * wx;
-    to->of[CROWD_Y] += crowd * wy;
+    to->of[GRAD_C_X] += factor * wx;
+    to->of[GRAD_C_Y] += factor * wy;
 }
 
-/* ---- walls --------------------------------------------------------------------------------------------------------- */
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/* Boundary particles of the first layer stand for the surface. */
+/* Largest depth [dx] of boundary particles of the first layer, which represent the surface. */
 static const double FIRST_LAYER = 0.75;
-/* Weight of what a wall knows of the slope of density beside what neighbours say. Without it the slope at a wall is an
+/* Weight of the density gradient known at a wall relative to neighbours. Without it the gradient at a wall is an
  * extrapolation, and a cavity at Re 1000 diverged. */
-static const double SLOPE_WEIGHT = 0.1;
+static const double GRADIENT_WEIGHT = 0.1;
 
-/** Adds a point of a no-slip surface to the velocity's sums of a lane: the wall's velocity is known there. */
+/** Adds a point of a no-slip surface, where the velocity is known, to the velocity sums of a lane. */
 static void add_surface(fit_sums *sums, int lane, double x, double y, const double known[2])
 {
     double q2 = x * x + y * y;
@@ -131,15 +130,15 @@ static void add_surface(fit_sums *sums, int lane, double x, double y, const doub
             sums->of[FIELDS + v * FIELD_SUMS + n][lane] += (sph2d__real)(w * basis[n] * known[v]);
 }
 
-/** Adds what a wall knows of the slope of density to the equations of a lane: along its normal the pressure balances
- *  the body force and the wall's acceleration. */
-static void add_slope(fit_sums *sums, sph2d__lanes matrix[MATRIX], int lane, double x, double y, double nx, double ny,
-                      double known)
+/** Adds the density gradient along a wall's normal to the equations of a lane: pressure balances the body force and the
+ *  wall's acceleration. */
+static void add_normal_gradient(fit_sums *sums, sph2d__lanes matrix[MATRIX], int lane, double x, double y, double nx,
+                                double ny, double known)
 {
     double q2 = x * x + y * y;
     if (q2 >= 1)
         return;
-    double t = 1 - sqrt(q2), w = SLOPE_WEIGHT * t * t * t;
+    double t = 1 - sqrt(q2), w = GRADIENT_WEIGHT * t * t * t;
     double basis[5] = {nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
     for (int a = 0, n = 0; a < 5; ++a) {
         for (int b = 0; b <= a; ++b, ++n) /* n++ below would count twice: a bug of GCC 12 */
@@ -148,30 +147,30 @@ static void add_slope(fit_sums *sums, sph2d__lanes matrix[MATRIX], int lane, dou
     }
 }
 
-/** Adds boundary particle b at (x, y) from particle i [m]: any to its crowding; those next to the surface stand for the
- *  point of it in front of them, whose velocity and slope of density are known. */
+/** Adds boundary particle b at (x, y) from particle i [m]: to the concentration gradient, and, if it is in the first
+ *  layer, the velocity and density gradient of the point of the surface in front of it. */
 static void add_wall(const sph2d__system *s, size_t i, size_t b, double x, double y, const constants *k, fit_sums *sums,
-                     fit_sums *rough, sph2d__lanes matrix[MATRIX], int lane)
+                     fit_sums *velocity_sums, sph2d__lanes matrix[MATRIX], int lane)
 {
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     double q = sqrt(x * x + y * y) * k->inverse_support;
     if (q < 1) {
-        double near = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) * k->near, t = 1 - q;
-        double crowd = t * t * t * (1 + near * near * near * near) * k->inverse_support;
-        sums->of[CROWD_X][lane] += (sph2d__real)(crowd * x);
-        sums->of[CROWD_Y][lane] += (sph2d__real)(crowd * y);
+        double value = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q) * k->value_scale, t = 1 - q;
+        double weight = t * t * t * (1 + value * value * value * value) * k->inverse_support;
+        sums->of[GRAD_C_X][lane] += (sph2d__real)(weight * x);
+        sums->of[GRAD_C_Y][lane] += (sph2d__real)(weight * y);
     }
     if (w->depth[b] > FIRST_LAYER * s->spacing)
         return;
     double known[2] = {w->vx[b] - f->vx[i], w->vy[b] - f->vy[i]};
     double foot_x = (x + w->depth[b] * w->normal_x[b]) * k->inverse_support;
     double foot_y = (y + w->depth[b] * w->normal_y[b]) * k->inverse_support;
-    add_surface(rough, lane, foot_x, foot_y, known);
+    add_surface(velocity_sums, lane, foot_x, foot_y, known);
     double gx = -w->ax[b], gy = -w->ay[b];
     sph2d__body_add(&s->body, f->x[i], f->y[i], w->vx[b], w->vy[b], &gx, &gy);
-    double slope = f->density[i] / sph2d__sound_speed2_at(s, f->density[i]) * s->support *
-                   (gx * w->normal_x[b] + gy * w->normal_y[b]);
-    add_slope(sums, matrix, lane, foot_x, foot_y, w->normal_x[b], w->normal_y[b], slope);
+    double gradient = f->density[i] / sph2d__sound_speed2_at(s, f->density[i]) * s->support *
+                      (gx * w->normal_x[b] + gy * w->normal_y[b]);
+    add_normal_gradient(sums, matrix, lane, foot_x, foot_y, w->normal_x[b], w->normal_y[b], gradient);
 }
 
 #endif

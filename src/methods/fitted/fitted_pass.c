@@ -3,8 +3,9 @@
  *  The pair loop of method `wcsph` with fitted operators. Compiled once for each instruction set and precision, named
  *  by SPH2D__ISA.
  *
- *  A fit costs so much more than a distance that candidates are first listed: those that are not near the box around
- *  a group, a quarter of them, are left out. Normal equations are solved for all particles of a group at once. */
+ *  The sums of a fit cost so much more than a distance that candidates are first filtered: a quarter of them, farther
+ *  than H from the box around a group, is left out. Normal equations are solved for all particles of a group at once.
+ */
 #include <math.h>
 
 #include "base/pi.h"
@@ -14,24 +15,24 @@
 
 /* ---- neighbours -------------------------------------------------------------------------------------------------- */
 
-/* Candidates that are listed before they are summed: more than a group has in liquid at rest. */
+/* Capacity of the list of candidates: more than a group has in liquid at rest. */
 enum { LISTED = 128 };
 
-/** Candidates that wait to be summed. */
+/** Candidates that are not yet summed. */
 typedef struct list {
     size_t count;
     uint32_t index[LISTED];
     sph2d__real x[LISTED + 1], y[LISTED + 1]; /**< from the group's first particle, in units of H */
 } list;
 
-/** The particles of a group, and the box around them: places in the same units. */
+/** The particles of a group and their bounding box, in the same units. */
 typedef struct group_state {
     sph2d__lanes x, y, vx, vy, density;
     double from_x, from_y;                    /**< the first particle [m] */
     sph2d__real low_x, low_y, high_x, high_y; /**< the box */
 } group_state;
 
-/** Lists those of the particles from j on, in range r, that are near the box. */
+/** Appends the candidates of the block from j on, in range r, within H of the box. */
 SPH2D__INLINE void list_block(list *to, const group_state *own, const sph2d__ranges *ranges, int r, size_t j,
                               const constants *k)
 {
@@ -51,9 +52,9 @@ SPH2D__INLINE void list_block(list *to, const group_state *own, const sph2d__ran
     to->count += (size_t)__builtin_popcount(near);
 }
 
-/** Adds the listed candidates to the sums: of the fields in one loop, all others in a second, as all at once need more
- *  registers than there are. The next candidate's root is under way while one is summed: that spares 8 % of the time.
- *  */
+/** Adds the listed candidates to the sums: those of the fields in one loop, all others in a second, since together they
+ *  need more registers than there are. The next candidate's square root overlaps the sums, which saves 8 % of the time.
+ */
 static void sum_listed(fit_sums *to, list *from, const group_state *own, const constants *k)
 {
     const sph2d__packed *f = &k->liquid;
@@ -77,7 +78,7 @@ static void sum_listed(fit_sums *to, list *from, const group_state *own, const c
     from->count = 0;
 }
 
-/** All sums of a group over the liquid. */
+/** Sets the sums of a group over the liquid. */
 static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const constants *k, fit_sums *to)
 {
     const sph2d__store *f = &s->fluid;
@@ -112,26 +113,26 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/** Adds the walls near particle i: all layers to its crowding, the surface to the sums of its velocity. */
+/** Adds the walls near particle i: all layers to its concentration gradient, the surface to its velocity sums. */
 static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_t i, const constants *k, fit_sums *sums,
-                      fit_sums *rough, sph2d__lanes matrix[MATRIX], int lane)
+                      fit_sums *velocity_sums, sph2d__lanes matrix[MATRIX], int lane)
 {
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     SPH2D__FOR_NEIGHBOURS (&cursor->ranges, r, b) {
         if (w->bounce[b] >= 0)
             continue;
         double x = w->x[b] - f->x[i] - cursor->ranges.x[r], y = w->y[b] - f->y[i] - cursor->ranges.y[r];
-        add_wall(s, i, b, x, y, k, sums, rough, matrix, lane);
+        add_wall(s, i, b, x, y, k, sums, velocity_sums, matrix, lane);
     }
 }
 
 /* ---- groups of particles ----------------------------------------------------------------------------------------- */
 
-/** The rates of a group; `walls` stays where the last particle was. */
+/** Sets the rates of a group; `walls` is kept from one particle to the next. */
 static void rates_of_group(sph2d__system *s, const sph2d__group *g, sph2d__cursor *walls, const constants *k)
 {
     const sph2d__store *f = &s->fluid;
-    fit_sums sums, rough;
+    fit_sums sums, velocity_sums;
     sum_liquid(s, g, k, &sums);
     sph2d__lanes matrix[MATRIX];
     fill_matrix(&sums, matrix);
@@ -141,15 +142,15 @@ static void rates_of_group(sph2d__system *s, const sph2d__group *g, sph2d__curso
         if (!sph2d__cursor_move(walls, &s->wall_cells, f->x[i], f->y[i]))
             continue;
         if (!walled)
-            rough = sums;
+            velocity_sums = sums;
         walled = true;
-        add_walls(s, walls, i, k, &sums, &rough, matrix, lane);
+        add_walls(s, walls, i, k, &sums, &velocity_sums, matrix, lane);
     }
     fit fits;
     if (walled) {
         solve(&sums, g->count, matrix, 2, 3, &fits);
-        fill_matrix(&rough, matrix);
-        solve(&rough, g->count, matrix, 0, 2, &fits);
+        fill_matrix(&velocity_sums, matrix);
+        solve(&velocity_sums, g->count, matrix, 0, 2, &fits);
     } else {
         solve(&sums, g->count, matrix, 0, 3, &fits);
     }
@@ -159,11 +160,11 @@ static void rates_of_group(sph2d__system *s, const sph2d__group *g, sph2d__curso
 static void rates(sph2d__system *s, size_t first, size_t last)
 {
     double ratio = s->support / s->spacing;
-    const double beside = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio);
+    const double value = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio);
     const constants k = {.liquid = sph2d__packed_of(s, &s->fluid, false),
                          .inverse_support = (sph2d__real)(1 / s->support),
-                         .near = (sph2d__real)(pow(0.2, 0.25) / beside),
-                         .crowd = 140 / (SPH2D__PI * ratio * ratio),
+                         .value_scale = (sph2d__real)(pow(0.2, 0.25) / value),
+                         .grad_c_scale = 140 / (SPH2D__PI * ratio * ratio),
                          .viscosity = s->viscosity / s->rest_density};
     const sph2d__grouping by = sph2d__grouping_of(&s->fluid, &s->fluid_cells, NULL);
     sph2d__cursor walls = SPH2D__CURSOR_START;

@@ -13,29 +13,29 @@ typedef struct fit {
     sph2d__lanes x[3], y[3], laplacian[3], residual[3];
 } fit;
 
-/** Derivatives of a linear fit, for a particle whose neighbours cannot carry a quadratic one; none where they are all
+/** Derivatives of a linear fit, for a particle whose neighbours do not determine a quadratic one; zero if they are all
  *  on one line. */
 static void fit_linear(const fit_sums *sums, int lane, int first, int end, fit *out)
 {
     double a = sums->of[M20][lane], b = sums->of[M11][lane], c = sums->of[M02][lane], det = a * c - b * b;
-    bool sound = det > 1e-6 * (a + c) * (a + c);
+    bool invertible = det > 1e-6 * (a + c) * (a + c);
     for (int v = first; v < end; ++v) {
         double bx = sums->of[FIELDS + v * FIELD_SUMS + 1][lane], by = sums->of[FIELDS + v * FIELD_SUMS + 2][lane];
-        out->x[v][lane] = sound ? (sph2d__real)((c * bx - b * by) / det) : 0;
-        out->y[v][lane] = sound ? (sph2d__real)((a * by - b * bx) / det) : 0;
+        out->x[v][lane] = invertible ? (sph2d__real)((c * bx - b * by) / det) : 0;
+        out->y[v][lane] = invertible ? (sph2d__real)((a * by - b * bx) / det) : 0;
         out->laplacian[v][lane] = out->residual[v][lane] = 0;
     }
 }
 
-/* A pivot below this part of its diagonal says that the neighbours do not carry the fit; in floats it may be rounding.
- * And what divisors are never below. */
+/* Least pivot over its diagonal element: below, the neighbours do not determine the fit, or in floats it may be
+ * rounding error. And the lower bound of divisors. */
 #ifdef SPH2D__MIXED
-static const float SINGULAR = 1e-5F, TINY = 1e-30F;
+static const float MIN_PIVOT = 1e-5F, TINY = 1e-30F;
 #else
-static const double SINGULAR = 1e-7, TINY = 1e-300;
+static const double MIN_PIVOT = 1e-7, TINY = 1e-300;
 #endif
 
-/** A of the neighbours alone. */
+/** Sets the matrix A from the moments. */
 static void fill_matrix(const fit_sums *sums, sph2d__lanes matrix[MATRIX])
 {
     static const unsigned char moment[MATRIX] = {M20, M11, M02, M30, M21, M40, M21, M12,
@@ -44,20 +44,20 @@ static void fill_matrix(const fit_sums *sums, sph2d__lanes matrix[MATRIX])
         matrix[n] = sums->of[moment[n]];
 }
 
-/** Solves the normal equations of all lanes by Cholesky's method without roots, A = L D L^T, for the fields `first` to
- *  `end` - 1. */
+/** Solves the normal equations of all lanes by Cholesky's method without square roots, A = L D L^T, for the fields
+ *  `first` to `end` - 1. */
 static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MATRIX], int first, int end, fit *out)
 {
     sph2d__lanes l[5][5], inverse[5] = {{0}},
-                          weakest = sph2d__lanes_all(1); /* above the diagonal of l: L D, transposed */
+                          regular = sph2d__lanes_all(1); /* above the diagonal of l: L D, transposed */
     for (int a = 0; a < 5; ++a)
         for (int b = 0; b <= a; ++b) {
-            sph2d__lanes whole = matrix[a * (a + 1) / 2 + b], rest = whole;
+            sph2d__lanes element = matrix[a * (a + 1) / 2 + b], rest = element;
             for (int n = 0; n < b; ++n)
                 rest -= l[n][a] * l[b][n];
             if (a == b) {
-                sph2d__lanes pivot = sph2d__lanes_max(rest, whole * SINGULAR + TINY);
-                weakest = sph2d__lanes_below(pivot - rest, TINY, weakest, (sph2d__lanes){0});
+                sph2d__lanes pivot = sph2d__lanes_max(rest, element * MIN_PIVOT + TINY);
+                regular = sph2d__lanes_below(pivot - rest, TINY, regular, (sph2d__lanes){0});
                 inverse[a] = 1 / pivot;
             } else {
                 l[b][a] = rest;
@@ -85,34 +85,34 @@ static void solve(const fit_sums *sums, int lanes, const sph2d__lanes matrix[MAT
         out->residual[v] = residual * scale;
     }
     for (int lane = 0; lane < lanes; ++lane)
-        if (weakest[lane] < 0.5)
+        if (regular[lane] < 0.5)
             fit_linear(sums, lane, first, end, out);
 }
 
-/** The rates of a group from its fits. */
+/** Sets the rates of a group from its fits. */
 static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums, const fit *fits, const constants *k)
 {
     sph2d__store *f = &s->fluid;
-    const sph2d__real h1 = k->inverse_support, h2 = h1 * h1, most = (sph2d__real)(0.5 * s->speed);
+    const sph2d__real h1 = k->inverse_support, h2 = h1 * h1, max_shift = (sph2d__real)(0.5 * s->speed);
     const sph2d__real diffusion = (sph2d__real)(s->method.density_diffusion / 2 * s->support * s->sound_speed * h2);
     const sph2d__real gain = (sph2d__real)s->residual_gain;
-    sph2d__lanes dx[3], dy[3], shift = sph2d__lanes_all(-s->shift_gain * s->speed * k->crowd);
+    sph2d__lanes dx[3], dy[3], shift = sph2d__lanes_all(-s->shift_gain * s->speed * k->grad_c_scale);
     for (int v = 0; v < 3; ++v) {
         dx[v] = fits->x[v] * h1;
         dy[v] = fits->y[v] * h1;
     }
-    sph2d__lanes wx = shift * sums->of[CROWD_X], wy = shift * sums->of[CROWD_Y];
+    sph2d__lanes wx = shift * sums->of[GRAD_C_X], wy = shift * sums->of[GRAD_C_Y];
     sph2d__lanes w = sph2d__lanes_sqrt(wx * wx + wy * wy),
-                 less = most / sph2d__lanes_max(w, sph2d__lanes_all(most + TINY));
-    wx *= less;
-    wy *= less;
+                 factor = max_shift / sph2d__lanes_max(w, sph2d__lanes_all(max_shift + TINY));
+    wx *= factor;
+    wy *= factor;
     sph2d__lanes rho = sph2d__group_lanes(f->density + g->first, 0), nu = sph2d__lanes_all(k->viscosity * h2);
     sph2d__lanes ax = nu * (fits->laplacian[0] + gain * fits->residual[0]);
     sph2d__lanes ay = nu * (fits->laplacian[1] + gain * fits->residual[1]);
     sph2d__lanes rate = diffusion * fits->residual[2] - rho * (dx[0] + dy[1]);
-    sph2d__lanes way[3];
+    sph2d__lanes advection[3];
     for (int v = 0; v < 3; ++v)
-        way[v] = wx * dx[v] + wy * dy[v];
+        advection[v] = wx * dx[v] + wy * dy[v];
     for (int lane = 0; lane < g->count; ++lane) {
         size_t i = g->first + (size_t)lane;
         double push = -sph2d__sound_speed2_at(s, f->density[i]) / f->density[i];
@@ -123,9 +123,9 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
         f->density_rate[i] = rate[lane];
         f->shift_x[i] = wx[lane];
         f->shift_y[i] = wy[lane];
-        f->shift_ax[i] = way[0][lane];
-        f->shift_ay[i] = way[1][lane];
-        f->shift_density_rate[i] = way[2][lane];
+        f->shift_ax[i] = advection[0][lane];
+        f->shift_ay[i] = advection[1][lane];
+        f->shift_density_rate[i] = advection[2][lane];
     }
 }
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file leapfrog.c
- *  One step of a method whose density is a sum: leapfrog as kick-drift-kick.
+ *  Time scheme for density by summation: leapfrog as kick-drift-kick.
  *
  *      v(n+1/2) = v(n) + dt/2 a(n)
  *      x(n+1)   = x(n) + dt v(n+1/2)
  *      a(n+1)   = a(x(n+1), v(n) + dt a(n))
  *      v(n+1)   = v(n+1/2) + dt/2 a(n+1)
  *
- *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces of position
- *  alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with u(-dt/2) =
- *  u(0) - dt/2 a(0). */
+ *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces that depend
+ *  on position alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with
+ *  u(-dt/2) = u(0) - dt/2 a(0). */
 #include "methods/muller/muller.h"
 #include "sim/stages.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller.c
- *  Method `muller`: equation of state, walls, step limits. The pair loops are in muller_pass.c. */
+ *  Method `muller`: setup, equation of state, step limits. The pair loops are in muller_pass.c. */
 #include "methods/muller/muller.h"
 #include "methods/muller/muller_side.h"
 #include "methods/terms/tension.h"
@@ -11,15 +11,15 @@
 #include "kernels/muller.h"
 #include "methods/terms/stable_step.h"
 
-/* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator stands nu dt/H^2 < 0.145; in a
- * compressed liquid at H/dx = 1.3, at the acoustic limit too, 0.06 ran and 0.08 did not. With the viscosity that there
- * is at least, 0.1 c0 H, this is 0.4 H/c0. */
+/* Step limits as fractions of H^2/nu and sqrt(H/a). On a lattice the viscous operator is stable for nu dt/H^2 < 0.145;
+ * in a compressed liquid at H/dx = 1.3, with the acoustic limit reached too, 0.06 was stable and 0.08 was not. With the
+ * least viscosity, 0.1 c0 H, this is 0.4 H/c0. */
 static const double VISCOUS = 0.04;
 static const double FORCE = 0.25;
 
-/** Gives each boundary particle the mass with which the boundary alone has the rest density at it, so that it is heavy
+/** Sets the mass of each boundary particle so that the boundary alone has the rest density there, which makes it heavy
  *  where the wall is thin: m_b = rho0 / sum_b' W(r_bb') (Akinci et al. 2012, eq. 4). */
-static void weigh_walls(sph2d__system *s)
+static void set_wall_masses(sph2d__system *s)
 {
     const sph2d__store *walls = &s->walls;
     double support2 = s->support * s->support;
@@ -40,8 +40,9 @@ static void weigh_walls(sph2d__system *s)
     }
 }
 
-/** What sides add (muller_side.h). Pairs of a lattice under even pressure p push its last row by p/(rho0 dx). */
-static void fill_sides(sph2d__system *s)
+/** Sets the constants of the sides (muller_side.h). In a lattice under uniform pressure p pair forces accelerate the
+ *  last row by p/(rho0 dx). */
+static void set_side_constants(sph2d__system *s)
 {
     double beside = sph2d__poly6_beyond_sum(s->support, s->spacing), q = s->spacing / s->support;
     s->side_fill = s->rest_density * beside;
@@ -49,20 +50,20 @@ static void fill_sides(sph2d__system *s)
     s->side_power = (1 - q * q) / (2 * q * q * beside);
 }
 
-/** Spacing of a lattice that is compressed evenly until its summed density is `compressed` times that at rest. */
+/** Spacing of a uniformly compressed lattice whose density sum is `compressed` times rest density. */
 static double compressed_spacing(const sph2d__system *s, double compressed)
 {
-    double near = 0, far = s->spacing;
+    double low = 0, high = s->spacing;
     for (int k = 0; k < 40; ++k) {
-        double middle = (near + far) / 2;
+        double middle = (low + high) / 2;
         bool more = sph2d__poly6_compressed(s->support, s->spacing, fmax(middle, 0.2 * s->spacing)) > compressed;
-        near = more ? middle : near;
-        far = more ? far : middle;
+        low = more ? middle : low;
+        high = more ? high : middle;
     }
-    return far;
+    return high;
 }
 
-static void fill_pair_gains(sph2d__system *s)
+static void set_pair_gains(sph2d__system *s)
 {
     for (int k = 0; k <= SPH2D__PAIR_GAINS; ++k) {
         double density = 1 + (double)k * (SPH2D__PAIR_GAIN_TOP - 1) / SPH2D__PAIR_GAINS;
@@ -70,35 +71,35 @@ static void fill_pair_gains(sph2d__system *s)
     }
 }
 
-/** What pairs take for a pressure at a density over rest density. */
+/** G, the pressure in pairs over that of the equation of state, at a density over rest density. */
 static double pair_gain(const sph2d__system *s, double density)
 {
-    double place = (density - 1) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1);
-    if (!(place < SPH2D__PAIR_GAINS))
+    double position = (density - 1) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1);
+    if (!(position < SPH2D__PAIR_GAINS))
         return s->pair_gain[SPH2D__PAIR_GAINS];
-    int k = place > 0 ? (int)place : 0;
-    return s->pair_gain[k] + fmax(place - k, 0) * (s->pair_gain[k + 1] - s->pair_gain[k]);
+    int k = position > 0 ? (int)position : 0;
+    return s->pair_gain[k] + fmax(position - k, 0) * (s->pair_gain[k + 1] - s->pair_gain[k]);
 }
 
 static void prepare(sph2d__system *s)
 {
     s->calibration = 1 / sph2d__poly6_lattice_sum(s->support, s->spacing);
-    fill_sides(s);
+    set_side_constants(s);
     s->moment = sph2d__spiky_lattice_stress(s->support, s->spacing);
     s->modulus = s->sound_speed * s->sound_speed / sph2d__poly6_lattice_response(s->support, s->spacing);
     s->viscosity = sph2d__viscosity_at_least(s);
-    fill_pair_gains(s);
-    weigh_walls(s);
+    set_pair_gains(s);
+    set_wall_masses(s);
 }
 
-/** The pressure that a lattice carries, P k (rho - rho0), where positive. */
+/** The pressure of a lattice, P k (rho - rho0), if positive. */
 static double pressure_of(const sph2d__system *s, double density)
 {
     double p = s->modulus * (density - s->rest_density);
     return p > 0 ? p : 0;
 }
 
-/** Pressures and volumes of particles. */
+/** Sets pressures and volumes. */
 static void set_pressures(void *system, size_t first, size_t last)
 {
     sph2d__system *s = system;

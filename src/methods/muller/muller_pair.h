@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller_pair.h
- *  What a pair of particles adds in method `muller`, and what sides with springs do. No loops: muller.h has the
- *  equations. */
+ *  Pair terms of method `muller`, and the terms of spring walls. No loops: muller.h has the equations. */
 #ifndef SPH2D_METHODS_MULLER_MULLER_PAIR_H
 #define SPH2D_METHODS_MULLER_MULLER_PAIR_H
 
@@ -11,7 +10,7 @@
 #include "methods/muller/muller_side.h"
 #include "methods/terms/viscosity_pair.h"
 
-/** Poly6 shapes of a candidate at (x, y) for particles at `at`. */
+/** Poly6 without its constant, for particles at `at` and a candidate at (x, y). */
 SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)
 {
     sph2d__lanes dx = at_x - x, dy = at_y - y;
@@ -19,7 +18,7 @@ SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__l
     return d * d * d;
 }
 
-/** What the sides with springs add to the density at a place. */
+/** The density that the sides of the domain add at a position. */
 SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
 {
     sph2d__side_part parts[2];
@@ -27,8 +26,8 @@ SPH2D__INLINE double side_density(const sph2d__system *s, double x, double y)
     return s->side_fill * (parts[0].value + parts[1].value) + s->corner_fill * parts[0].value * parts[1].value;
 }
 
-/** The push of these sides on particle i. */
-SPH2D__INLINE void add_side_push(const sph2d__system *s, size_t i, double *ax, double *ay)
+/** Adds the acceleration of particle i by these sides. */
+SPH2D__INLINE void add_side_force(const sph2d__system *s, size_t i, double *ax, double *ay)
 {
     const sph2d__store *f = &s->fluid;
     double rho = f->density[i], push = f->pressure[i] / (rho * rho);
@@ -46,7 +45,7 @@ typedef struct force_sums {
     sph2d__drag drag;
 } force_sums;
 
-/** The particles of a group that feel a candidate. */
+/** The particles of a group. */
 typedef struct group_state {
     sph2d__lanes x, y, vx, vy, pressure;
 } group_state;
@@ -55,7 +54,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, const group_state
                              size_t j)
 {
     sph2d__lanes dx = own->x - from->x[j], dy = own->y - from->y[j];
-    /* Coincident particles have no direction: 1/r stays finite and meets dx = dy = 0. */
+    /* Coincident particles have no direction: 1/r stays finite, and dx = dy = 0. */
     sph2d__lanes tiny = sph2d__lanes_all(1e-24 * support * support);
     sph2d__lanes r = sph2d__lanes_sqrt(sph2d__lanes_max(dx * dx + dy * dy, tiny));
     sph2d__lanes w = sph2d__lanes_max(support - r, (sph2d__lanes){0});
@@ -66,7 +65,7 @@ SPH2D__INLINE void add_force(force_sums *sums, double support, const group_state
     sph2d__drag_add(&sums->drag, wv, from->vx[j] - own->vx, from->vy[j] - own->vy);
 }
 
-/** The same of a boundary particle, which adds to density alone. */
+/** The same for a boundary particle, whose pressure force comes from the density sum. */
 SPH2D__INLINE void add_wall_force(force_sums *sums, double support, const group_state *own, const sph2d__store *walls,
                                   size_t j)
 {

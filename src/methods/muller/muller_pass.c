@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller_pass.c
- *  The loops of method `muller`; what a pair does is in muller_pair.h. Compiled once for each instruction set, named by
+ *  The loops of method `muller`; the pair terms are in muller_pair.h. Compiled once for each instruction set, named by
  *  SPH2D__ISA. */
 #include "methods/muller/muller_pair.h"
 
-/** Their sum around a group of particles `of`; `mass` NULL counts each candidate once. */
+/** The density sum, without constants, around a group of particles `of`; `mass` NULL: unit masses. */
 SPH2D__INLINE sph2d__lanes density_sum(double support2, const sph2d__store *of, const sph2d__group *g,
                                        const sph2d__ranges *ranges, const sph2d__store *from, const double *mass)
 {
@@ -58,7 +58,7 @@ static void wall_density(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-/** Adds the forces of the particles in `ranges` on a group whose box is laid. */
+/** Sums the forces of the particles in `ranges` on a group whose bounding box is set. */
 SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, const sph2d__group *g, const sph2d__ranges *ranges,
                                     const sph2d__store *from)
 {
@@ -106,7 +106,7 @@ static void force(sph2d__system *s, size_t first, size_t last)
             size_t i = g.first + (size_t)l;
             double ax = fx[l] / f->density[i], ay = fy[l] / f->density[i];
             sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
-            add_side_push(s, i, &ax, &ay);
+            add_side_force(s, i, &ax, &ay);
             f->ax[i] = ax;
             f->ay[i] = ay;
         }

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /** @file muller_side.h
- *  Sides with springs as method `muller` sees them: full of liquid behind. At distance d a side adds
+ *  Spring walls in method `muller`: as if filled with liquid behind. At distance d a side adds
  *
  *      rho_side(d) = rho0 F w(d),   w(d) = (1 - n^2/H^2)^m / (1 - dx^2/H^2)^m,   n = d + dx/2 >= 0,
  *
  *  to the density, and at the distances d and e from two sides of a corner rho0 (F w(d) + F w(e) + Q w(d) w(e)). F and
- *  Q are what rows on one side and particles in one quarter of a filled lattice have of its density: a lattice that
- *  starts half a spacing off the sides has rest density everywhere. Without it the first row would have to be pressed
- *  together before it can carry anything. What it takes to press a particle against a side comes back: the energy per
- *  mass e(rho), the integral of p/rho^2, gives
+ *  Q are the fractions of density due to the rows on one side and to the particles in one quarter of a full lattice: a
+ *  lattice that starts half a spacing off the sides has rest density everywhere. Without these terms the first row
+ *  would have to be compressed before it exerts a pressure. The work against a side is recovered: the energy per mass
+ *  e(rho), the integral of p/rho^2, gives
  *
  *      a_n = -(p/rho^2) d rho_side/dd.
  *
- *  m is such that this push and the pairs of a lattice half a spacing off the side balance under even pressure. */
+ *  m is such that this force balances the pair forces of a lattice half a spacing off the side under uniform pressure.
+ */
 #ifndef SPH2D_METHODS_MULLER_MULLER_SIDE_H
 #define SPH2D_METHODS_MULLER_MULLER_SIDE_H
 
@@ -35,7 +36,7 @@ static inline void sph2d__side_add(const sph2d__system *s, double d, sph2d__side
     to->slope += 2 * s->side_power * n / (h2 * u) * value;
 }
 
-/** Both for the sides across and for those along y. */
+/** Both, for the left and right side in parts[0], for bottom and top in parts[1]. */
 static inline void sph2d__sides_at(const sph2d__system *s, double x, double y, sph2d__side_part parts[2])
 {
     const sph2d__spring_walls *w = &s->body.springs;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file friction.c
- *  Friction of smooth walls: a pass over the boundary particles next to surfaces, and one over the liquid beside them.
- */
+ *  Friction of smooth walls: a pass over the first layer of boundary particles, then one over the liquid near them. */
 #include "methods/terms/friction.h"
 
 #include <math.h>
@@ -10,13 +9,13 @@
 #include "methods/common/slabs.h"
 #include "methods/common/traverse.h"
 
-/* The law of the wall: f(s) = ln(E s)/KARMAN, which is s at LAMINAR. */
-static const double KARMAN = 0.41, E = 9, LAMINAR = 11.2659;
-/* Newton's method ends with a step below this part of s: what is left is about its square. */
-static const double ENOUGH = 1e-5;
-/* A particle's middle may come to the surface; what it stands for is a spacing thick. */
-static const double NEAREST = 0.25;
-/* Particles beside one in a row that the widest support reaches. */
+/* The law of the wall: f(s) = ln(E s)/KARMAN, equal to s at LAMINAR_LIMIT. */
+static const double KARMAN = 0.41, E = 9, LAMINAR_LIMIT = 11.2659;
+/* Newton's method ends with a relative step below this: the remaining error is about its square. */
+static const double TOLERANCE = 1e-5;
+/* Least distance from the surface [dx]: a particle's centre may reach it, but it represents liquid a spacing thick. */
+static const double MIN_DISTANCE = 0.25;
+/* Particles of a row on either side of one within the widest support. */
 enum { REACH = 8 };
 
 bool sph2d__has_friction(const sph2d__system *s)
@@ -24,18 +23,18 @@ bool sph2d__has_friction(const sph2d__system *s)
     return s->wall_slip == SPH2D_SLIP_SMOOTH && s->viscosity > 0 && s->walls_press;
 }
 
-/** s = c y/nu of the law, by Re = u y/nu: s^2 L/y + s f(s) = Re. Where f is a logarithm that is convex, so that
- *  Newton's method comes to it from above after its first step. */
-static double friction_height(double reynolds, double slip)
+/** The wall coordinate s = c y/nu (y+) for Re = u y/nu: s^2 L/y + s f(s) = Re. With the logarithm this is convex, so
+ *  that Newton's method converges from above after its first step. */
+static double wall_coordinate(double reynolds, double slip)
 {
     double s = sqrt(reynolds / (1 + slip));
-    if (s <= LAMINAR)
+    if (s <= LAMINAR_LIMIT)
         return s;
     for (int k = 0; k < 20; ++k) {
-        double part = log(E * s), excess = reynolds - s * (slip * s + part / KARMAN);
-        double step = excess / (2 * slip * s + (part + 1) / KARMAN);
+        double f = log(E * s), excess = reynolds - s * (slip * s + f / KARMAN);
+        double step = excess / (2 * slip * s + (f + 1) / KARMAN);
         s += step;
-        if (fabs(step) < ENOUGH * s)
+        if (fabs(step) < TOLERANCE * s)
             break;
     }
     return s;
@@ -43,7 +42,7 @@ static double friction_height(double reynolds, double slip)
 
 double sph2d__friction_stress(double speed, double distance, double slip_length, double density, double viscosity)
 {
-    double nu = viscosity / density, s = friction_height(speed * distance / nu, slip_length / distance);
+    double nu = viscosity / density, s = wall_coordinate(speed * distance / nu, slip_length / distance);
     return density * (s * nu / distance) * (s * nu / distance);
 }
 
@@ -56,7 +55,7 @@ static double row_weight(const sph2d__system *s)
     return sum;
 }
 
-/** W_ib of a particle at (dx, dy) from b; 0 behind the row. */
+/** W_ib of a particle at (dx, dy) from b; 0 behind the row of b. */
 static inline double weight_of(const sph2d__system *s, size_t b, double dx, double dy)
 {
     double r2 = dx * dx + dy * dy;
@@ -65,30 +64,30 @@ static inline double weight_of(const sph2d__system *s, size_t b, double dx, doub
     return sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / s->support);
 }
 
-/** The friction of b over the weights: along (-normal_y, normal_x) [N/m]. */
+/** The friction of b over the sum of weights, along (-normal_y, normal_x) [N/m]. */
 static double drag_of(const sph2d__system *s, size_t b, const sph2d__ranges *ranges, double full)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
-    double weights = 0, past = 0, distance = 0;
+    double weights = 0, slip = 0, distance = 0;
     SPH2D__FOR_NEIGHBOURS (ranges, r, i) {
         double dx = f->x[i] - (w->x[b] + ranges->x[r]), dy = f->y[i] - (w->y[b] + ranges->y[r]);
         double weight = weight_of(s, b, dx, dy);
         if (weight == 0)
             continue;
         weights += weight;
-        past += weight * (w->normal_x[b] * (f->vy[i] - w->vy[b]) - w->normal_y[b] * (f->vx[i] - w->vx[b]));
+        slip += weight * (w->normal_x[b] * (f->vy[i] - w->vy[b]) - w->normal_y[b] * (f->vx[i] - w->vx[b]));
         distance += weight * (w->normal_x[b] * dx + w->normal_y[b] * dy - w->depth[b]);
     }
     if (!(weights > 1e-9 * full))
         return 0;
-    double speed = fabs(past / weights), y = fmax(distance / weights, NEAREST * s->spacing);
+    double speed = fabs(slip / weights), y = fmax(distance / weights, MIN_DISTANCE * s->spacing);
     double stress = sph2d__friction_stress(speed, y, s->slip_length, s->rest_density, s->viscosity);
-    if (s->step > 0) /* slip ends, but it does not turn back: half a step's kick is by this force, half by the next */
+    if (s->step > 0) /* never reverses the slip: this force acts for half a step, the next one for the other half */
         stress = fmin(stress, s->rest_density * s->spacing * speed / (2 * s->step));
-    return -copysign(w->skin[b] * stress / fmax(weights, full), past);
+    return -copysign(w->skin[b] * stress / fmax(weights, full), slip);
 }
 
-static void set_some(sph2d__system *s, size_t first, size_t last)
+static void set_drags(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *w = &s->walls;
     double full = row_weight(s);
@@ -102,7 +101,7 @@ static void set_some(sph2d__system *s, size_t first, size_t last)
 void sph2d__friction_set(sph2d__system *s)
 {
     if (sph2d__has_friction(s))
-        sph2d__over_particles(s, s->walls.count, set_some);
+        sph2d__over_particles(s, s->walls.count, set_drags);
 }
 
 static inline sph2d_vec2 force_of(const sph2d__system *s, size_t b, double dx, double dy)
@@ -116,7 +115,7 @@ sph2d_vec2 sph2d__friction_of(const sph2d__system *s, size_t b, double dx, doubl
     return sph2d__has_friction(s) ? force_of(s, b, dx, dy) : (sph2d_vec2){0, 0};
 }
 
-static void rub_some(sph2d__system *s, size_t first, size_t last)
+static void add_accelerations(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid, *w = &s->walls;
     sph2d__cursor near = SPH2D__CURSOR_START;
@@ -140,5 +139,5 @@ static void rub_some(sph2d__system *s, size_t first, size_t last)
 void sph2d__friction_add(sph2d__system *s)
 {
     if (sph2d__has_friction(s))
-        sph2d__over_particles(s, s->fluid.count, rub_some);
+        sph2d__over_particles(s, s->fluid.count, add_accelerations);
 }

@@ -6,11 +6,11 @@
 
 #include "methods/terms/tension.h"
 
-double sph2d__shortest_step(const sph2d__system *s, double sound, double speed, double acceleration, double nu,
+double sph2d__shortest_step(const sph2d__system *s, double sound_speed, double speed, double acceleration, double nu,
                             double viscous, double force, sph2d__limit *limit)
 {
     double limits[3] = {
-        [SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound + speed),
+        [SPH2D__LIMIT_ACOUSTIC] = s->method.cfl * s->support / (sound_speed + speed),
         [SPH2D__LIMIT_FORCE] =
             fmin(acceleration > 0 ? force * sqrt(s->support / acceleration) : INFINITY, sph2d__tension_step(s)),
         [SPH2D__LIMIT_VISCOUS] = nu > 0 ? viscous * s->support * s->support / nu : INFINITY};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tension.c
- *  Surface tension by the area of a band along the surface. */
+ *  Surface tension by the energy of a band along the surface. */
 #include "methods/terms/tension.h"
 
 #include <math.h>
@@ -13,35 +13,35 @@
 #define INNER SPH2D__INNER_RADIUS
 #define OUTER SPH2D__OUTER_RADIUS
 
-/* The most neighbours that a particle can have before it counts as covered: four times as many as liquid has. */
-enum { MOST = 192 };
+/* A particle with more neighbours, four times as many as in liquid, counts as covered. */
+enum { MAX_NEIGHBOURS = 192 };
 
-/* Borders end at those that are nearer than so many spacings, most of them: they are looked at first. */
+/* Neighbours within this distance [dx], which bound most cells, are processed first. */
 static const double NEAR = 1.6;
 
 typedef enum kind { INNER_LIQUID, LIQUID, WALL } kind;
 
-/** The particles that a particle's cell can border on; in spacings from it. */
-typedef struct crowd {
-    int count, near; /**< those that are near come first */
-    double x[MOST], y[MOST];
-    kind kind[MOST];
-} crowd;
+/** The particles whose Voronoi cells can share an edge with a particle's; relative to it, in spacings. */
+typedef struct neighbourhood {
+    int count, near; /**< near ones come first */
+    double x[MAX_NEIGHBOURS], y[MAX_NEIGHBOURS];
+    kind kind[MAX_NEIGHBOURS];
+} neighbourhood;
 
-/** The border of a particle's cell with that of a neighbour, in spacings: on the bisector, at the distance `foot`,
- *  between two places that count counter-clockwise from there; empty where `from` is not below `to`. */
-typedef struct border {
+/** The edge between a particle's Voronoi cell and that of a neighbour, in spacings: on the bisector, at the distance
+ *  `foot`, from `from` to `to`, counter-clockwise from the foot; empty unless `from` < `to`. */
+typedef struct edge {
     double foot, from, to;
-} border;
+} edge;
 
-/** Whether a particle of the fluid can have a surface. */
+/** Whether a fluid particle can be at the surface. */
 static bool can_have_surface(const sph2d__system *s, size_t i)
 {
     return !s->fluid.surface_distance || s->fluid.surface_distance[i] < s->support;
 }
 
-/** Adds one, those that are near before the others; there is room. */
-static void add(crowd *c, double x, double y, kind what)
+/** Adds a neighbour, near ones before the others; the caller has checked the capacity. */
+static void add_neighbour(neighbourhood *c, double x, double y, kind what)
 {
     int k = c->count++;
     if (x * x + y * y < NEAR * NEAR) {
@@ -56,43 +56,47 @@ static void add(crowd *c, double x, double y, kind what)
     c->kind[k] = what;
 }
 
-/** Adds the particles of `from` whose cells can meet that of a particle at (x, y) in the band, without the one there
- *  and without those that only reflect. False when there is no room. */
-static bool gather(crowd *c, const sph2d__system *s, const sph2d__store *from, const sph2d__ranges *ranges, double x,
-                   double y)
+/** Adds the particles of `from` whose cells can touch that of a particle at (x, y) within the band, without the one
+ *  there and without those that only reflect. False when there are too many. */
+static bool gather(neighbourhood *c, const sph2d__system *s, const sph2d__store *from, const sph2d__ranges *ranges,
+                   double x, double y)
 {
     double reach = 2 * OUTER * s->spacing, scale = 1 / s->spacing;
     SPH2D__FOR_NEIGHBOURS (ranges, r, j) {
         double dx = from->x[j] - (x + ranges->x[r]), dy = from->y[j] - (y + ranges->y[r]), r2 = dx * dx + dy * dy;
         if (!(r2 < reach * reach) || r2 == 0 || (from == &s->walls && from->bounce[j] >= 0))
             continue;
-        if (c->count == MOST)
+        if (c->count == MAX_NEIGHBOURS)
             return false;
-        add(c, dx * scale, dy * scale, from == &s->walls ? WALL : can_have_surface(s, j) ? LIQUID : INNER_LIQUID);
+        add_neighbour(c, dx * scale, dy * scale,
+                      from == &s->walls        ? WALL
+                      : can_have_surface(s, j) ? LIQUID
+                                               : INNER_LIQUID);
     }
     return true;
 }
 
-/** Everything around particle i; false where it has no surface or no end of neighbours. */
-static bool gather_around(crowd *c, const sph2d__system *s, size_t i, sph2d__cursor *liquid, sph2d__cursor *walls)
+/** Gathers the neighbours of particle i; false if it is not at the surface or has too many. */
+static bool gather_around(neighbourhood *c, const sph2d__system *s, size_t i, sph2d__cursor *liquid,
+                          sph2d__cursor *walls)
 {
     double x = s->fluid.x[i], y = s->fluid.y[i];
     c->count = c->near = 0;
     if (!can_have_surface(s, i))
         return false;
-    bool room = !sph2d__cursor_move(liquid, &s->fluid_cells, x, y) || gather(c, s, &s->fluid, &liquid->ranges, x, y);
+    bool fits = !sph2d__cursor_move(liquid, &s->fluid_cells, x, y) || gather(c, s, &s->fluid, &liquid->ranges, x, y);
     if (s->walls_press && sph2d__cursor_move(walls, &s->wall_cells, x, y))
-        room &= gather(c, s, &s->walls, &walls->ranges, x, y);
-    return room;
+        fits &= gather(c, s, &s->walls, &walls->ranges, x, y);
+    return fits;
 }
 
-/** The part of the border with k that lies within the outer radius. It is cut no further once it lies within the circle
- *  that `clear` on either side of the foot is in. */
-static border border_of(const crowd *c, int k, double clear)
+/** The edge with neighbour k, within the outer radius. Clipping stops once the edge is within `clear` of its foot: it
+ *  then lies in the inner circle. */
+static edge edge_of(const neighbourhood *c, int k, double clear)
 {
     double r = sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]), half = sqrt(fmax(OUTER * OUTER - r * r / 4, 0));
     double ex = c->x[k] / r, ey = c->y[k] / r;
-    border b = {r / 2, -half, half};
+    edge b = {r / 2, -half, half};
     for (int j = 0; j < c->count && b.from < b.to && (b.to > clear || b.from < -clear); ++j) {
         double x = c->x[j], y = c->y[j], along = ex * y - ey * x, free = (x * (x - r * ex) + y * (y - r * ey)) / 2;
         if (j == k)
@@ -109,13 +113,13 @@ static border border_of(const crowd *c, int k, double clear)
 
 /* ---- the weight -------------------------------------------------------------------------------------------------- */
 
-/** Where a border enters the band, from its foot. */
+/** Distance from its foot at which an edge enters the band. */
 static double entry_of(double foot)
 {
     return sqrt(fmax(INNER * INNER - foot * foot, 0));
 }
 
-/** Integral of w = (d^2 - a1^2)(a2^2 - d^2), d^2 = foot^2 + t^2, over t in the band from 0 to a place. */
+/** Integral of w = (d^2 - a1^2)(a2^2 - d^2), d^2 = foot^2 + t^2, over t in the band from the foot to t. */
 static double weight_until(double foot, double t)
 {
     double low = INNER * INNER - foot * foot, high = OUTER * OUTER - foot * foot, u = fabs(t), v = entry_of(foot);
@@ -126,7 +130,7 @@ static double weight_until(double foot, double t)
     return copysign(at_u - at_v, t);
 }
 
-/** Integral of t w. */
+/** Integral of t w, likewise. */
 static double moment_until(double foot, double t)
 {
     double low = INNER * INNER - foot * foot, high = OUTER * OUTER - foot * foot, v = entry_of(foot);
@@ -136,15 +140,15 @@ static double moment_until(double foot, double t)
     return at_u - at_v;
 }
 
-/** Integral of w over a sector of angle 1 as far as the outer radius: (a2^2 - a1^2)^3/12. */
+/** Integral of w over a sector of angle 1 up to the outer radius: (a2^2 - a1^2)^3/12. */
 static double sector(void)
 {
     double width = OUTER * OUTER - INNER * INNER;
     return width * width * width / 12;
 }
 
-/** Integral of w over the triangle between the particle and its border from the foot to a place. With q = d^2, w over a
- *  sector of angle 1 is (c0 + c1 q + c2 q^2 + c3 q^3) from a1 on, and the angle's rate foot/q. */
+/** Integral of w over the triangle between the particle and its edge from the foot to t. With q = d^2 the integral over
+ *  a sector of angle 1 is (c0 + c1 q + c2 q^2 + c3 q^3) from a1 on, and the derivative of the angle is foot/q. */
 static double triangle_until(double foot, double t)
 {
     const double low = INNER * INNER, high = OUTER * OUTER;
@@ -162,15 +166,15 @@ static double triangle_until(double foot, double t)
 
 /* ---- force and energy -------------------------------------------------------------------------------------------- */
 
-/** Minus the gradient of the energy of a crowd. */
-static sph2d_vec2 pull_on(const crowd *c)
+/** Minus the gradient of the energy around a particle. */
+static sph2d_vec2 pull_on(const neighbourhood *c)
 {
     sph2d_vec2 pull = {0, 0};
     for (int k = 0; k < c->count; ++k) {
         if (c->kind[k] == INNER_LIQUID)
             continue;
         double clear = entry_of(sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]) / 2);
-        border b = border_of(c, k, clear);
+        edge b = edge_of(c, k, clear);
         if (!(b.from < b.to) || (b.to <= clear && b.from >= -clear))
             continue;
         double along = weight_until(b.foot, b.to) - weight_until(b.foot, b.from), across = 0, r = 2 * b.foot;
@@ -184,12 +188,12 @@ static sph2d_vec2 pull_on(const crowd *c)
     return pull;
 }
 
-/** Integral of w over the cell of the particle in the middle of a crowd. */
-static double energy_of(const crowd *c)
+/** Integral of w over the particle's cell. */
+static double energy_of(const neighbourhood *c)
 {
     double sum = 0, angle = 2 * SPH2D__PI;
     for (int k = 0; k < c->count; ++k) {
-        border b = border_of(c, k, 0);
+        edge b = edge_of(c, k, 0);
         if (!(b.from < b.to))
             continue;
         sum += triangle_until(b.foot, b.to) - triangle_until(b.foot, b.from);
@@ -198,11 +202,11 @@ static double energy_of(const crowd *c)
     return sum + fmax(angle, 0) * sector();
 }
 
-/** Sigma over what a film of a single row has a length of each of its surfaces. */
+/** The factor e: sigma over the mean of force and energy per length of each surface of a single row of particles. */
 static double strength(const sph2d__system *s)
 {
-    const crowd row = {.count = 2, .x = {1, -1}, .kind = {LIQUID, LIQUID}};
-    border b = border_of(&row, 0, 0);
+    const neighbourhood row = {.count = 2, .x = {1, -1}, .kind = {LIQUID, LIQUID}};
+    edge b = edge_of(&row, 0, 0);
     double pull = weight_until(b.foot, b.to), energy = energy_of(&row) / 2;
     return s->surface_tension * 2 / (pull + energy);
 }
@@ -212,7 +216,7 @@ double sph2d__tension_energy_within(const sph2d__system *s, sph2d_box box)
     const sph2d__store *f = &s->fluid;
     double sum = 0;
     sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
-    crowd c;
+    neighbourhood c;
     for (size_t i = 0; s->surface_tension > 0 && i < f->count; ++i) {
         bool inside = f->x[i] >= box.min.x && f->x[i] <= box.max.x && f->y[i] >= box.min.y && f->y[i] <= box.max.y;
         if (inside && gather_around(&c, s, i, &liquid, &walls))
@@ -226,12 +230,12 @@ double sph2d__tension_energy(const sph2d__system *s)
     return sph2d__tension_energy_within(s, (sph2d_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}});
 }
 
-static void pull_particles(sph2d__system *s, size_t first, size_t last)
+static void add_accelerations(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     double scale = strength(s) / s->mass;
     sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
-    crowd c;
+    neighbourhood c;
     for (size_t i = first; i < last; ++i) {
         if (!gather_around(&c, s, i, &liquid, &walls))
             continue;
@@ -246,7 +250,7 @@ void sph2d__tension_add(sph2d__system *s)
     if (!(s->surface_tension > 0))
         return;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, pull_particles);
+    sph2d__over_particles(s, s->fluid.count, add_accelerations);
     sph2d__profile_enter(&s->profile, before);
 }
 

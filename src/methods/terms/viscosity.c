@@ -28,8 +28,8 @@ double sph2d__viscosity_limiting(const sph2d__system *s)
 
 double sph2d__viscosity_at_least(const sph2d__system *s)
 {
-    double calm = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
-    return s->viscosity > calm ? s->viscosity : calm;
+    double least = s->method.artificial_viscosity * s->rest_density * s->sound_speed * s->support;
+    return s->viscosity > least ? s->viscosity : least;
 }
 
 double sph2d__viscosity_step(sph2d_kernel kernel)
