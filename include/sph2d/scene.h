@@ -13,12 +13,12 @@
  *      scene.blocks = &column;
  *      scene.block_count = 1;
  *
- *  Start from sph2d_scene_default(), set what you need, hand it to sph2d_sim_create(), which copies everything: lists
- *  and strings are borrowed from the caller and may live on the stack. A scene file has the same keys in the same
- *  places (sph2d/key.h is the table of both), so a C program and a file get the same checks and the same sentences.
+ *  Start from sph2d_scene_default(), set what you need, pass it to sph2d_sim_create(), which copies everything: lists
+ *  and strings are borrowed from the caller and may be on the stack. A scene file has the same keys in the same
+ *  structure (sph2d/key.h is the table of both), so that a C program and a file get the same checks and messages.
  *
  *  In fields documented with "0: derived" or "0: none" zero means that the value is not given. Words, such as wcsph and
- *  lattice, stand for the enumerators of scene_words.h. */
+ *  lattice, denote the enumerators of scene_words.h. */
 #ifndef SPH2D_SCENE_H
 #define SPH2D_SCENE_H
 
@@ -37,7 +37,7 @@ extern "C" {
 
 /** A point, velocity or acceleration. */
 typedef struct sph2d_vec2 {
-    /** To the right, and upwards. */
+    /** x to the right, y upwards. */
     double x, y;
 } sph2d_vec2;
 
@@ -76,7 +76,7 @@ typedef struct sph2d_rate {
 
 /** The area of a block or drain: a kind, and the field of that name. */
 typedef struct sph2d_shape {
-    /** Which of the fields below counts. */
+    /** Which of the fields below is used. */
     sph2d_shape_kind kind;
 
     /** A rectangle. */
@@ -91,7 +91,7 @@ typedef struct sph2d_shape {
 
 /** The line of an obstacle: a kind, and the field of that name. */
 typedef struct sph2d_outline {
-    /** Which of the fields below counts. */
+    /** Which of the fields below is used. */
     sph2d_outline_kind kind;
 
     /** Two ends. */
@@ -110,18 +110,18 @@ typedef struct sph2d_outline {
     sph2d_points polygon;
 } sph2d_outline;
 
-/** What closes the four sides of the domain. */
+/** Boundary conditions at the four sides of the domain. */
 typedef struct sph2d_boundary {
     /** The sides; default wall, wall, wall, open. */
     sph2d_side left, right, bottom, top;
 } sph2d_boundary;
 
-/** How fast the surfaces of wall sides move along themselves, like a lid or a belt [m/s]; default 0. */
+/** Tangential speeds of wall sides, like a lid or a belt [m/s]; default 0. */
 typedef struct sph2d_side_speeds {
-    /** Speeds of upright sides, upwards. */
+    /** Of the vertical sides, upwards. */
     double left, right;
 
-    /** Speeds of level sides, to the right. */
+    /** Of the horizontal sides, to the right. */
     double bottom, top;
 } sph2d_side_speeds;
 
@@ -134,7 +134,7 @@ typedef struct sph2d_central_force {
     double rate;
 } sph2d_central_force;
 
-/** The numbers of a material. */
+/** Properties of a material. */
 typedef struct sph2d_material_data {
     /** Word of scene files, "water". */
     const char *name;
@@ -145,17 +145,17 @@ typedef struct sph2d_material_data {
     /** Dynamic viscosity [Pa s]. */
     double dynamic_viscosity;
 
-    /** Surface tension against air [N/m]; 0: no sure value is known. */
+    /** Surface tension against air [N/m]; 0: no reliable value is known. */
     double surface_tension;
 
-    /** Where the numbers are from. */
+    /** Source of the values. */
     const char *source;
 } sph2d_material_data;
 
 /** The liquid. */
 typedef struct sph2d_fluid {
-    /** Which material's numbers a file asked for; they are in the fields below, where sph2d_fluid_of() puts them too.
-     *  Default none. */
+    /** The material that a file names; its properties are in the fields below, as from sph2d_fluid_of(). Default none.
+     */
     sph2d_material material;
 
     /** Rest density [kg/m^3], > 0; default 1000. */
@@ -169,66 +169,67 @@ typedef struct sph2d_fluid {
     double surface_tension;
 } sph2d_fluid;
 
-/** The solver and its numbers. A method refuses what it does not have, but for the default. */
+/** The solver and its parameters. A method rejects options that it does not have, unless they are at their default. */
 typedef struct sph2d_method_options {
     /** The solver; default wcsph. */
     sph2d_method name;
 
-    /** wcsph: how derivatives are taken; default symmetric. */
+    /** wcsph: discretisation of derivatives; default symmetric. */
     sph2d_operators operators;
 
-    /** wcsph: numbers of the pair loops; default double. */
+    /** wcsph: precision of the pair loops; default double. */
     sph2d_precision precision;
 
     /** wcsph with symmetric operators, pcisph, constraint: the smoothing kernel; default wendland_c2. */
     sph2d_kernel kernel;
 
-    /** wcsph: pressure from density; default linear. */
+    /** wcsph: equation of state; default linear. */
     sph2d_state_equation state_equation;
 
-    /** wcsph, symmetric operators: form of the viscosity between pairs; default by the scene. */
+    /** wcsph, symmetric operators: form of viscosity; default depends on the scene. */
     sph2d_viscosity_form viscosity_form;
 
     /** wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where h = H/2 is the smoothing length;
      *  default 0.1. */
     double density_diffusion;
 
-    /** wcsph, symmetric operators: form of the diffusion of density; default antuono. */
+    /** wcsph, symmetric operators: form of density diffusion; default antuono. */
     sph2d_diffusion_form diffusion_form;
 
-    /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8, h
-     *  being H/2; default 0. muller: the dynamic viscosity is alpha rho c0 H at least, since its force has no energy to
-     *  conserve; default 0 stands for 0.1, with which none is gained. */
+    /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8, h being
+     *  H/2; default 0. muller: the dynamic viscosity is at least alpha rho c0 H, since its pressure force does not
+     *  conserve energy; default 0 means 0.1, with which energy does not grow. */
     double artificial_viscosity;
 
-    /** wcsph, symmetric operators: viscosity of eddies smaller than the kernel; default by the scene. */
+    /** wcsph, symmetric operators: subgrid viscosity; default depends on the scene. */
     sph2d_turbulence turbulence;
 
     /** wcsph: strength of particle shifting over the standard one, 0 to 2; default 1. */
     double shifting;
 
-    /** wcsph, symmetric operators: inside liquid under tension particles push each other apart all the same (Sun et al.
-     *  2018); momentum is then not kept to round-off; default on. */
+    /** wcsph, symmetric operators: inside liquid under tension particles repel each other nevertheless (Sun et al.
+     *  2018); momentum is then not conserved to round-off; default on. */
     sph2d_switch tensile_control;
 
-    /** Wanted compression rho/rho0 - 1, impacts apart, 1e-6 to 0.9; default 0: the method's, muller 0.1, the others
-     *  0.01. Gives the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of the liquid
-     *  above the lowest place that walls and obstacles that stand let it get to, U its fastest start or source, pull
-     *  the strongest interaction's acceleration * radius / 2, and 2 for the swing after a release. pcisph keeps it in
-     *  every step, and its sound speed is for a tenth of it; constraint corrects particles beyond it one by one. */
+    /** Intended compression rho/rho0 - 1, impacts excluded, 1e-6 to 0.9; default 0: the method's, muller 0.1, the
+     *  others 0.01. Determines the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of
+     *  the liquid above the lowest point that walls and obstacles at rest let it reach, U the largest speed at the
+     *  start or of a source, pull the strongest interaction's acceleration * radius / 2, and 2 for the overshoot after
+     *  a release. pcisph keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
+     *  particles beyond it individually. */
     double max_compression;
 
-    /** Stiffness k in p = k (rho - rho0) [m^2/s^2], >= 0; default 0: derived as above. k = c0^2, but for muller, whose
-     *  pair force carries half of it: c0^2 = 0.443 k at H/dx = 2, as `check` prints, and the pressure that is reported
-     *  is the one that is carried. */
+    /** Stiffness k in p = k (rho - rho0) [m^2/s^2], >= 0; default 0: derived as above. k = c0^2, except for muller,
+     *  whose pair forces have half the stress: c0^2 = 0.443 k at H/dx = 2, as `check` prints, and the reported pressure
+     *  is that of the stress. */
     double stiffness;
 
-    /** Sound speed c0 by itself, instead of stiffness [m/s], >= 0; default 0: derived as above. */
+    /** Sound speed c0, instead of stiffness [m/s], >= 0; default 0: derived as above. */
     double sound_speed;
 
     /** Support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph 3.0 with symmetric
      *  and 2.5 with fitted operators; pcisph and constraint 2.4 with wendland_c2 and cubic (1.78, 1.65 at least),
-     *  2.75 with wendland_c4 and quintic (2.04, 2.02), 3.05 with wendland_c6 (2.27): neighbours are to have a third
+     *  2.75 with wendland_c4 and quintic (2.04, 2.02), 3.05 with wendland_c6 (2.27): neighbours must contribute a third
      *  of the density. */
     double support_ratio;
 
@@ -240,25 +241,26 @@ typedef struct sph2d_method_options {
     /** A fixed step [s], >= 0; default 0: adaptive. */
     double time_step;
 
-    /** constraint: number of steps within which a compression fades, n of SPOOK, >= 0; below 2 a rigid liquid rings;
-     *  default 2. */
+    /** constraint: damping time of compression in steps, n of SPOOK, >= 0; below 2 a rigid liquid oscillates; default
+     *  2.
+     */
     double damping;
 
-    /** constraint: mean compression, of either sign, that a step may leave to correct, 1e-12 to 0.1; default 0: a
-     *  hundredth of max_compression. */
+    /** constraint: tolerance of the solver, the mean absolute error of compression in a step, 1e-12 to 0.1; default 0:
+     *  a hundredth of max_compression. */
     double tolerance;
 
     /** pcisph: what is kept below max_compression; default max. */
     sph2d_criterion criterion;
 
-    /** pcisph: least iterations of a step, 1 to 100000; default 3. */
+    /** pcisph: smallest number of iterations in a step, 1 to 100000; default 3. */
     uint64_t min_iterations;
 
-    /** pcisph, constraint: most iterations of a step, 1 to 100000; default 1000. */
+    /** pcisph, constraint: largest number of iterations in a step, 1 to 100000; default 1000. */
     uint64_t max_iterations;
 } sph2d_method_options;
 
-/** Random displacement of a block's particles: each coordinate by up to `amplitude` spacings, evenly spread. */
+/** Random displacement of a block's particles: each coordinate by up to `amplitude` spacings, uniformly distributed. */
 typedef struct sph2d_perturb {
     /** Largest displacement [spacings], 0 to 0.5; default 0. */
     double amplitude;
@@ -267,12 +269,12 @@ typedef struct sph2d_perturb {
     uint64_t seed;
 } sph2d_perturb;
 
-/** A piece of liquid at the start. It fills its shape, but for the solids in it, within 0.2 % or half a particle: by a
- *  square lattice of boxes and what is cut out of it, where that has the area and loses no place beside a wall with
- *  layers; by a lattice of a box that is stretched by 2 % at most, or of another shape in the air that is shifted; or
- *  else packed: as many particles as the area holds move away from edges and walls until equal pressure would push none
- *  of them. Beside obstacles without layers lattices stay as they are, and places inside or closer than 0.7 spacings
- *  stay free. */
+/** A region of liquid at the start. Its particles fill the shape, except for solids in it, within 0.2 % or half a
+ *  particle: on a square lattice for boxes with or without cut-outs, if that has the right area and no lattice site is
+ *  lost near a wall with layers; on a box's lattice stretched by at most 2 %, or another shape's lattice shifted, if no
+ *  wall is near; otherwise packed: as many particles as the area holds relax away from edges and walls until a uniform
+ *  pressure would exert no force on them. Near obstacles without layers lattices are not changed, and sites inside or
+ *  closer than 0.7 spacings stay empty. */
 typedef struct sph2d_block {
     /** Its area: box, disc or polygon; must be given. */
     sph2d_shape shape;
@@ -284,18 +286,18 @@ typedef struct sph2d_block {
      *  block that has one is what an `error` probe compares with. */
     sph2d_flow start;
 
-    /** Distance of this block's particles [m], >= 0; default 0: the scene's. Particle mass is always that of the
-     *  scene's spacing, so a smaller one starts compressed. */
+    /** Spacing of this block's particles [m], >= 0; default 0: the scene's. Particle mass is always that of the scene's
+     *  spacing, so that with a smaller one the block starts compressed. */
     double spacing;
 
-    /** How its particles lie; default lattice; rings only for discs. */
+    /** Arrangement of its particles; default lattice; rings only for discs. */
     sph2d_arrangement arrangement;
 
     /** Random displacement of its particles; default none. */
     sph2d_perturb perturb;
 } sph2d_block;
 
-/** A particle of the liquid at the start. */
+/** A fluid particle at the start. */
 typedef struct sph2d_particle {
     /** Position [m]. */
     double x, y;
@@ -307,8 +309,8 @@ typedef struct sph2d_particle {
     double density;
 } sph2d_particle;
 
-/** Particles one by one, besides those of blocks. Their mass is that of the scene's spacing. They do not tell the sound
- *  speed: the method must name it. */
+/** Individual particles, besides those of blocks. Their mass is that of the scene's spacing. The sound speed is not
+ *  derived from them: the method must give it. */
 typedef struct sph2d_particles {
     /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0 and the rest density), which only
      *  sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
@@ -321,7 +323,7 @@ typedef struct sph2d_particles {
     size_t count;
 } sph2d_particles;
 
-/** A nozzle: feeds in rows of particles. A place that is taken stays empty, and is counted. */
+/** A nozzle that emits rows of particles. Particles whose position is occupied are not emitted, and counted. */
 typedef struct sph2d_source {
     /** Centre of the nozzle [m]; must be given. */
     sph2d_vec2 at;
@@ -329,70 +331,70 @@ typedef struct sph2d_source {
     /** Direction of the jet, of any length but zero; default (0, -1). */
     sph2d_vec2 direction;
 
-    /** Width of the nozzle [m], >= 0; one spacing at least; default 0. */
+    /** Width of the nozzle [m], >= 0; at least one spacing is used; default 0. */
     double width;
 
     /** Speed of the jet [m/s], > 0; must be given. */
     double speed;
 
-    /** Random change of each velocity component, as a fraction of speed, 0 to 1; default 0. */
+    /** Random variation of each velocity component, as a fraction of speed, 0 to 1; default 0. */
     double spread;
 
     /** Area of liquid per second [m^2/s], at most width * speed; default 0: width * speed. */
     double rate;
 
-    /** When it opens and closes [s], >= 0; default 0 and 0: from the start, for ever. */
+    /** When it opens and closes [s], >= 0; default 0 and 0: always open. */
     double start, stop;
 
     /** Seed of the random spread; default 1. */
     uint64_t seed;
 } sph2d_source;
 
-/** An area where liquid vanishes, and is counted. */
+/** An area where particles are removed, and counted. */
 typedef struct sph2d_drain {
     /** Its area: box, disc or polygon; must be given. */
     sph2d_shape shape;
 
-    /** When it opens and closes [s], >= 0; default 0 and 0: from the start, for ever. */
+    /** When it opens and closes [s], >= 0; default 0 and 0: always open. */
     double start, stop;
 } sph2d_drain;
 
-/** A point of a path: where something is at a time. */
+/** A point of a path: a position at a time. */
 typedef struct sph2d_path_point {
-    /** Time [s] and place [m]. */
+    /** Time [s] and position [m]. */
     double t, x, y;
 } sph2d_path_point;
 
-/** Straight lines between points in time; before the first and after the last there is nothing. A single point lasts
- *  for ever. */
+/** A piecewise linear function of time, undefined before the first point and after the last. A single point holds
+ *  always. */
 typedef struct sph2d_path {
-    /** The points, borrowed, with times that grow. */
+    /** The points, borrowed, with increasing times. */
     const sph2d_path_point *items;
 
     /** Number of points. */
     size_t count;
 } sph2d_path;
 
-/** How an obstacle moves without turning: along a path, swinging, or both. Its displacement from where the scene puts
- *  it is path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
+/** Translation of an obstacle: along a path, oscillating, or both. Its displacement from its position in the scene is
+ *  path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
 typedef struct sph2d_motion {
     /** Displacements [m]; before the first point and after the last it rests there; default none. */
     sph2d_path path;
 
-    /** Amplitude of the swing [m]; default (0, 0). */
+    /** Amplitude of the oscillation [m]; default (0, 0). */
     sph2d_vec2 amplitude;
 
-    /** Frequency of the swing [1/s], >= 0; default 0. */
+    /** Frequency of the oscillation [1/s], >= 0; default 0. */
     double frequency;
 
-    /** Phase of the swing [rad]; default 0: it starts at full speed; -pi/2: at rest. */
+    /** Phase of the oscillation [rad]; default 0: it starts at full speed; -pi/2: at rest. */
     double phase;
 } sph2d_motion;
 
-/** A wall of boundary particles. Nothing passes it, at any speed. Heavy and reflecting ones are one particle thick and
- *  work on both sides. Generalised ones have layers of boundary particles, together as thick as the support radius:
- *  closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the layers on
- *  the other, where nothing enters them from behind either. */
+/** A wall of boundary particles. No particle passes it, at any speed. Heavy and reflecting ones are one particle thick
+ *  and act on both sides. Generalised ones have layers of boundary particles with a total thickness of the support
+ *  radius: closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the
+ *  layers on the other, which no particle enters from behind either. */
 typedef struct sph2d_obstacle {
     /** Its line; must be given. */
     sph2d_outline outline;
@@ -400,10 +402,10 @@ typedef struct sph2d_obstacle {
     /** Lines and polylines with layers: on which side the liquid is; default auto. */
     sph2d_liquid_side liquid;
 
-    /** How it moves; default: it stands. */
+    /** Its motion; default: at rest. */
     sph2d_motion motion;
 
-    /** How it pushes. muller: heavy or reflect; wcsph: generalised or reflect; the others: all three; default: the
+    /** Form of the wall. muller: heavy or reflect; wcsph: generalised or reflect; the others: all three; default: the
      *  method's. */
     sph2d_wall_form form;
 
@@ -411,19 +413,19 @@ typedef struct sph2d_obstacle {
     double restitution;
 } sph2d_obstacle;
 
-/** A pull or push towards a moving point: acceleration * (1 - r/radius) inside `radius`. */
+/** Attraction to a moving point, or repulsion: acceleration * (1 - r/radius) inside `radius`. */
 typedef struct sph2d_interaction {
-    /** Where the point is; must be given. */
+    /** Position of the point; must be given. */
     sph2d_path path;
 
-    /** Reach [m], > 0; must be given. */
+    /** Range [m], > 0; must be given. */
     double radius;
 
-    /** Acceleration at the point [m/s^2]; positive pulls, negative pushes. */
+    /** Acceleration at the point [m/s^2]; positive attracts, negative repels. */
     double acceleration;
 } sph2d_interaction;
 
-/** A time series, written while the run goes on. */
+/** A time series, written during the run. */
 typedef struct sph2d_probe {
     /** File name without `.csv`: letters, digits, `_` and `-`, unique. */
     const char *name;
@@ -431,25 +433,24 @@ typedef struct sph2d_probe {
     /** What it measures; must be given. */
     sph2d_probe_kind kind;
 
-    /** Place, for the kinds at a point [m]; an elevation has no use for y. Default (0, 0). */
+    /** Position, for kinds at a point [m]; an elevation ignores y. Default (0, 0). */
     sph2d_vec2 at;
 
     /** pressure: diameter of the gauge's round face around `at`, over which pressure is averaged [m], >= 0; default 0,
      *  a point. */
     double size;
 
-    /** pressure: direction of the face, of any length > 0; default (0, 1), upright. */
+    /** pressure: direction of the face, of any length > 0; default (0, 1), vertical. */
     sph2d_vec2 along;
 
-    /** pressure: time in which the gauge goes from 10 to 90 % of a jump of pressure, as a low pass of first order [s],
-     *  >= 0; default 0, at once. */
+    /** pressure: 10 to 90 % rise time of the gauge, a first-order low-pass filter [s], >= 0; default 0: no filter. */
     double rise_time;
 
-    /** When it is taken; must be given. */
+    /** When it is sampled; must be given. */
     sph2d_rate rate;
 } sph2d_probe;
 
-/** Pictures of a run. */
+/** Frames of a run: images. */
 typedef struct sph2d_frames {
     /** When they are drawn; default: none. */
     sph2d_rate rate;
@@ -463,10 +464,11 @@ typedef struct sph2d_frames {
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 
-    /** points: what colours them, "speed" or a field's name, "Pressures", "Densities"; default NULL: one colour. */
+    /** points: quantity that colours them, "speed" or a field's name, "Pressures", "Densities"; default NULL: one
+     *  colour. */
     const char *color;
 
-    /** Values at the two ends of the colour bar; default (0, 0): those of each frame. */
+    /** Values at the two ends of the colour bar; default (0, 0): the range of each frame. */
     sph2d_vec2 color_range;
 } sph2d_frames;
 
@@ -479,22 +481,22 @@ typedef struct sph2d_snapshots {
     uint64_t compress;
 } sph2d_snapshots;
 
-/** How long, and what is written. */
+/** Duration and output of a run. */
 typedef struct sph2d_run {
-    /** Simulated end [s], >= 0; default 1. */
+    /** End time [s], >= 0; default 1. */
     double until;
 
     /** HDF5 files. */
     sph2d_snapshots snapshots;
 
-    /** Pictures. */
+    /** Images. */
     sph2d_frames frames;
 
-    /** A guard stops the run where energy has come from nothing, by more than this part of the scene's energy scale
-     *  (sph2d_summary.energy_rise over energy_scale), 1e-6 to 1e9; default 0: 0.1. */
+    /** A guard stops the run if energy rises without external work by more than this fraction of the scene's energy
+     *  scale (sph2d_summary.energy_rise over energy_scale), 1e-6 to 1e9; default 0: 0.1. */
     double max_energy_rise;
 
-    /** Times of impacts that the author knows: the mean compression leaves out 0.05 s after each. */
+    /** Known times of impacts: the mean compression excludes 0.05 s after each. */
     struct {
         /** The times [s], >= 0, borrowed; default none. */
         const double *items;
@@ -506,28 +508,29 @@ typedef struct sph2d_run {
 
 /** A scene. Make one with sph2d_scene_default(). */
 typedef struct sph2d_scene {
-    /** Set by sph2d_scene_default(); tells versions and uninitialised structs apart. */
+    /** Set by sph2d_scene_default(); detects other versions and uninitialised structs. */
     size_t struct_size;
 
-    /** A name for people; default "scene". */
+    /** A name; default "scene". */
     const char *name;
 
-    /** The rectangle where the liquid lives; must be given. */
+    /** The rectangle that is simulated; must be given. */
     sph2d_box domain;
 
-    /** What closes its sides; default wall, wall, wall, open. */
+    /** Boundary conditions at its sides; default wall, wall, wall, open. */
     sph2d_boundary boundary;
 
     /** Form of the domain's wall sides; default: the method's. */
     sph2d_wall_form walls;
 
-    /** Generalised walls: whether liquid slides along them; default free. */
+    /** Generalised walls: slip or friction of liquid along them; default free. */
     sph2d_slip wall_slip;
 
-    /** Smooth walls: how far behind the surface the velocity comes to the wall's (Navier 1823) [m], >= 0; default 0. */
+    /** Smooth walls: slip length, the depth at which the extrapolated velocity is the wall's (Navier 1823) [m], >= 0;
+     *  default 0. */
     double slip_length;
 
-    /** Speeds of sides that are not free-slip; default 0. */
+    /** Tangential speeds of sides that are not free-slip; default 0. */
     sph2d_side_speeds wall_speeds;
 
     /** Spring walls: damping over critical damping, 0 to 1; default 0.1. */
@@ -536,30 +539,30 @@ typedef struct sph2d_scene {
     /** Gravity [m/s^2]; default (0, -9.81). */
     sph2d_vec2 gravity;
 
-    /** A pull towards a centre that grows with the distance; default none. */
+    /** A force towards a centre that grows with the distance; default none. */
     sph2d_central_force central_force;
 
-    /** Distance of particles, dx [m], > 0; must be given. The mass of a particle is density dx^2 [kg/m]. */
+    /** Particle spacing dx [m], > 0; must be given. The mass of a particle is density dx^2 [kg/m]. */
     double spacing;
 
     /** The liquid; default water. */
     sph2d_fluid fluid;
 
-    /** The solver and its numbers; default wcsph. */
+    /** The solver and its parameters; default wcsph. */
     sph2d_method_options method;
 
     /** Liquid at the start; default none, as of all lists. */
     const sph2d_block *blocks;
     size_t block_count;
 
-    /** Particles one by one; default none. */
+    /** Individual particles; default none. */
     sph2d_particles particles;
 
-    /** Nozzles that feed liquid in. */
+    /** Nozzles that emit liquid. */
     const sph2d_source *sources;
     size_t source_count;
 
-    /** Areas where liquid vanishes. */
+    /** Areas where liquid is removed. */
     const sph2d_drain *drains;
     size_t drain_count;
 
@@ -567,7 +570,7 @@ typedef struct sph2d_scene {
     const sph2d_obstacle *obstacles;
     size_t obstacle_count;
 
-    /** Pulls and pushes at moving points. */
+    /** Attraction to moving points, or repulsion. */
     const sph2d_interaction *interactions;
     size_t interaction_count;
 
@@ -575,11 +578,11 @@ typedef struct sph2d_scene {
     const sph2d_probe *probes;
     size_t probe_count;
 
-    /** How long, and what is written. */
+    /** Duration and output. */
     sph2d_run run;
 } sph2d_scene;
 
-/** A scene with every default of this page, and nothing in it; then the items of its lists with theirs. */
+/** An empty scene with all defaults; then the items of its lists with theirs. */
 SPH2D_API sph2d_scene sph2d_scene_default(void);
 SPH2D_API sph2d_block sph2d_block_default(void);
 SPH2D_API sph2d_source sph2d_source_default(void);
@@ -591,21 +594,21 @@ SPH2D_API sph2d_probe sph2d_probe_default(void);
 /** The table of materials, by sph2d_material; static storage. */
 SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
 
-/** A liquid with the density and viscosity of a material, and no surface tension: name that where drops and jets are so
- *  small that it matters. The default liquid for none. */
+/** A liquid with the density and viscosity of a material, and no surface tension: set that if drops and jets are so
+ *  small that it matters. The default liquid for material none. */
 SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
 
-/** Finds every fault that the structs alone show: ranges, conflicts, places outside the domain. Overlaps of blocks are
- *  found when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */
+/** Reports every error in the structs: ranges, conflicts, positions outside the domain. Overlaps of blocks are found
+ *  when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */
 SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report);
 
 /** Seconds between outputs [s]; 0 for none. */
 SPH2D_API double sph2d_rate_interval(sph2d_rate rate);
 
-/** When output number `n` (0, 1, ...) is due [s]: n times the interval without accumulated rounding. */
+/** When output number `n` (0, 1, ...) is due [s]: n times the interval, without accumulated rounding errors. */
 SPH2D_API double sph2d_rate_due(sph2d_rate rate, uint64_t n);
 
-/** What a scene will be, before it runs. */
+/** Size and derived parameters of a scene before it runs. */
 typedef struct sph2d_plan {
     /** Fluid particles at the start. */
     size_t fluid_particles;
@@ -613,7 +616,7 @@ typedef struct sph2d_plan {
     /** Boundary particles. */
     size_t wall_particles;
 
-    /** Lattice places inside an obstacle, or too close to one without layers. */
+    /** Lattice sites inside an obstacle, or too close to one without layers. */
     size_t places_left_free;
 
     /** Area of all blocks without the solids in them [m^2]. */
@@ -622,13 +625,13 @@ typedef struct sph2d_plan {
     /** Area of all blocks inside solid obstacles, where no liquid is placed [m^2]. */
     double area_left_out;
 
-    /** The largest part of a block that lies inside solid obstacles, 0 to 1. */
+    /** The largest fraction of a block inside solid obstacles, 0 to 1. */
     double most_left_out;
 
     /** Index of that block. */
     size_t most_left_out_block;
 
-    /** Area of the particles of all blocks, dx^2 each by the block's own spacing [m^2]. */
+    /** Area of the particles of all blocks, dx^2 each with the block's own spacing [m^2]. */
     double area_placed;
 
     /** Mass of a fluid particle per metre of depth [kg/m]. */
@@ -640,16 +643,16 @@ typedef struct sph2d_plan {
     /** Sound speed c0 [m/s]. */
     double sound_speed;
 
-    /** How c0 came about, with its numbers. */
+    /** Derivation of c0, with numbers. */
     char sound_speed_formula[160];
 
     /** Head g h + U^2/2 + pull [m^2/s^2], from which c0 is derived. */
     double head;
 
-    /** Compression that a full impact may reach for a moment: U/c0 with U = sqrt(2 head). */
+    /** Peak compression of a full impact: U/c0 with U = sqrt(2 head). */
     double impact_compression;
 
-    /** Step that speed and sound allow at the start [s]. */
+    /** Length of the step at the start [s]. */
     double time_step;
 
     /** What limits it: "acoustic", "viscous", "force" or "fixed". */
@@ -668,7 +671,7 @@ typedef struct sph2d_plan {
     double disk;
 } sph2d_plan;
 
-/** Checks a scene and places its particles to tell what it will be. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+/** Checks a scene and places its particles to make its plan. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report);
 
 #ifdef __cplusplus

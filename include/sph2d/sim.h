@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sim.h
- *  A simulation: make it from a scene, step it, look at its particles, ask for its errors and its speed.
+ *  A simulation: create it from a scene, advance it, read its particles, its errors and its speed.
  *
  *      sph2d_sim *sim = NULL;
  *      if (sph2d_sim_create(&scene, NULL, &sim, &report) != SPH2D_OK) ...;
@@ -10,10 +10,10 @@
  *      sph2d_sim_destroy(sim);
  *
  *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A
- *  step is made by the thread that asks for it and by helpers of the simulation's own, which start when there is enough
- *  to do, take no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They
- *  are left out while they bring nothing, since other jobs have the processors or there is too little to do. A process
- *  that is forked off has none of them and steps alone. */
+ *  step runs on the calling thread and on worker threads of the simulation, which start when there is enough work,
+ *  receive no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They are
+ *  not used while they bring no speedup, because other jobs use the processors or there is too little work. A forked
+ *  process has no workers and steps on one thread. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
 
@@ -45,40 +45,40 @@ typedef enum sph2d_isa {
     SPH2D_ISA_AVX512 = 3
 } sph2d_isa;
 
-/** Where memory comes from. */
+/** A memory allocator. */
 typedef struct sph2d_allocator {
-    /** Works like realloc, with size 0 for free; it gets the old size too. Blocks must be aligned to 64 bytes. */
+    /** Works like realloc, and like free for size 0; it also gets the old size. Blocks must be aligned to 64 bytes. */
     void *(*resize)(void *user, void *block, size_t old_size, size_t new_size);
 
-    /** Handed to `resize` as it is. */
+    /** Passed to `resize`. */
     void *user;
 } sph2d_allocator;
 
-/** What does not change the result. Make one with sph2d_sim_options_default(). */
+/** Options that are not part of the scene. Make one with sph2d_sim_options_default(). */
 typedef struct sph2d_sim_options {
-    /** Set by sph2d_sim_options_default(); tells versions and uninitialised structs apart. */
+    /** Set by sph2d_sim_options_default(); detects other versions and uninitialised structs. */
     size_t struct_size;
 
-    /** The most threads, 1 to 1024; default 0: as many as the process may use processors. */
+    /** Largest number of threads, 1 to 1024; default 0: the number of processors that the process may use. */
     int threads;
 
     /** Instruction set; default auto. */
     sph2d_isa isa;
 
-    /** Where memory comes from; default {NULL, NULL}: the C library. */
+    /** Memory allocator; default {NULL, NULL}: the C library's. */
     sph2d_allocator allocator;
 
-    /** Whether clocks are read at every phase of a step, for sph2d_sim_profile(); default false. */
+    /** Whether each phase of a step is timed, for sph2d_sim_profile(); default false. */
     bool profile;
 } sph2d_sim_options;
 
-/** Options with every default of this page. */
+/** The default options. */
 SPH2D_API sph2d_sim_options sph2d_sim_options_default(void);
 
 /** Name of an instruction set, "avx2"; static storage. */
 SPH2D_API const char *sph2d_isa_name(sph2d_isa isa);
 
-/** Whether this processor and this build have it. */
+/** Whether this processor and this build support it. */
 SPH2D_API bool sph2d_isa_available(sph2d_isa isa);
 
 /** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be
@@ -99,13 +99,13 @@ SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);
 /** Steps taken. */
 SPH2D_API uint64_t sph2d_sim_steps(const sph2d_sim *sim);
 
-/** Length of the step that comes next [s]. */
+/** Length of the next step [s]. */
 SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim);
 
 /** The instruction set in use, never auto. */
 SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);
 
-/** The most threads that share a step. */
+/** The largest number of threads that share a step. */
 SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);
 
 /** Memory allocated [bytes]. */
@@ -114,11 +114,11 @@ SPH2D_API size_t sph2d_sim_memory(const sph2d_sim *sim);
 /** The simulation's own copy of its scene, valid as long as the simulation. */
 SPH2D_API const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);
 
-/** The plan of the scene as it stood when the simulation was made. */
+/** The plan of the scene when the simulation was created. */
 SPH2D_API const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
 
-/** Borrowed arrays of one value a particle, valid until the next call that changes the simulation. Sorting changes the
- *  order; `id` names a particle for ever. */
+/** Borrowed arrays with one value per particle, valid until the next call that changes the simulation. Sorting changes
+ *  the order; `id` identifies a particle permanently. */
 typedef struct sph2d_view {
     /** Number of particles. */
     size_t count;
@@ -138,7 +138,7 @@ typedef struct sph2d_view {
     /** Pressure [Pa]. */
     const double *pressure;
 
-    /** A particle's number, for ever. */
+    /** A particle's permanent number. */
     const uint64_t *id;
 } sph2d_view;
 
@@ -164,9 +164,9 @@ typedef struct sph2d_sample {
 } sph2d_sample;
 
 /** Values of the liquid at a point [m], of third order inside liquid: a quadratic polynomial is fitted to the particles
- *  within the support radius. Where they do not carry it, or where it gives a value further beyond theirs than they are
- *  from each other, a linear one is taken, then their average: near walls and surfaces. False where no particle is
- *  within the support radius: then the values are NaN. */
+ *  within the support radius. If they do not determine it, or if its value exceeds theirs by more than their range, as
+ *  near walls and surfaces, a linear fit is used, then their average. False if no particle is within the support
+ *  radius: the values are then NaN. */
 SPH2D_API bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out);
 
 /* ---- steering while it runs -------------------------------------------------------------------------------------- */
@@ -175,44 +175,45 @@ SPH2D_API bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sampl
  *  not finite. */
 SPH2D_API sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
 
-/** Pulls (acceleration > 0) or pushes (< 0) at a point, like an interaction of the scene; acceleration 0 ends it, and
- *  the radius may then be 0. Part of the state. Errors: SPH2D_INVALID when a value is not finite or out of range. */
+/** Attracts liquid to a point (acceleration > 0) or repels it (< 0), like an interaction of the scene; acceleration 0
+ *  ends it, and the radius may then be 0. Part of the state. Errors: SPH2D_INVALID when a value is not finite or out of
+ *  range. */
 SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
 
-/* ---- what is due ------------------------------------------------------------------------------------------------- */
+/* ---- outputs ----------------------------------------------------------------------------------------------------- */
 
-/** The outputs that a scene can ask for. Probe p is SPH2D_OUTPUT_PROBE + p. */
+/** The outputs of a scene. Probe p is SPH2D_OUTPUT_PROBE + p. */
 enum { SPH2D_OUTPUT_SNAPSHOT = 0, SPH2D_OUTPUT_FRAME = 1, SPH2D_OUTPUT_PROBE = 2 };
 
-/** Whether an output is due now: the clock has reached its due time and it was not yet taken. An output that is due
- *  more often than there are steps is taken once a step and lags behind. */
+/** Whether an output is due now: its time has come and it was not yet written. An output that is due more often than
+ *  there are steps is written once per step and lags behind. */
 SPH2D_API bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
 
-/** How many of an output were taken: the number of the next file. Part of the state. */
+/** How many times an output was written: the number of the next file. Part of the state. */
 SPH2D_API uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output);
 
-/** Takes note that an output was written at this moment. Call it before writing a snapshot, so that the snapshot's own
- *  state knows of itself. */
+/** Records that an output is written now. Call it before writing a snapshot, so that the snapshot's own state counts
+ *  it. */
 SPH2D_API void sph2d_sim_output_done(sph2d_sim *sim, size_t output);
 
 /** Columns of a probe's rows after `time`, separated by commas, with units: "kinetic [J/m],...". Static storage. */
 SPH2D_API const char *sph2d_probe_columns(sph2d_probe_kind kind);
 
-/** The most columns that a probe has. */
+/** The largest number of columns of a probe. */
 #define SPH2D_PROBE_MAX_COLUMNS 8
 
 /** Evaluates probe `index` of the scene now. Writes the values of its columns and returns how many; 0 for a bad index.
- *  Values without meaning (no particle near) are NaN. */
+ *  Undefined values (no particle near) are NaN. */
 SPH2D_API size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_PROBE_MAX_COLUMNS]);
 
 /* ---- errors and speed -------------------------------------------------------------------------------------------- */
 
-/** What happened so far. "compression" is rho/rho0 - 1 where positive. */
+/** Totals and errors of the run so far. "compression" is rho/rho0 - 1 if positive, else 0. */
 typedef struct sph2d_summary {
     /** Simulated time [s]. */
     double time;
 
-    /** Steps taken, over all sessions of a resumed run. */
+    /** Steps taken, including those before a run was resumed. */
     uint64_t steps;
 
     /** Particles advanced, summed over the steps. */
@@ -230,58 +231,58 @@ typedef struct sph2d_summary {
     /** Largest compression of all particles and steps. */
     double compression_max;
 
-    /** Energy now [J/m]; potential is that of gravity, 0 at the domain's corner min, of the central force, of the
-     *  sides' springs, k d^2/2 a kilogram at depth d, and of the surface under tension. */
+    /** Energy now [J/m]; potential is that of gravity, 0 at the domain's corner min, of the central force, of spring
+     *  walls, k d^2/2 per kilogram at depth d, and of surface tension. */
     double kinetic, potential;
 
-    /** Energy of compression: by the equation of state of methods wcsph and muller; with constraint m c0^2 e^2/2 at the
-     *  compression e that pressure holds; with pcisph what a start held beyond max_compression, until it expanded
-     *  [J/m]. */
+    /** Energy of compression [J/m]: by the equation of state of methods wcsph and muller; with constraint m c0^2 e^2/2
+     *  at the compression e that pressure balances; with pcisph that of a start compressed beyond max_compression,
+     *  until it has expanded. */
     double elastic;
 
     /** kinetic + potential + elastic at the start [J/m]. */
     double energy_start;
 
-    /** How far energy ever rose above an earlier moment, less what was brought: by particles, new gravity, moving
-     *  walls, interactions, forces along periods [J/m]. NaN with fitted operators and walls that move, whose work they
-     *  do not tell. */
+    /** Largest rise of energy above an earlier value, without external work: by sources, changes of gravity, moving
+     *  walls, interactions, forces along periods [J/m]. NaN with fitted operators and moving walls, whose work they do
+     *  not compute. */
     double energy_rise;
 
-    /** What does not add up: kinetic + potential + elastic - energy_start less what was brought, plus what dissipated,
-     *  at the last look [J/m]; NaN with fitted operators and obstacles that move. */
+    /** Error of the energy balance at the last sample [J/m]: kinetic + potential + elastic - energy_start, minus
+     *  external work, plus dissipation; NaN with fitted operators and moving obstacles. */
     double energy_error;
 
-    /** How far energy_error ever rose above an earlier moment [J/m]. */
+    /** Largest rise of energy_error above an earlier value [J/m]. */
     double energy_error_rise;
 
-    /** Energy brought by walls that move, through pressure, friction and the swept test [J/m]. */
+    /** Work of moving walls, by pressure, friction and the swept test [J/m]. */
     double energy_walls;
 
-    /** Energy brought by interactions, the pointer and gravity along periods [J/m]. */
+    /** Work of interactions, the pointer and gravity along periods [J/m]. */
     double energy_forces;
 
-    /** Energy taken by viscosity, artificial viscosity, friction at walls, dampers [J/m]. */
+    /** Energy dissipated by viscosity, artificial viscosity, wall friction, dampers [J/m]. */
     double energy_viscous;
 
-    /** Elastic energy taken by diffusion of density [J/m]. */
+    /** Elastic energy dissipated by density diffusion [J/m]. */
     double energy_diffused;
 
-    /** Energy taken by the swept test against walls at rest and by reflections [J/m]. */
+    /** Energy removed by the swept test against walls at rest and by reflections [J/m]. */
     double energy_stopped;
 
-    /** Energy taken by the pressures of methods pcisph and constraint, which let no liquid bounce: their work less that
-     *  of moving walls and what is stored, where it is below 0 [J/m]. */
+    /** Energy dissipated by the pressures of methods pcisph and constraint, with which impacts are inelastic: their
+     *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */
     double energy_pressed;
 
-    /** What a rise and the error are measured by: n m (g h + U^2/2 + pull)/2 of the scene, and the surface of a round
-     *  drop of its liquid under tension [J/m]. */
+    /** Scale of rise and error: n m (g h + U^2/2 + pull)/2 of the scene plus the surface energy of a round drop of its
+     *  liquid [J/m]. */
     double energy_scale;
 
-    /** Largest difference of the densities of sph2d_sim_densities(), looked at in every 500th step; 0 where there was
-     *  none. */
+    /** Largest difference between the densities of sph2d_sim_densities(), sampled every 500th step; 0 if never defined.
+     */
     double density_apart;
 
-    /** Energy that sources and new gravity brought less what drains and open sides took [J/m]. */
+    /** Energy added by sources and changes of gravity minus that removed by drains and open sides [J/m]. */
     double energy_fed;
 
     /** Momentum of the liquid now [kg/s]. */
@@ -290,16 +291,16 @@ typedef struct sph2d_summary {
     /** Speed of the fastest particle now [m/s]. */
     double speed_max;
 
-    /** Particles that sources fed, and places that they found taken. */
+    /** Particles emitted by sources, and those not emitted because their position was occupied. */
     uint64_t fed, blocked;
 
-    /** Particles lost to drains. */
+    /** Particles removed by drains. */
     uint64_t drained;
 
     /** Particles lost through open sides: left, right, bottom, top. */
     uint64_t left_open[4];
 
-    /** Times the swept test against walls had to hold a particle. */
+    /** How often the swept test stopped a particle at a wall. */
     uint64_t backstop_hits;
 
     /** Immediate reflections at boundary particles. */
@@ -308,10 +309,10 @@ typedef struct sph2d_summary {
     /** Iterations of the pressure solver, summed over the steps. */
     uint64_t iterations;
 
-    /** Steps after which the pressure solver was not done. */
+    /** Steps in which the pressure solver did not converge. */
     uint64_t unconverged;
 
-    /** Steps whose length was set by: acoustic, force, viscous limit, the scene. */
+    /** Steps limited by: acoustic, force, viscous limit, a fixed step. */
     uint64_t limited_by[4];
 
     /** Shortest and longest step [s]. */
@@ -321,34 +322,34 @@ typedef struct sph2d_summary {
     double neighbours;
 } sph2d_summary;
 
-/** What happened until now. */
+/** The summary now. */
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 
-/** Mean density inside the liquid over rest density. Inside is what has liquid all around it for 5 spacings, and no
- *  wall within 3; NaN where there are less than 20 such particles, and where memory is short. */
+/** Mean density inside the liquid over rest density. Inside are particles with liquid all around within 5 spacings and
+ *  no wall within 3; NaN if there are fewer than 20, or memory is short. */
 typedef struct sph2d_densities {
-    /** The mean density that particles have. */
+    /** Mean of the particles' densities. */
     double reported;
 
-    /** The mean density by counting particles on the area, with a kernel of 3 spacings. */
+    /** Mean number density of the particles times their mass, by a kernel of 3 spacings. */
     double counted;
 } sph2d_densities;
 
-/** The densities now. It counts all particles, which takes as long as a few steps do, and memory while it does. */
+/** The densities now. It takes the time of a few steps, and memory meanwhile. */
 SPH2D_API sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
 
-/** What a step spends its time on. */
+/** The phases of a step. */
 typedef enum sph2d_phase {
-    /** Kicks and drifts, and what holds particles on their ways. */
+    /** Kicks and drifts, and collisions with walls. */
     SPH2D_PHASE_MOVE,
 
-    /** Cells, and the order of particles that follows from them. */
+    /** Cells, and sorting the particles by them. */
     SPH2D_PHASE_SORT,
 
     /** Sums over the liquid around boundary particles. */
     SPH2D_PHASE_WALLS,
 
-    /** Finding the neighbours that a pressure solver keeps, and density with them. */
+    /** Neighbour lists of a pressure solver, and density with them. */
     SPH2D_PHASE_SEARCH,
 
     /** Sums over neighbours for density or its rate. */
@@ -360,7 +361,7 @@ typedef enum sph2d_phase {
     /** A pressure solver. */
     SPH2D_PHASE_SOLVE,
 
-    /** Sources and drains, guards, the next step's length, samples. */
+    /** Sources and drains, guards, the length of the next step, samples. */
     SPH2D_PHASE_BOOKKEEPING,
 
     /** The number of phases. */
@@ -370,19 +371,19 @@ typedef enum sph2d_phase {
 /** Name of a phase, "move", "sort", ...; static storage. */
 SPH2D_API const char *sph2d_phase_name(sph2d_phase phase);
 
-/** Where the time of the steps went, since the simulation was made. */
+/** Time of the steps by phase, since the simulation was created. */
 typedef struct sph2d_profile {
-    /** Seconds that pass for everyone. */
+    /** Wall time [s]. */
     double wall[SPH2D_PHASE_COUNT];
 
-    /** Seconds that processors spent on this process. */
+    /** CPU time of the process [s]. */
     double cpu[SPH2D_PHASE_COUNT];
 
-    /** Times that the phase began. */
+    /** How often the phase was entered. */
     uint64_t calls[SPH2D_PHASE_COUNT];
 } sph2d_profile;
 
-/** The profile until now; zeros unless the options asked for it. Not a part of the state. */
+/** The profile so far; zeros unless the option `profile` is set. Not part of the state. */
 SPH2D_API sph2d_profile sph2d_sim_profile(const sph2d_sim *sim);
 
 #ifdef __cplusplus
