@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file array.h
- *  A borrowed, typed array: how fields of particles and states of runs leave the library and come back.
+ *  A borrowed, typed array: how fields of particles and states of runs are passed out of the library and back.
  *
  *      sph2d_array a = sph2d_field(sim, SPH2D_GROUP_FLUID, 0);
  *      const double *x = a.data[0], *y = a.data[1];
@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** What the numbers of an array are. */
+/** Type of the numbers of an array. */
 typedef enum sph2d_type {
     /** double */
     SPH2D_F64 = 0,
@@ -23,18 +23,18 @@ typedef enum sph2d_type {
 
 /** What an array belongs to. */
 typedef enum sph2d_group {
-    /** One value a fluid particle. */
+    /** One value per fluid particle. */
     SPH2D_GROUP_FLUID = 0,
 
-    /** One value a boundary particle. */
+    /** One value per boundary particle. */
     SPH2D_GROUP_WALL = 1,
 
     /** The run itself: clock, counters, sources. */
     SPH2D_GROUP_RUN = 2
 } sph2d_group;
 
-/** `count` values of `components` numbers each, one pointer a component (struct of arrays). The strings have static
- *  storage; the data is borrowed from whoever handed the array out. */
+/** `count` values of `components` numbers each, one pointer per component (struct of arrays). The strings have static
+ *  storage; the data is borrowed from the object that returned the array. */
 typedef struct sph2d_array {
     /** What it belongs to. */
     sph2d_group group;
@@ -42,7 +42,7 @@ typedef struct sph2d_array {
     /** Name, "Coordinates"; unique inside its group. */
     const char *name;
 
-    /** What it is, in one sentence. */
+    /** Its meaning, in one sentence. */
     const char *description;
 
     /** Unit, as exponents of metre, kilogram and second: {1, 0, -1} is m/s. */
@@ -57,10 +57,10 @@ typedef struct sph2d_array {
     /** Number of values; 1 for a scalar of the run. */
     size_t count;
 
-    /** Distance of a value from the next one in `data`: 1, or 0 where all values are the same one. */
+    /** Distance from a value to the next one in `data`: 1, or 0 if all values are the same. */
     size_t stride;
 
-    /** A pointer a component, to double or uint64_t as `type` says; data[1] is NULL for one component. */
+    /** One pointer per component, to double or uint64_t according to `type`; data[1] is NULL for one component. */
     const void *data[2];
 } sph2d_array;
 

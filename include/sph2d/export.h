@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file export.h
- *  Marks what the shared libraries export; everything else is hidden. Programs need nothing of it: the other headers
- *  include it. */
+ *  Marks what the shared libraries export; everything else is hidden. Programs need not include it: the other headers
+ *  do. */
 #ifndef SPH2D_EXPORT_H
 #define SPH2D_EXPORT_H
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file flow.h
- *  Known flows: velocity and pressure of exact solutions at any point and time. At time 0 they are a start, later what
- *  a run can be compared with.
+ *  Known flows: velocity and pressure of exact solutions at any point and time, as initial conditions and references.
  *
  *      sph2d_flow flow = sph2d_flow_default();
  *      flow.kind = SPH2D_FLOW_TAYLOR_GREEN;
@@ -32,35 +31,35 @@ typedef enum sph2d_flow_kind {
     /** At rest under gravity, with a free surface across it. */
     SPH2D_FLOW_STILL = 1,
 
-    /** Vortices that viscosity slows, in a periodic square. */
+    /** Vortices that decay by viscosity, in a periodic square. */
     SPH2D_FLOW_TAYLOR_GREEN = 2,
 
-    /** A steady vortex: turns rigidly inside, rests outside; inviscid. */
+    /** A steady vortex: rigid rotation inside, at rest outside; inviscid. */
     SPH2D_FLOW_GRESHO = 3,
 
-    /** Gravity along x sets liquid between two resting walls in motion. */
+    /** Channel flow from rest, driven by gravity along x. */
     SPH2D_FLOW_POISEUILLE = 4,
 
-    /** The upper of two walls sets liquid in motion. */
+    /** Channel flow from rest, driven by the upper wall. */
     SPH2D_FLOW_COUETTE = 5,
 
-    /** A small gravity wave that starts from a flat surface; inviscid. */
+    /** A small standing gravity wave that starts from a flat surface; inviscid. */
     SPH2D_FLOW_STANDING_WAVE = 6,
 
-    /** A free disc that becomes an ellipse, and swings under a central force; inviscid. */
+    /** A free disc that becomes an ellipse, and oscillates under a central force; inviscid. */
     SPH2D_FLOW_STRAIN = 7,
 
-    /** A free disc that turns rigidly; any viscosity. */
+    /** A free disc in rigid rotation; any viscosity. */
     SPH2D_FLOW_ROTATION = 8,
 
-    /** A free square, starting with the same velocity; inviscid, time 0 alone. */
+    /** A free square, starting with the same velocity; inviscid, time 0 only. */
     SPH2D_FLOW_PATCH = 9,
 
-    /** A disc under surface tension, at rest or swinging a little; inviscid. */
+    /** A disc under surface tension, at rest or in a small oscillation; inviscid. */
     SPH2D_FLOW_DROP = 10
 } sph2d_flow_kind;
 
-/** A flow. What its numbers mean, and the forces under which it is a solution; "-" is not read:
+/** A flow. The meaning of its parameters, and the forces under which it is a solution; "-" is not read:
  *
  *      kind            speed U [m/s]               length L [m]         center [m]                      forces
  *      still           -                           -                    a point of the surface          any gravity
@@ -70,24 +69,23 @@ typedef enum sph2d_flow_kind {
  *      poiseuille      final one in the middle     between the walls    a point of the middle line      gravity (g, 0),
  *                                                                                                       g = 8 nu U/L^2
  *      couette         of the upper wall, along x  between the walls    a point of the middle line      none
- *      standing_wave   of the surface at `center`  wavelength           a point of the mean surface     gravity (0, -g)
- *                      at time 0, upwards                               that swings most
+ *      standing_wave   of the surface at `center`  wavelength           an antinode, at the mean        gravity (0, -g)
+ *                      at time 0, upwards                               surface
  *      strain          U/L: rate dvx/dx at time 0  radius at time 0     of the disc                     central, rate B
  *      rotation        U/L: angular velocity       radius               of the disc                     none
  *      patch           U/L: angular velocity       side                 of the square                   none
  *      drop            U/L: rate dvx/dx at time 0  radius               of the disc                     tension
  *
- *  nu is the kinematic viscosity. A negative speed turns a flow round: positive ones turn anticlockwise (gresho,
- *  rotation, patch), lengthen along x (strain), flow to the right (poiseuille, couette). taylor_green is
- *  v = U (-cos kx sin ky, sin kx cos ky) at time 0, with k = 2 pi/L and (x, y) counted from `center`.
+ *  nu is the kinematic viscosity. A negative speed reverses a flow: positive ones rotate anticlockwise (gresho,
+ *  rotation, patch), stretch along x (strain), flow to the right (poiseuille, couette). taylor_green is
+ *  v = U (-cos kx sin ky, sin kx cos ky) at time 0, with k = 2 pi/L and (x, y) relative to `center`.
  *
- *  Pressure is 0 in the air: in still liquid at the free surface, outside the disc, square or ellipse, above the wave.
- *  The pressure of taylor_green has mean 0, that of gresho is 0 outside the vortex, that of poiseuille and couette 0
- *  everywhere. Where the air is, velocities go on as in the liquid beside it, but for those of walls: beyond a wall the
- *  liquid moves as the wall does.
+ *  Pressure is 0 in air: in still liquid at the free surface, outside the disc, square or ellipse, above the wave. The
+ *  pressure of taylor_green has mean 0, that of gresho is 0 outside the vortex, that of poiseuille and couette 0
+ *  everywhere. In air the velocity is that of the liquid extrapolated; beyond a wall it is that of the wall.
  *
- *  The forces are the caller's business: a flow is evaluated whether or not they are those of this table. A central
- *  force must have the same centre as the flow. */
+ *  The forces are not checked: a flow is evaluated whether or not they are those of this table. A central force must
+ *  have the same centre as the flow. */
 typedef struct sph2d_flow {
     /** Which flow; default none. */
     sph2d_flow_kind kind;
@@ -95,7 +93,7 @@ typedef struct sph2d_flow {
     /** Speed U [m/s], any sign; default 0. */
     double speed;
 
-    /** Length L [m], > 0; default 0: must be given where it is read. */
+    /** Length L [m], > 0; default 0: must be given if it is read. */
     double length;
 
     /** standing_wave: depth of the liquid at rest [m], > 0, may be INFINITY; default 0: must be given. */
@@ -105,7 +103,7 @@ typedef struct sph2d_flow {
     double center[2];
 } sph2d_flow;
 
-/** What a flow needs to know of the scene. */
+/** Parameters of the scene that a flow depends on. */
 typedef struct sph2d_flow_context {
     /** Rest density rho0 [kg/m^3], > 0. */
     double density;
@@ -123,23 +121,23 @@ typedef struct sph2d_flow_context {
     double central_rate;
 } sph2d_flow_context;
 
-/** A flow with every default of this page. */
+/** The default flow. */
 SPH2D_API sph2d_flow sph2d_flow_default(void);
 
-/** The name of a kind, "taylor_green"; "unknown" for a value that is none. Static storage. */
+/** The name of a kind, "taylor_green"; "unknown" for an invalid value. Static storage. */
 SPH2D_API const char *sph2d_flow_name(sph2d_flow_kind kind);
 
-/** Velocity [m/s] and pressure [Pa] at `count` points (x[i], y[i]) at a time [s], >= 0. Results that are not wanted may
- *  be NULL, and so may `report`. Kind strain follows its ellipse anew in each call. Errors: SPH2D_INVALID for kind
- *  none, for numbers out of range, and for the patch after time 0, where no formula is known; the results are then left
- *  as they were. */
+/** Velocity [m/s] and pressure [Pa] at `count` points (x[i], y[i]) at a time [s], >= 0. Results that are not needed may
+ *  be NULL, and so may `report`. Kind strain integrates its ellipse in each call. Errors: SPH2D_INVALID for kind none,
+ *  for numbers out of range, and for the patch after time 0, for which no formula is known; the results are then not
+ *  changed. */
 SPH2D_API sph2d_status sph2d_flow_values(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
                                          size_t count, const double *x, const double *y, double *vx, double *vy,
                                          double *pressure, sph2d_report *report);
 
-/** The ellipse of kind strain at a time [s]: half axes along x and y [m] and the rate dvx/dx [1/s], to 1e-10 up to time
- *  1000 T with T = 1/sqrt((U/L)^2 + B^2), then to 1e-9. It is followed from time 0 on, which takes milliseconds for
- *  100 T. Results that are not wanted may be NULL. Errors: SPH2D_INVALID for other kinds, numbers out of range, and
+/** The ellipse of kind strain at a time [s]: semi-axes along x and y [m] and the rate dvx/dx [1/s], to 1e-10 up to time
+ *  1000 T with T = 1/sqrt((U/L)^2 + B^2), then to 1e-9. It is integrated from time 0 on, which takes milliseconds for
+ *  100 T. Results that are not needed may be NULL. Errors: SPH2D_INVALID for other kinds, numbers out of range, and
  *  times above 10000 T. */
 SPH2D_API sph2d_status sph2d_flow_axes(const sph2d_flow *flow, const sph2d_flow_context *context, double time,
                                        double *a, double *b, double *rate, sph2d_report *report);

@@ -9,8 +9,8 @@
  *      status = sph2d_snapshot_write(sim, file, 0, "now.h5", &report);
  *      sph2d_scene_file_destroy(file);
  *
- *  Nothing under its final name is ever partial: a file is written beside, synced and renamed. HDF5 is not safe for
- *  several threads, so one thread at a time may be in this library. */
+ *  A file under its final name is always complete: files are written under another name, synced and renamed. HDF5 is
+ *  not thread-safe, so only one thread at a time may be in this library. */
 #ifndef SPH2D_IO_H
 #define SPH2D_IO_H
 
@@ -22,7 +22,7 @@ extern "C" {
 
 /* ---- scene files ------------------------------------------------------------------------------------------------- */
 
-/** A scene that was read, with all that it points at. */
+/** A scene that was read, with everything it points to. */
 typedef struct sph2d_scene_file sph2d_scene_file;
 
 /** A change of one key on top of a file: path `blocks[0].velocity`, value as YAML, `[1, 0]`. Borrowed strings. */
@@ -35,8 +35,8 @@ typedef struct sph2d_override {
 SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                              sph2d_scene_file **file, sph2d_report *report);
 
-/** The same from memory. `name` stands for the file in messages; a file of particles that the scene names is not read.
- */
+/** The same from memory. `name` is the name of the file in messages; a file of particles that the scene names is not
+ *  read. */
 SPH2D_API sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name,
                                               const sph2d_override *overrides, size_t override_count,
                                               sph2d_scene_file **file, sph2d_report *report);
@@ -52,26 +52,26 @@ SPH2D_API const char *sph2d_scene_file_text(const sph2d_scene_file *file);
 SPH2D_API const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_file *file, size_t *count);
 
 /** A scene as YAML that reads as the same scene again: required keys and those that differ from their defaults, a few
- *  lines each. Writes at most `size` bytes with the closing NUL to `out`, and returns the length of the whole text
- *  without it, like snprintf; 0 when memory is short. The name of a file of particles stands there as it is in the
- *  scene. */
+ *  lines each. Writes at most `size` bytes with the terminating NUL to `out`, and returns the length of the whole text
+ *  without it, like snprintf; 0 when memory is short. The name of a file of particles is written as it is in the scene.
+ */
 SPH2D_API size_t sph2d_scene_text(const sph2d_scene *scene, char *out, size_t size);
 
-/** Completes a diagnostic about a key path (from sph2d_sim_create, say) with file, line, column and source line. */
+/** Completes a diagnostic about a key path (as from sph2d_sim_create) with file, line, column and source line. */
 SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic);
 
 /* ---- snapshots --------------------------------------------------------------------------------------------------- */
 
-/** Writes a simulation's fields and state. `file` is the scene it came from, kept verbatim in the snapshot so that it
- *  can be resumed alone; NULL for a scene built from structs. Same simulation, same bytes. `compress` is a deflate
- *  level, 0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was), SPH2D_NOMEM. */
+/** Writes a simulation's fields and state. `file` is the scene file it came from, stored verbatim so that the snapshot
+ *  suffices to resume; NULL for a scene built from structs. The same simulation gives the same bytes. `compress` is a
+ *  deflate level, 0 for none. Errors: SPH2D_CANTCREAT, SPH2D_IO (an existing file is not changed), SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
                                             const char *path, sph2d_report *report);
 
 /** A snapshot that was read into memory. */
 typedef struct sph2d_snapshot sph2d_snapshot;
 
-/** What a snapshot says about itself. */
+/** General information about a snapshot. */
 typedef struct sph2d_snapshot_info {
     /** Name of the scene. */
     const char *scene_name;
@@ -85,13 +85,13 @@ typedef struct sph2d_snapshot_info {
     /** Instruction set, "avx2". */
     const char *isa;
 
-    /** The scene file as it was; NULL for a scene that was built from structs. */
+    /** The scene file, verbatim; NULL for a scene that was built from structs. */
     const char *scene_text;
 
     /** Simulated time [s]. */
     double time;
 
-    /** Length of the step that comes next [s]. */
+    /** Length of the next step [s]. */
     double time_step;
 
     /** Steps taken. */
@@ -100,13 +100,13 @@ typedef struct sph2d_snapshot_info {
     /** Domain [m]. */
     sph2d_box domain;
 
-    /** Distance of particles, dx [m]. */
+    /** Particle spacing dx [m]. */
     double spacing;
 
     /** Support radius H [m]. */
     double support_radius;
 
-    /** How the run draws itself; `color` is valid as long as the snapshot. */
+    /** Frames of the run; `color` is valid as long as the snapshot. */
     sph2d_frames frames;
 } sph2d_snapshot_info;
 
@@ -117,13 +117,13 @@ SPH2D_API sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **sn
 /** Frees a snapshot; NULL is fine. */
 SPH2D_API void sph2d_snapshot_destroy(sph2d_snapshot *snapshot);
 
-/** What it says about itself; strings are valid as long as the snapshot. */
+/** General information; strings are valid as long as the snapshot. */
 SPH2D_API sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot);
 
-/** Everything in it, for sph2d_sim_restore; lent, valid as long as the snapshot. */
+/** The whole state, for sph2d_sim_restore; borrowed, valid as long as the snapshot. */
 SPH2D_API sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot);
 
-/** One array by group and name, lent; NULL when there is none. */
+/** One array by group and name, borrowed; NULL when there is none. */
 SPH2D_API const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name);
 
 /** The scene it was written with, read again with its overrides and `more` on top. Errors: as sph2d_scene_file_parse,
@@ -137,7 +137,7 @@ SPH2D_API sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, cons
 typedef struct sph2d_series sph2d_series;
 
 /** Opens a series for writing. `columns` is the header after "time [s],". With `keep_rows` above 0 the file must exist
- *  with that header; it is cut to so many rows, and goes on. Errors: SPH2D_CANTCREAT, SPH2D_FORMAT, SPH2D_IO. */
+ *  with that header; it is truncated to so many rows and continued. Errors: SPH2D_CANTCREAT, SPH2D_FORMAT, SPH2D_IO. */
 SPH2D_API sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t keep_rows,
                                          sph2d_series **series, sph2d_report *report);
 
@@ -153,19 +153,19 @@ SPH2D_API sph2d_status sph2d_series_close(sph2d_series *series, sph2d_report *re
 /** Columns of numbers from a CSV file. */
 typedef struct sph2d_table sph2d_table;
 
-/** A column that is asked for. */
+/** A column to read. */
 typedef struct sph2d_table_column {
     /** Its heading, with or without a unit: "x" finds "x [m]". */
     const char *name;
 
-    /** The only unit that may stand there; NULL: any. */
+    /** The unit that it must have; NULL: any. */
     const char *unit;
 
-    /** Whether the file need not have it. */
+    /** Whether the file may lack it. */
     bool optional;
 } sph2d_table_column;
 
-/** Reads columns of a CSV file, whatever others it has. Lines that start with # and empty ones do not count, the first
+/** Reads columns of a CSV file, which may have others. Lines that start with # and empty ones are ignored, the first
  *  other line names the columns, empty cells and nan are NaN. At most ten million rows. Errors, with file, line and
  *  column: SPH2D_NOINPUT, SPH2D_FORMAT, SPH2D_NOMEM. The caller owns *table (NULL after a failure). */
 SPH2D_API sph2d_status sph2d_table_read(const char *path, const sph2d_table_column *columns, size_t column_count,
@@ -174,10 +174,10 @@ SPH2D_API sph2d_status sph2d_table_read(const char *path, const sph2d_table_colu
 /** Number of rows. */
 SPH2D_API size_t sph2d_table_rows(const sph2d_table *table);
 
-/** Whether the file has the column that was asked for as number `column`. */
+/** Whether the file has column `column` of those requested. */
 SPH2D_API bool sph2d_table_has(const sph2d_table *table, size_t column);
 
-/** A number; NaN where there is none. `row` and `column` count from 0 and must be in range. */
+/** A value; NaN if there is none. `row` and `column` count from 0 and must be in range. */
 SPH2D_API double sph2d_table_value(const sph2d_table *table, size_t row, size_t column);
 
 /** Completes a diagnostic with the file and the line of a row. NULL is fine. */
@@ -188,7 +188,7 @@ SPH2D_API void sph2d_table_destroy(sph2d_table *table);
 
 /* ---- text files -------------------------------------------------------------------------------------------------- */
 
-/** Writes a text file whole or not at all. Errors: SPH2D_CANTCREAT, SPH2D_IO (a file of that name stays as it was),
+/** Writes a text file, completely or not at all. Errors: SPH2D_CANTCREAT, SPH2D_IO (an existing file is not changed),
  *  SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_text_write(const char *path, const char *text, size_t length, sph2d_report *report);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file key.h
- *  The table of the scene's keys: name, kind, place in the struct, unit, range, default and meaning of each. The
- *  reader of scene files, the checker's ranges, `sph2d init`, `sph2d help scene` and docs/scenes.md come from it, so
- *  that a new key is one new row.
+ *  The table of the scene's keys: name, kind, offset in the struct, unit, range, default and meaning of each. The
+ *  reader of scene files, the checker's ranges, `sph2d init`, `sph2d help scene` and docs/scenes.md are derived from
+ *  it, so that a new key is one new row.
  *
  *      const sph2d_keys *keys = sph2d_scene_keys();
  *      for (size_t i = 0; i < keys->count; ++i)
@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-/** What a key holds, and the C type at its offset. */
+/** Kind of a key's value, and the C type at its offset. */
 typedef enum sph2d_key_kind {
     /** double */
     SPH2D_KEY_NUMBER,
@@ -59,37 +59,37 @@ typedef struct sph2d_key {
     /** As in a file: "density". */
     const char *name;
 
-    /** What it holds. */
+    /** Kind of its value. */
     sph2d_key_kind kind;
 
     /** Whether a file must give it. */
     bool required;
 
-    /** Place of the value in the struct that owns the key [bytes]. */
+    /** Offset of the value in the struct that owns the key [bytes]. */
     size_t offset;
 
-    /** Place of the number of items, for the list kinds [bytes]. */
+    /** Offset of the number of items, for the list kinds [bytes]. */
     size_t count_offset;
 
     /** Range of numbers and of coordinates of points, both ends included ... */
     double min, max;
 
-    /** ... but the lower end where this is set. */
+    /** ... except the lower end if this is set. */
     bool min_excluded;
 
-    /** Whether 0 stands for a value that is not given, whatever the range ... */
+    /** Whether 0 means that the value is not given, whatever the range ... */
     bool zero_is_unset;
 
     /** ... or NaN does. */
     bool nan_is_unset;
 
-    /** Place of an int that tells which key of a choice is given [bytes] ... */
+    /** Offset of an int that says which of several exclusive keys is given [bytes] ... */
     size_t choice_offset;
 
-    /** ... and its value for this key; 0: the key is no part of a choice. */
+    /** ... and its value for this key; 0: the key is not exclusive. */
     int choice;
 
-    /** Names of a WORD's values 0, 1, ..., ended by NULL. */
+    /** Names of a WORD's values 0, 1, ..., terminated by NULL. */
     const char *const *words;
 
     /** Keys of a GROUP, or of an item of a LIST. */
@@ -104,17 +104,17 @@ typedef struct sph2d_key {
     /** The default, in words; NULL for none. */
     const char *default_text;
 
-    /** What it is, in one sentence. */
+    /** Its meaning, in one sentence. */
     const char *text;
 
-    /** Of a WORD: whether it may stand for the whole group in a file, `method: wcsph`. */
+    /** Of a WORD: whether a file may give it in place of the group, `method: wcsph`. */
     bool stands_alone;
 
-    /** The sph2d_feature (method.h) that the key asks for; 0: all methods have it. */
+    /** The sph2d_feature (method.h) that the key needs; 0: all methods have it. */
     int feature;
 
-    /** Of a WORD that stands for values of other keys: sets them in the struct, once it has its own; those that are
-     *  given replace them. */
+    /** Of a WORD that implies values of other keys: sets them in the struct, after its own; given values replace them.
+     */
     void (*preset)(void *owner);
 } sph2d_key;
 
@@ -133,13 +133,12 @@ typedef struct sph2d_keys {
     void (*set_default)(void *out);
 } sph2d_keys;
 
-/** Whether a number may be the value of a NUMBER, a COUNT, or a coordinate of a POINT; otherwise `why` gets a sentence
+/** Whether a number may be the value of a NUMBER, a COUNT, or a coordinate of a POINT; otherwise `why` gets a message
  *  of at most `size` bytes: "-1 is out of range: must be above 0". */
 SPH2D_API bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size);
 
-/** Reports every number out of its range and every word that is none in a struct that the keys describe, and in those
- *  below it, with key paths. Errors: SPH2D_SCENE when there is one, SPH2D_INVALID when a list has a count but no items.
- */
+/** Reports every number out of range and every invalid word in a struct that the keys describe, and in nested ones,
+ *  with key paths. Errors: SPH2D_SCENE when there is one, SPH2D_INVALID when a list has a count but no items. */
 SPH2D_API sph2d_status sph2d_keys_check(const sph2d_keys *keys, const void *owner, sph2d_report *report);
 
 /** The keys of a scene. Static storage. */

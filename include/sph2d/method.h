@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file method.h
- *  The table of methods: what each is for, its defaults, which keys and walls it has. The resolver of defaults, the
- *  checker, `sph2d help methods` and the guards read it, so that a new method is one new row, and its forces.
+ *  The table of methods: the use of each, its defaults, keys and walls. The resolver of defaults, the checker, `sph2d
+ *  help methods` and the guards read it, so that a new method is one new row, and its forces.
  *
  *      const sph2d_method_info *method;
  *      for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k)
@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** What not every method has: name, and the key of a scene that asks for it. */
+/** Features that not every method has: name, and the key of a scene that needs it. */
 #define SPH2D_FEATURE_MAP(X)                                                                                           \
     X(OPERATORS, "method.operators")                                                                                   \
     X(PRECISION, "method.precision")                                                                                   \
@@ -38,7 +38,7 @@ extern "C" {
     X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
     X(FREE_SURFACE, "open sides, sources and drains")
 
-/** What not every method has. */
+/** A feature that not every method has. */
 typedef enum sph2d_feature {
     /** For keys that all methods have. */
     SPH2D_FEATURE_NONE = 0,
@@ -49,7 +49,7 @@ typedef enum sph2d_feature {
 
 /** A method. One with several operators has a row for each of them. */
 typedef struct sph2d_method_info {
-    /** As the scene names it. */
+    /** The method of the scene. */
     sph2d_method method;
 
     /** The operators that the row is for. */
@@ -58,41 +58,41 @@ typedef struct sph2d_method_info {
     /** Word of scene files: "wcsph". */
     const char *word;
 
-    /** Name for people: "wcsph with fitted operators". */
+    /** Name for display: "wcsph with fitted operators". */
     const char *name;
 
-    /** When to take it, in one sentence. */
+    /** Its use, in one sentence. */
     const char *use;
 
-    /** How density and pressure come about. */
+    /** How density and pressure are computed. */
     const char *scheme;
 
-    /** The papers that it is from. */
+    /** Its sources in the literature. */
     const char *source;
 
-    /** Support radius over spacing, H/dx, by default, with kernel wendland_c2. */
+    /** Default support radius over spacing, H/dx, with kernel wendland_c2. */
     double support_ratio;
 
-    /** Wanted compression, rho/rho0 - 1, by default. */
+    /** Default intended compression, rho/rho0 - 1. */
     double max_compression;
 
-    /** What it has: bits 1 << sph2d_feature. */
+    /** Features that it has: bits 1 << sph2d_feature. */
     uint32_t features;
 
     /** Forms of wall that it has: bits 1 << sph2d_wall_form. */
     uint32_t wall_forms;
 } sph2d_method_info;
 
-/** Row `index` of the table, those to take first in front; NULL behind the last. Static storage. */
+/** Row `index` of the table, recommended ones first; NULL after the last. Static storage. */
 SPH2D_API const sph2d_method_info *sph2d_method_row(size_t index);
 
-/** The row of a scene's method; the first one for a number that is none. Never NULL. */
+/** The row of a scene's method; the first one for an invalid value. Never NULL. */
 SPH2D_API const sph2d_method_info *sph2d_method_of(const sph2d_method_options *options);
 
 /** Whether it has a feature; all have SPH2D_FEATURE_NONE. */
 SPH2D_API bool sph2d_method_has(const sph2d_method_info *method, sph2d_feature feature);
 
-/** The key that asks for a feature, "method.kernel". Static storage; NULL for none. */
+/** The key that needs a feature, "method.kernel". Static storage; NULL for none. */
 SPH2D_API const char *sph2d_feature_key(sph2d_feature feature);
 
 #ifdef __cplusplus

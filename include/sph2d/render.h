@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.h
- *  Pictures without a window: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library
- *  libsph2d-render.
+ *  Offscreen images: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library libsph2d-render.
  *
  *      sph2d_render_options options = sph2d_render_options_default();
  *      sph2d_renderer *renderer = NULL;
@@ -15,10 +14,10 @@
  *      sph2d_renderer_destroy(renderer);
  *
  *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program
- *  that draws with OpenGL itself makes its own current again afterwards.
+ *  that draws with OpenGL itself must make its own context current again.
  *
- *  The same picture gives the same pixels from one version of OpenGL's driver. Mesa's software drivers behind
- *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card where it finds one. */
+ *  The same picture gives the same pixels with the same version of the OpenGL driver. Mesa's software drivers used by
+ *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card if it finds one. */
 #ifndef SPH2D_RENDER_H
 #define SPH2D_RENDER_H
 
@@ -28,15 +27,15 @@
 extern "C" {
 #endif
 
-/** An OpenGL context and what it draws with. */
+/** An OpenGL context with shaders and buffers. */
 typedef struct sph2d_renderer sph2d_renderer;
 
-/** How to draw. Make one with sph2d_render_options_default(). */
+/** Options. Make one with sph2d_render_options_default(). */
 typedef struct sph2d_render_options {
-    /** Set by sph2d_render_options_default(); tells versions and uninitialised structs apart. */
+    /** Set by sph2d_render_options_default(); detects other versions and uninitialised structs. */
     size_t struct_size;
 
-    /** Size of a picture [pixels], 16 to 16384 each; default 1280 x 720. */
+    /** Size of an image [pixels], 16 to 16384 each; default 1280 x 720. */
     unsigned width, height;
 
     /** A liquid surface or dots; default metaballs. */
@@ -45,16 +44,16 @@ typedef struct sph2d_render_options {
     /** Kind of OpenGL context, "osmesa" or "egl"; default NULL: the first that this build has and that works. */
     const char *gl;
 
-    /** A folder to read the shaders from, instead of those that are built in; default NULL. */
+    /** A folder to read the shaders from, instead of the built-in ones; default NULL. */
     const char *shader_dir;
 } sph2d_render_options;
 
-/** Options with every default of this page. */
+/** The default options. */
 SPH2D_API sph2d_render_options sph2d_render_options_default(void);
 
-/** What to draw: borrowed arrays. Particles whose position is not finite are left out; particles beside the view
- *  are drawn where the image has room for them. With `values` the right side of an image that is wide enough
- *  belongs to a colour bar. Start it with `{0}`. */
+/** What to draw: borrowed arrays. Particles whose position is not finite are omitted; particles outside the view are
+ *  drawn if they are inside the image. With `values` a colour bar takes the right side of an image that is wide enough.
+ *  Start it with `{0}`. */
 typedef struct sph2d_picture {
     /** The part of the plane to show [m]; fitted into the image with its aspect kept. */
     sph2d_box view;
@@ -65,10 +64,10 @@ typedef struct sph2d_picture {
     /** Number of fluid particles. */
     size_t count;
 
-    /** Their places [m]. */
+    /** Their positions [m]. */
     const double *x, *y;
 
-    /** Points: one number a particle to colour by, NaN is grey; NULL: one colour. */
+    /** Points: one value per particle to colour by, NaN is grey; NULL: one colour. */
     const double *values;
 
     /** Values at the ends of the colour bar; both 0: the smallest and largest value. */
@@ -80,27 +79,27 @@ typedef struct sph2d_picture {
     /** Number of boundary particles. */
     size_t wall_count;
 
-    /** Their places [m]. */
+    /** Their positions [m]. */
     const double *wall_x, *wall_y;
 
     /** Radius of a boundary particle's dot [m]. */
     double wall_radius;
 } sph2d_picture;
 
-/** Where the time of a frame went, on the wall clock. */
+/** Wall time of a frame by stage. */
 typedef struct sph2d_frame_times {
-    /** Drawing it, until OpenGL is done [s]. */
+    /** Drawing, until OpenGL is done [s]. */
     double draw;
 
-    /** Bringing the pixels into memory [s]. */
+    /** Reading the pixels into memory [s]. */
     double read;
 
-    /** Making a PNG file of them, the wait for the disk included [s]; 0: not written. */
+    /** Writing a PNG file, including the wait for the disk [s]; 0: not written. */
     double encode;
 } sph2d_frame_times;
 
-/** Makes a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a sentence that names the missing library or the
- *  shader's line), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL
+/** Creates a renderer. Errors: SPH2D_INVALID, SPH2D_RENDER (with a message that names the missing library or the line
+ *  of the shader), SPH2D_NOINPUT (a file is missing in `shader_dir`), SPH2D_NOMEM. The caller owns *renderer (NULL
  *  after a failure). */
 SPH2D_API sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer,
                                              sph2d_report *report);
@@ -120,14 +119,14 @@ SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *rende
  *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
 
-/** Where the time of the last picture went, and of the last time that it was written. All 0 before the first draw. */
+/** The times of the last picture, and of its last writing. All 0 before the first draw. */
 SPH2D_API sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer);
 
-/** The context in use, "osmesa" or "egl", and what OpenGL says of itself; valid as long as the renderer. */
+/** The context in use, "osmesa" or "egl", and OpenGL's description of itself; valid as long as the renderer. */
 SPH2D_API const char *sph2d_renderer_gl(const sph2d_renderer *renderer);
 SPH2D_API const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer);
 
-/** The contexts that this build has, "osmesa egl"; empty for none. Static storage. */
+/** The contexts that this build supports, "osmesa egl"; empty for none. Static storage. */
 SPH2D_API const char *sph2d_render_backends(void);
 
 #ifdef __cplusplus

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_words.h
- *  The words of a scene: every choice that has a name in a scene file, as an enum, with what it does. scene.h, which
+ *  The words of a scene: every choice that has a name in a scene file, as an enum, with its meaning. scene.h, which
  *  includes this file, has the fields that take them.
  *
  *      scene.boundary.top = SPH2D_SIDE_WALL;           boundary: {top: wall}
  *      scene.method.name = SPH2D_METHOD_PCISPH;        method: pcisph
  *      scene.method.kernel = SPH2D_KERNEL_QUINTIC;     method: {kernel: quintic}
  *
- *  0 is the default of a word that has one, but for the top side of the domain (open), the method (wcsph) and
- *  tensile_control (on). Known flows are words, too; they have a file of their own, flow.h. */
+ *  0 is the default of a word that has one, except for the top side of the domain (open), the method (wcsph) and
+ *  tensile_control (on). Known flows are words, too; they are in flow.h. */
 #ifndef SPH2D_SCENE_WORDS_H
 #define SPH2D_SCENE_WORDS_H
 
@@ -16,21 +16,21 @@
 extern "C" {
 #endif
 
-/** What closes a side of the domain. */
+/** Boundary condition at a side of the domain. */
 typedef enum sph2d_side {
-    /** A wall, of the form that the scene names. */
+    /** A wall, of the form that the scene gives. */
     SPH2D_SIDE_WALL = 0,
 
-    /** Liquid may leave; it is followed for one more domain width or height, then removed and counted. Walls beside an
-     *  open side go on for as far. */
+    /** Liquid may leave; it is simulated for one more domain width or height, then removed and counted. Walls adjacent
+     *  to an open side extend as far. */
     SPH2D_SIDE_OPEN = 1,
 
-    /** What leaves here comes in at the opposite side, which must be periodic too; the period must hold three
-     *  support radii. */
+    /** Particles that leave here enter at the opposite side, which must be periodic too; the period must be at least
+     *  three support radii. */
     SPH2D_SIDE_PERIODIC = 2
 } sph2d_side;
 
-/** How walls push. */
+/** Forms of walls. */
 typedef enum sph2d_wall_form {
     /** The method's: muller spring (obstacles heavy), the others generalised. */
     SPH2D_WALL_DEFAULT = 0,
@@ -38,29 +38,29 @@ typedef enum sph2d_wall_form {
     /** A spring along the normal within half a spacing of the side: muller, sides only. */
     SPH2D_WALL_SPRING = 1,
 
-    /** Fixed boundary particles, heavy enough to hold rest density alone, acting by pressure: muller (sides 0.5
-     *  spacings outside), pcisph, constraint (sides 0.68 by default). */
+    /** One row of boundary particles, heavy enough to have rest density by themselves, which exert pressure: muller
+     *  (sides 0.5 spacings outside), pcisph, constraint (sides 0.68 by default). */
     SPH2D_WALL_HEAVY = 2,
 
-    /** Boundary particles that reflect what comes within one spacing; for large steps. */
+    /** Boundary particles that reflect particles within one spacing; for large steps. */
     SPH2D_WALL_REFLECT = 3,
 
-    /** Layers of boundary particles: wcsph, where they take the liquid's pressure on with its weight (Adami, Hu & Adams
-     *  2012), and pcisph and constraint, where they count as liquid of the pressure in front (Akinci et al. 2012). */
+    /** Layers of boundary particles: in wcsph with the liquid's pressure extrapolated hydrostatically (Adami, Hu &
+     *  Adams 2012), in pcisph and constraint with the pressure of the liquid in front (Akinci et al. 2012). */
     SPH2D_WALL_GENERALISED = 4
 } sph2d_wall_form;
 
-/** Whether liquid slides along walls. */
+/** Slip or friction at walls. */
 typedef enum sph2d_slip {
-    /** No friction: boundary layers thinner than the spacing, as of water in most scenes. */
+    /** Free slip, no friction: for boundary layers thinner than the spacing, as of water in most scenes. */
     SPH2D_SLIP_FREE = 0,
 
-    /** Liquid at a wall moves with it. */
+    /** No slip: liquid at a wall moves with it. */
     SPH2D_SLIP_NONE = 1,
 
     /** Friction of a smooth wall by the law of the wall, for boundary layers thinner than the spacing: laminar, mu u/(y
      *  + slip_length), or turbulent, by viscosity, the speed u and the distance y of the liquid at the wall; none
-     *  without viscosity. wcsph alone. */
+     *  without viscosity. Only wcsph. */
     SPH2D_SLIP_SMOOTH = 2
 } sph2d_slip;
 
@@ -73,15 +73,17 @@ typedef enum sph2d_criterion {
     SPH2D_CRITERION_MEAN = 1
 } sph2d_criterion;
 
-/** Solvers that move the liquid, in the order of their values from 0 on: name, word of scene files.
+/** Methods, in the order of their values from 0 on: name, word of scene files.
  *
- *  muller      summation density, p = c0^2 (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional
- *              kernel constants
- *  wcsph       weakly compressible with an error that is known: density by the continuity equation with diffusion,
- *              physical viscosity, particle shifting, generalised walls
- *  pcisph      predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids at large
+ *  muller      summation density, p = k (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional
+ *  kernel
+ *              constants
+ *  wcsph       weakly compressible with known errors: density by the continuity equation with diffusion, physical
+ *              viscosity, particle shifting, generalised walls
+ *  pcisph      predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids with
+ *  large
  *              steps (Solenthaler & Pajarola 2009)
- *  constraint  Constraint Fluids: summation density kept by constraints, for stiff liquids at large steps (Bodin,
+ *  constraint  Constraint Fluids: summation density kept by constraints, for stiff liquids with large steps (Bodin,
  *              Lacoursiere & Servin 2011) */
 #define SPH2D_METHOD_MAP(X)                                                                                            \
     X(MULLER, muller)                                                                                                  \
@@ -89,29 +91,29 @@ typedef enum sph2d_criterion {
     X(PCISPH, pcisph)                                                                                                  \
     X(CONSTRAINT, constraint)
 
-/** Which solver moves the liquid. */
+/** The method. */
 typedef enum sph2d_method {
 #define SPH2D__METHOD_ENUM(name, word) SPH2D_METHOD_##name,
     SPH2D_METHOD_MAP(SPH2D__METHOD_ENUM)
 #undef SPH2D__METHOD_ENUM
 } sph2d_method;
 
-/** What pair loops of method wcsph compute with. The state and the integration are always in doubles. */
+/** Precision of the pair loops of method wcsph. The state and the integration are always in doubles. */
 typedef enum sph2d_precision {
     /** Doubles. */
     SPH2D_PRECISION_DOUBLE = 0,
 
-    /** Floats relative to the particles' surroundings: twice as many at a time. */
+    /** Floats relative to nearby points: twice as many per vector. */
     SPH2D_PRECISION_MIXED = 1
 } sph2d_precision;
 
-/** How method wcsph takes derivatives. */
+/** Discretisation of derivatives in method wcsph. */
 typedef enum sph2d_operators {
     /** Kernel sums that conserve momentum: for free surfaces and impacts. */
     SPH2D_OPERATORS_SYMMETRIC = 0,
 
-    /** Quadratic least-squares fits around each particle, of second order: for liquid that fills its room, periodic or
-     *  between walls. */
+    /** Quadratic least-squares fits around each particle, of second order: for liquid that fills its domain, periodic
+     *  or between walls. */
     SPH2D_OPERATORS_FITTED = 1
 } sph2d_operators;
 
@@ -135,7 +137,7 @@ typedef enum sph2d_kernel {
 enum { SPH2D_KERNEL_COUNT = SPH2D_KERNEL_MAP(SPH2D__KERNEL_ONE) };
 #undef SPH2D__KERNEL_ONE
 
-/** How pressure follows from density in method wcsph. */
+/** Equation of state of method wcsph. */
 typedef enum sph2d_state_equation {
     /** p = c0^2 (rho - rho0). */
     SPH2D_STATE_LINEAR = 0,
@@ -146,44 +148,42 @@ typedef enum sph2d_state_equation {
 
 /** The pair form of viscosity of the symmetric operators. */
 typedef enum sph2d_viscosity_form {
-    /** SPH2D_VISCOSITY_MORRIS where a block fills the whole domain and no side is open, else
-     *  SPH2D_VISCOSITY_MONAGHAN. */
+    /** SPH2D_VISCOSITY_MORRIS if a block fills the whole domain and no side is open, else SPH2D_VISCOSITY_MONAGHAN. */
     SPH2D_VISCOSITY_DEFAULT = 0,
 
-    /** Morris, Fox & Zhu 1997: keeps linear momentum; the shear viscosity that is named, on a lattice, too. A free
-     *  surface has no stress of its own: waves decay half as fast as they should, and a drop that turns is slowed
-     *  down. */
+    /** Morris, Fox & Zhu 1997: conserves linear momentum; has the given shear viscosity on a lattice, too. The stress
+     *  at a free surface is wrong: waves decay half as fast as they should, and a rotating drop is slowed down. */
     SPH2D_VISCOSITY_MORRIS = 1,
 
-    /** Monaghan & Gingold 1983: keeps angular momentum too, and a free surface without stress (Colagrossi et al.
-     *  2011). Shear along the rows of a lattice finds 0.89 of the viscosity (wendland_c2, H/dx = 3), disordered
-     *  liquid the whole. */
+    /** Monaghan & Gingold 1983: conserves angular momentum too, and has no stress at a free surface (Colagrossi et al.
+     *  2011). For shear along the rows of a lattice the viscosity is 0.89 of the given one (wendland_c2, H/dx = 3), in
+     *  disordered liquid all of it. */
     SPH2D_VISCOSITY_MONAGHAN = 2
 } sph2d_viscosity_form;
 
-/** What eddies smaller than the smoothing kernel do. */
+/** Subgrid viscosity: the effect of eddies smaller than the smoothing kernel. */
 typedef enum sph2d_turbulence {
-    /** SPH2D_TURBULENCE_NONE with shifting 0, with artificial viscosity, and where a block fills the whole domain and
-     *  no side is open; else SPH2D_TURBULENCE_SMAGORINSKY. */
+    /** SPH2D_TURBULENCE_NONE with shifting 0, with artificial viscosity, and if a block fills the whole domain and no
+     *  side is open; else SPH2D_TURBULENCE_SMAGORINSKY. */
     SPH2D_TURBULENCE_DEFAULT = 0,
 
-    /** Nothing. */
+    /** None. */
     SPH2D_TURBULENCE_NONE = 1,
 
-    /** Smagorinsky 1963: they add the kinematic viscosity (0.3 H)^2 |S|, with the support radius H and the rate of
-     *  strain |S| = sqrt(2 S:S), in the form monaghan, against what of the velocities is not linear: smooth strain is
-     *  left alone. What splashes leave of disorder among particles dies by it. */
+    /** Smagorinsky 1963: the kinematic viscosity (0.3 H)^2 |S|, with the support radius H and the strain rate |S| =
+     *  sqrt(2 S:S), in the form monaghan, acting on velocity differences that are not linear: smooth strain is not
+     *  damped. It damps the disordered motion of particles after splashes. */
     SPH2D_TURBULENCE_SMAGORINSKY = 2
 } sph2d_turbulence;
 
-/** What density diffuses down in delta-SPH. */
+/** Forms of density diffusion in delta-SPH. */
 typedef enum sph2d_diffusion_form {
-    /** Density less what its gradients around say (Antuono et al. 2010): exact wherever density is linear, at the price
-     *  of the gradients. */
+    /** Of density minus its linear part (Antuono et al. 2010): none where density is linear, at the cost of its
+     *  gradients. */
     SPH2D_DIFFUSION_ANTUONO = 0,
 
-    /** Density less that of a liquid at rest (Fourtakas et al. 2019): at rest in gravity and in a central force; the
-     *  cheapest. No shifting, no tensile control. */
+    /** Of density minus the hydrostatic density (Fourtakas et al. 2019): none at rest under gravity and a central
+     *  force; the cheapest. Without shifting and tensile control. */
     SPH2D_DIFFUSION_FOURTAKAS = 1
 } sph2d_diffusion_form;
 
@@ -225,8 +225,8 @@ typedef enum sph2d_outline_kind {
 
 /** On which side of a line or polyline with layers the liquid is, looking from its first point to its last. */
 typedef enum sph2d_liquid_side {
-    /** Where blocks or sources lie: next to the line, or else nearest to it; left without any. Refused where blocks lie
-     *  on both sides within the thickness of the layers. */
+    /** The side of blocks or sources: of those next to the line, or else of the nearest; left if there are none.
+     *  Rejected if blocks are on both sides within the thickness of the layers. */
     SPH2D_LIQUID_AUTO = 0,
 
     /** On the left. */
@@ -235,14 +235,14 @@ typedef enum sph2d_liquid_side {
     /** On the right. */
     SPH2D_LIQUID_RIGHT = 2,
 
-    /** On both: the line becomes a solid as thick as its layers, half of it on either side; blocks leave that room
-     *  free. */
+    /** On both: the line becomes a solid as thick as its layers, half of it on either side; blocks leave that space
+     *  empty. */
     SPH2D_LIQUID_BOTH = 3
 } sph2d_liquid_side;
 
-/** Liquids that are known by name, at 20 C and the pressure of the air. */
+/** Liquids by name, at 20 C and atmospheric pressure. */
 typedef enum sph2d_material {
-    /** None: density and viscosity are numbers of their own. */
+    /** None: density and viscosity are given. */
     SPH2D_MATERIAL_NONE = 0,
 
     /** Water. */
@@ -264,7 +264,7 @@ typedef enum sph2d_material {
 /** Off or on. */
 typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_switch;
 
-/** How a block's particles lie. */
+/** Arrangement of a block's particles. */
 typedef enum sph2d_arrangement {
     /** A square lattice where it fits, else packed (see sph2d_block). */
     SPH2D_ARRANGEMENT_LATTICE = 0,
@@ -273,28 +273,28 @@ typedef enum sph2d_arrangement {
     SPH2D_ARRANGEMENT_RINGS
 } sph2d_arrangement;
 
-/** Kinds of probes, in the order of their values from 0 on: name, word of scene files, the columns that one writes
- *  behind `time`. Values without meaning, as where there is no liquid, are NaN.
+/** Kinds of probes, in the order of their values from 0 on: name, word of scene files, its columns after `time`.
+ *  Undefined values, as where there is no liquid, are NaN.
  *
- *  energy     kinetic and potential energy, the latter of gravity, central force, springs of sides and surface;
- *             momentum; speed of the fastest particle; energy of compression; energy_error: what does not add up, over
- *             the scene's energy scale (sph2d_summary)
+ *  energy     kinetic and potential energy, the latter of gravity, central force, spring walls and surface tension;
+ *             momentum; speed of the fastest particle; energy of compression; energy_error: error of the energy
+ *             balance, over the scene's energy scale (sph2d_summary)
  *  speed      of the liquid at a point, by sph2d_sim_sample(); neighbours: particles within the support radius
- *  pressure   at a point, by sph2d_sim_sample(). With `size` or `rise_time` the pressure that a gauge of that kind
- *             shows, 0 in air
- *  elevation  y of the highest free surface on the vertical line through at.x, where liquid fills half of what the
- *             kernel covers: from H/dx = 2.2 on, no lone particle does. Liquid up to a closed top has the top's y
- *  extent     of the particles' places
- *  axes       centre of mass; a, b: larger and smaller half axis of the filled ellipse that has the particles' second
- *             moments about it; angle: of the larger one to the x axis, above -pi/2 to pi/2; a_x, a_y: half axes along
- *             x and y from <x^2> and <y^2> alone. Places are taken as they are: not across a periodic side
+ *  pressure   at a point, by sph2d_sim_sample(). With `size` or `rise_time` the reading of a gauge of that kind, 0 in
+ *             air
+ *  elevation  y of the highest free surface on the vertical line through at.x, where liquid fills half of the kernel's
+ *             area: from H/dx = 2.2 on, no isolated particle does. Liquid up to a closed top has the top's y
+ *  extent     of the particles' positions
+ *  axes       centre of mass; a, b: larger and smaller semi-axis of the filled ellipse with the particles' second
+ *             moments about it; angle: of the larger one to the x axis, above -pi/2 to pi/2; a_x, a_y: semi-axes along
+ *             x and y from <x^2> and <y^2> alone. Positions are not unwrapped across a periodic side
  *  quality    spacing_min, spacing_p1: smallest distance between two particles, and 1st percentile over particles of
  *             the distance to the nearest one, over the scene's spacing, H/dx at most; paired: fraction of particles
  *             with another nearer than half a spacing; density_rms, density_max: root mean square and largest absolute
  *             value of rho/rho0 - 1; mach: largest speed over c0; reported, counted: mean density inside the liquid
- *             over rest density, as particles have it and by counting them on the area
+ *             over rest density, of the particles and by counting them per area
  *  momentum   angular_momentum: about the middle of the domain, anticlockwise; centre_x, centre_y: centre of mass
- *  error      difference from the exact solution that a block starts with, at the particles' places: speed_l1: mean
+ *  error      difference from the exact solution that a block starts with, at the particles: speed_l1: mean
  *             error of |v| over mean exact |v|; vector_l1: the same of v; vector_max: largest error of v over the
  *             flow's speed U (a flow at rest: over the speed that its largest pressure could make); pressure_l1: mean
  *             error over mean exact |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
@@ -326,12 +326,12 @@ typedef enum sph2d_probe_kind {
 #undef SPH2D__PROBE_ENUM
 } sph2d_probe_kind;
 
-/** How a frame looks. */
+/** Style of a frame. */
 typedef enum sph2d_style {
     /** A liquid surface. */
     SPH2D_STYLE_METABALLS = 0,
 
-    /** A dot a particle. */
+    /** A dot per particle. */
     SPH2D_STYLE_POINTS = 1
 } sph2d_style;
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file sph2d.h
- *  The solver: everything in libsph2d. Begin with a scene (sph2d/scene.h), make a simulation of it and step it
- *  (sph2d/sim.h); sph2d/status.h says how errors are reported. Files are sph2d/io.h and sph2d/study.h (libsph2d-io),
- *  studies sph2d/study_results.h (libsph2d-study), pictures sph2d/render.h (libsph2d-render); examples/embed.c is a
- *  whole program. */
+ *  The solver: everything in libsph2d. Start with a scene (sph2d/scene.h), create a simulation from it and advance it
+ *  (sph2d/sim.h); errors are reported as described in sph2d/status.h. Files: sph2d/io.h and sph2d/study.h
+ *  (libsph2d-io); studies: sph2d/study_results.h (libsph2d-study); images: sph2d/render.h (libsph2d-render).
+ *  examples/embed.c is a complete program. */
 #ifndef SPH2D_SPH2D_H
 #define SPH2D_SPH2D_H
 

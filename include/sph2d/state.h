@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file state.h
- *  Everything that a run needs to go on, out of a simulation and into a new one.
+ *  The state of a simulation, everything that is needed to continue it in a new one.
  *
  *      sph2d_state state = sph2d_sim_state(sim);
  *      sph2d_sim *other = NULL;
  *      sph2d_status status = sph2d_sim_restore(&scene, NULL, &state, &other, &report);
  *
- *  A simulation made with sph2d_sim_restore continues bit for bit like the one that gave the state, on the same binary
+ *  A simulation created by sph2d_sim_restore continues bit for bit like the one with that state, with the same binary
  *  and instruction set, for any number of threads. */
 #ifndef SPH2D_STATE_H
 #define SPH2D_STATE_H
@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/** The version of the state's layout. A state of another version is refused. */
+/** The version of the state's layout. A state of another version is rejected. */
 #define SPH2D_STATE_VERSION 4u
 
 /** A list of arrays: fields of fluid and walls in their order, and the scalars of the run. */
@@ -33,12 +33,12 @@ typedef struct sph2d_state {
     size_t array_count;
 } sph2d_state;
 
-/** Lends the state of a simulation. Nothing is copied: arrays are valid until the next call that changes `sim`. */
+/** The state of a simulation. Nothing is copied: arrays are valid until the next call that changes `sim`. */
 SPH2D_API sph2d_state sph2d_sim_state(sph2d_sim *sim);
 
-/** Makes a simulation that goes on from `state`, whose data is copied. Every array is validated: presence, shape, type,
- *  finite values, ranges. Errors: SPH2D_FORMAT for a state that is not one of this scene and version; otherwise as
- *  sph2d_sim_create. `options` may be NULL; its `isa` is overruled by the one stored in the state. */
+/** Creates a simulation that continues from `state`, whose data is copied. Every array is validated: presence, shape,
+ *  type, finite values, ranges. Errors: SPH2D_FORMAT for a state that is not one of this scene and version; otherwise
+ *  as sph2d_sim_create. `options` may be NULL; its `isa` is overridden by the one stored in the state. */
 SPH2D_API sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options,
                                          const sph2d_state *state, sph2d_sim **sim, sph2d_report *report);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file status.h
- *  Everything that can fail, and the report that says what, where and what to do.
+ *  Status codes, and reports that say what failed, where, and what to do.
  *
  *  A function that can fail returns an sph2d_status and takes an sph2d_report, which may be NULL. The report belongs to
  *  the caller, needs no destruction, never allocates, and collects every diagnostic of the call:
@@ -92,13 +92,13 @@ typedef struct sph2d_diagnostic {
     /** Kind of fault; sph2d_code_text() prints it. */
     sph2d_code code;
 
-    /** Key path in the scene, `blocks[0].box.max`. Empty when no key is to blame. */
+    /** Key path in the scene, `blocks[0].box.max`. Empty if it is not about a key. */
     char path[96];
 
     /** File, where one is involved; else empty. */
     char file[256];
 
-    /** Place in `file`, counted from 1; 0 where unknown. */
+    /** Position in `file`, counted from 1; 0 if unknown. */
     int line, column;
 
     /** That line of the file, for a caret under `column`. */
@@ -111,7 +111,7 @@ typedef struct sph2d_diagnostic {
     char hint[240];
 } sph2d_diagnostic;
 
-/** The most diagnostics that a report keeps. */
+/** The largest number of diagnostics in a report. */
 #define SPH2D_REPORT_CAPACITY 20
 
 /** A caller-owned list of diagnostics. Start it with `{0}`. */
@@ -119,7 +119,7 @@ typedef struct sph2d_report {
     /** Number of diagnostics in `items`, at most SPH2D_REPORT_CAPACITY. */
     size_t count;
 
-    /** Number of those that found no room. */
+    /** Number of those that did not fit. */
     size_t dropped;
 
     /** Number of errors among all, kept or dropped; the rest are warnings. */
@@ -129,13 +129,13 @@ typedef struct sph2d_report {
     sph2d_diagnostic items[SPH2D_REPORT_CAPACITY];
 } sph2d_report;
 
-/** The enumerator's name without prefix, "SCENE"; "UNKNOWN" for a value that is none. Static storage. */
+/** The enumerator's name without prefix, "SCENE"; "UNKNOWN" for an invalid value. Static storage. */
 SPH2D_API const char *sph2d_status_name(sph2d_status status);
 
 /** One sentence for a status. Static storage. */
 SPH2D_API const char *sph2d_status_text(sph2d_status status);
 
-/** The printed code of a diagnostic, "S104"; "G000" for a value that is none. Static storage. */
+/** The printed code of a diagnostic, "S104"; "G000" for an invalid value. Static storage. */
 SPH2D_API const char *sph2d_code_text(sph2d_code code);
 
 /** Empties a report. NULL is fine. */
