@@ -94,7 +94,7 @@ double study_number(const sph2d_study_row *row, const study_column *c)
     return *(const double *)study_field(row, c);
 }
 
-bool study_stands_left(const study_column *c)
+bool study_aligns_left(const study_column *c)
 {
     return c->form < STUDY_COUNT;
 }

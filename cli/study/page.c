@@ -132,7 +132,7 @@ static void put_verdict(const void *study, FILE *out)
 
 static void put_cell(FILE *out, const char *tag, const study_column *c, const char *text)
 {
-    fprintf(out, "<%s%s>", tag, study_stands_left(c) ? " class=\"word\"" : "");
+    fprintf(out, "<%s%s>", tag, study_aligns_left(c) ? " class=\"word\"" : "");
     put(out, text);
     fprintf(out, "</%s>", tag);
 }

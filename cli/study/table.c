@@ -40,7 +40,7 @@ static void print_line(const cli_study *s, const sph2d_study_row *row, const stu
     for (size_t k = 0; k < count; ++k) {
         write_cell(s, row, &columns[k], cell);
         int blanks = widths[k] - width_of(cell);
-        if (study_stands_left(&columns[k]))
+        if (study_aligns_left(&columns[k]))
             printf("| %s%*s ", cell, blanks, "");
         else
             printf("| %*s%s ", blanks, "", cell);
@@ -64,7 +64,7 @@ static void print_rows(const cli_study *s, const study_column *columns, int *wid
         putchar('|');
         for (int i = 0; i < widths[k] + 1; ++i)
             putchar('-');
-        putchar(study_stands_left(&columns[k]) ? '-' : ':');
+        putchar(study_aligns_left(&columns[k]) ? '-' : ':');
     }
     puts("|");
     STUDY_FOR_ROWS (s, row)

@@ -16,7 +16,7 @@ static const double FAR = 6;
 /* From this tau on the flow is steady: exp(-pi^2 tau) is 7e-18. */
 static const double STEADY = 4;
 
-/** Place between the walls, 0 to 1; beyond a wall, that of the wall. */
+/** Position between the walls, 0 to 1; beyond a wall, that of the wall. */
 static double place(const sph2d__flow_moment *m, double y)
 {
     return fmin(fmax(y / m->flow->length + 0.5, 0), 1);
@@ -28,7 +28,7 @@ static double age(const sph2d__flow_moment *m)
     return m->viscosity * m->time / m->flow->length / m->flow->length;
 }
 
-/** How far a wall holds liquid back that is driven evenly: 4 i^2erfc(z), 1 at the wall, where i^2erfc is erfc
+/** The velocity deficit near a wall in liquid under a uniform force: 4 i^2erfc(z), 1 at the wall, where i^2erfc is erfc
  *  integrated twice (Carslaw & Jaeger 1959, appendix II). */
 static double held_back(double z)
 {

@@ -55,8 +55,8 @@ sph2d__flow_value sph2d__flow_patch(const sph2d__flow_moment *m, double x, doubl
     return (sph2d__flow_value){-w * y, w * x, m->context->density * u * u * q};
 }
 
-/** Laplace: surface tension around a disc, curved in one plane alone, presses by sigma/L. Rayleigh (1879), Lamb (1932),
- *  art. 275, for a cylinder's second mode: a small strain at time 0 swings at w = sqrt(6 sigma/(rho L^3)), with
+/** Laplace: the pressure in a disc, curved in one plane only, is sigma/L. Rayleigh (1879), Lamb (1932), art. 275, for a
+ *  cylinder's second mode: a small strain at time 0 oscillates at w = sqrt(6 sigma/(rho L^3)), with
  *
  *      v = U/L cos wt (x, -y),   p = sigma/L + rho U w/(2 L) sin wt (x^2 - y^2),   r(theta) = L + U/w sin wt cos 2
  *  theta */

@@ -6,7 +6,7 @@
 
 #include "flows/flow.h"
 
-/* What a kind reads, apart from its centre and the density. */
+/* The parameters of a kind, besides its centre and the density. */
 enum {
     SPEED = 1,      /* any */
     LENGTH = 2,     /* > 0 */
@@ -36,7 +36,7 @@ static const struct kind {
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-/* How long a strain is followed, in units of one over its pace: half a second of computing. */
+/* Longest time of a strain, in units of one over its largest rate: half a second of computing. */
 static const double LONGEST_STRAIN = 1e4;
 
 sph2d_flow sph2d_flow_default(void)
@@ -84,7 +84,7 @@ static bool is_not_negative(sph2d_report *report, const char *what, double value
     return value >= 0;
 }
 
-/** The scene's numbers. */
+/** Checks the scene's parameters. */
 static bool check_context(const sph2d_flow_context *c, sph2d_report *report)
 {
     bool good = is_positive(report, "the density", c->density) && is_finite(report, "the density", c->density);
@@ -98,7 +98,7 @@ static bool check_context(const sph2d_flow_context *c, sph2d_report *report)
     return good;
 }
 
-/** The flow's own numbers, where its kind reads them. */
+/** Checks the flow's own parameters, if its kind reads them. */
 static bool check_flow(const sph2d_flow *f, unsigned reads, sph2d_report *report)
 {
     bool good = is_finite(report, "the centre", f->center[0]) && is_finite(report, "the centre", f->center[1]);
@@ -111,7 +111,7 @@ static bool check_flow(const sph2d_flow *f, unsigned reads, sph2d_report *report
     return good;
 }
 
-/** What a kind asks of the scene and the time, all numbers being in range. */
+/** Checks what a kind requires of the scene and the time; all numbers are in range. */
 static sph2d_status check_kind(const sph2d__flow_moment *m, unsigned reads, sph2d_report *report)
 {
     const sph2d_flow_context *c = m->context;

@@ -3,24 +3,24 @@
  *  A free disc that becomes an ellipse: Monaghan 1994, without a force; Monaghan & Rafiee 2013, under a central force
  *  -B^2 x.
  *
- *  The velocity is (A x, -A y), so that the half axes follow a' = A a, b' = -A b. With p = pc (1 - x^2/a^2 - y^2/b^2),
+ *  The velocity is (A x, -A y), so that the semi-axes follow a' = A a, b' = -A b. With p = pc (1 - x^2/a^2 - y^2/b^2),
  *  which is 0 on the ellipse, the momentum equations along x and y are
  *
  *      A' + A^2 + B^2 = 2 pc/(rho a^2),   -A' + A^2 + B^2 = 2 pc/(rho b^2)
  *
  *  and therefore pc = rho (A^2 + B^2) a^2 b^2/(a^2 + b^2),   A' = -(A^2 + B^2) (a^2 - b^2)/(a^2 + b^2).
  *
- *  Area is kept, a b = L^2, so that with a = L exp(s), b = L exp(-s) two equations are left:
+ *  Area is conserved, a b = L^2, so that with a = L exp(s), b = L exp(-s) two equations remain:
  *
  *      s' = A,   A' = -(A^2 + B^2) tanh 2s
  *
- *  Kinetic and potential energy are (A^2 + B^2) (a^2 + b^2) but for a factor, and a^2 + b^2 is least at the start: the
- *  pace sqrt(A^2 + B^2) is never larger than there. */
+ *  Kinetic plus potential energy is proportional to (A^2 + B^2) (a^2 + b^2), and a^2 + b^2 has its minimum at the
+ *  start: the rate sqrt(A^2 + B^2) is never larger than there. */
 #include <math.h>
 
 #include "flows/flow.h"
 
-/* Radians of the pace in a Runge-Kutta step. */
+/* Length of a Runge-Kutta step times the largest rate. */
 static const double STEP = 0.002;
 
 typedef struct shape {

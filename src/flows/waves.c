@@ -13,7 +13,7 @@ sph2d__flow_value sph2d__flow_still(const sph2d__flow_moment *m, double x, doubl
     return (sph2d__flow_value){0, 0, fmax(0, m->context->density * (g[0] * x + g[1] * y))};
 }
 
-/** Linear theory of waves at depth d (Lamb 1932, art. 228), started by a blow from below: the surface is at
+/** Linear theory of waves at depth d (Lamb 1932, art. 228), started by an impulse: the surface is at
  *
  *      eta = U/omega cos kx sin(omega t),   k = 2 pi/L,   omega^2 = g k tanh kd
  *

@@ -3,9 +3,9 @@
  *  The three kernels of Mueller, Charypar & Gross 2003, normalised for two dimensions.
  *
  *  H is the support radius [m]: each kernel is zero from H on. A kernel is a constant times a shape; pair loops sum the
- *  shapes and multiply once. The constants make the integral over the plane 1 (poly6, spiky) and the second moment of
- *  the Laplacian right (viscosity); the three-dimensional ones, 315/(64 pi H^9), 45/(pi H^6), are wrong here by factors
- *  that change with the unit of length. */
+ *  shapes and multiply once. The constants normalise the integral over the plane (poly6, spiky) and the second moment
+ *  of the Laplacian (viscosity); the three-dimensional ones, 315/(64 pi H^9), 45/(pi H^6), are wrong here by factors
+ *  that depend on the unit of length. */
 #ifndef SPH2D_KERNELS_MULLER_H
 #define SPH2D_KERNELS_MULLER_H
 
@@ -41,8 +41,8 @@ static inline double sph2d__viscosity_constant(double support)
     return 40 / (SPH2D__PI * h2 * h2 * support);
 }
 
-/** dx^2 times the sum of poly6 over a filled square lattice, the particle itself included: what summation density gives
- *  there, over the rest density. */
+/** dx^2 times the sum of poly6 over a full square lattice, including the particle itself: its summation density over
+ *  the rest density. */
 static inline double sph2d__poly6_lattice_sum(double support, double spacing)
 {
     int reach = (int)(support / spacing) + 1;
@@ -55,8 +55,8 @@ static inline double sph2d__poly6_lattice_sum(double support, double spacing)
     return sum * sph2d__poly6_constant(support) * spacing * spacing;
 }
 
-/** The pressure that pairs in a lattice carry over the p of its particles. Pair forces m/rho_i m/rho_j p |W'_spiky|
- *  carry, by the virial,
+/** The stress of the pair forces in a lattice over the p of its particles. That of pair forces m/rho_i m/rho_j p
+ *  |W'_spiky| is, by the virial,
  *
  *      P = 1/4 sum_j (dx^2 p |W'_spiky(r_ij)|) r_ij,
  *
@@ -73,7 +73,8 @@ static inline double sph2d__spiky_lattice_stress(double support, double spacing)
     return sum * sph2d__spiky_constant(support) * spacing * spacing / 4;
 }
 
-/** Growth of summed density over the compression of a filled lattice, both as fractions: 1 for a dense one. */
+/** Relative increase of summation density over that of number density, for a full lattice: 1 in the limit H/dx to
+ *  infinity. */
 static inline double sph2d__poly6_lattice_response(double support, double spacing)
 {
     int reach = (int)(support / spacing) + 1;
@@ -87,20 +88,20 @@ static inline double sph2d__poly6_lattice_response(double support, double spacin
     return slopes / values;
 }
 
-/** Summed density over rest density of a filled lattice of `spacing` that is compressed evenly to spacing s. */
+/** Summation density over rest density of a full lattice of `spacing` that is compressed uniformly to spacing s. */
 static inline double sph2d__poly6_compressed(double support, double spacing, double s)
 {
     double part = sph2d__poly6_lattice_sum(support, s) / sph2d__poly6_lattice_sum(support, spacing);
     return part * spacing * spacing / (s * s);
 }
 
-/** Factor on the pressure p that pairs carry in that lattice, so that its work is that of p: what pairs carry goes with
- *  S(s) = sum r |W'_spiky|/4 while the area of a particle changes by dA = d(s^2) and 1/rho by d(1/rho). The work
- *  P dA = p m d(1/rho) of the pair stress P = p V^2 S/A, V = m/rho, A = s^2, wants
+/** G, the factor on the pressure p in pair forces of that lattice with which their work is that of p: their stress is
+ *  proportional to S(s) = sum r |W'_spiky|/4 while the area of a particle changes by dA = d(s^2) and 1/rho by d(1/rho).
+ *  The work P dA = p m d(1/rho) of the pair stress P = p V^2 S/A, V = m/rho, A = s^2, requires
  *
  *      p_pairs/p = (d ln rho/d ln n) rho/S, over its value in the lattice at rest, n = 1/s^2.
  *
- *  0.93 at H/dx = 2 where density is 1.2 of rest density: by p itself pairs gave back 8 % more than was reported. */
+ *  0.93 at H/dx = 2 for 1.2 times rest density: with p itself pair forces returned 8 % more work than was reported. */
 static inline double sph2d__muller_pair_gain(double support, double spacing, double s)
 {
     double stress = sph2d__spiky_lattice_stress(support, spacing) / sph2d__spiky_lattice_stress(support, s);
@@ -108,7 +109,7 @@ static inline double sph2d__muller_pair_gain(double support, double spacing, dou
     return stress * response * sph2d__poly6_lattice_sum(support, s) / sph2d__poly6_lattice_sum(support, spacing);
 }
 
-/** The part of a lattice's poly6 sum that particles from row and column `rows` and `columns` on give. */
+/** The fraction of a lattice's poly6 sum due to particles from row `rows` and column `columns` on. */
 static inline double sph2d__poly6_part(double support, double spacing, int columns, int rows)
 {
     int reach = (int)(support / spacing) + 1;
@@ -119,7 +120,7 @@ static inline double sph2d__poly6_part(double support, double spacing, int colum
     return sum * sph2d__poly6_constant(support) * spacing * spacing / sph2d__poly6_lattice_sum(support, spacing);
 }
 
-/** That of the rows on one side of a particle's own, and that of a quarter without its own row and column. */
+/** That of the rows on one side of the particle, and that of a quarter without its row and column. */
 static inline double sph2d__poly6_beyond_sum(double support, double spacing)
 {
     return sph2d__poly6_part(support, spacing, -(int)(support / spacing) - 1, 1);
@@ -130,7 +131,7 @@ static inline double sph2d__poly6_quarter_sum(double support, double spacing)
     return sph2d__poly6_part(support, spacing, 1, 1);
 }
 
-/** The square of the speed of sound over k in p = k (rho - rho0) for a filled lattice: 0.443 at H/dx = 2. */
+/** The squared speed of sound over k in p = k (rho - rho0) for a full lattice: 0.443 at H/dx = 2. */
 static inline double sph2d__muller_stiffness(double support, double spacing)
 {
     return sph2d__spiky_lattice_stress(support, spacing) * sph2d__poly6_lattice_response(support, spacing);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file isa.c
- *  What this processor can run. */
+ *  The instruction sets that this processor supports. */
 #include "simd/isa.h"
 
 const char *sph2d_isa_name(sph2d_isa isa)

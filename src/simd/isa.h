@@ -7,16 +7,16 @@
 
 #include "sph2d/sim.h"
 
-/** The set to use for a wish: `auto` becomes the widest that is there; one that is not there becomes auto (0). */
+/** The set to use: for `auto` the widest that is available; auto (0) if the given one is not available. */
 sph2d_isa sph2d__isa_choose(sph2d_isa wish);
 
-/** What a source file calls the copy of `name` that it is compiled to. */
+/** The name of the copy of `name` in the instruction set of the source file. */
 #define SPH2D__OF_ISA(name) SPH2D__OF_ISA_1(name, SPH2D__ISA)
 #define SPH2D__OF_ISA_1(name, isa) SPH2D__OF_ISA_2(name, isa)
 #define SPH2D__OF_ISA_2(name, isa) name##_##isa
 
-/** Declares the copies of `name`, and `name`_find(isa), which finds the one for an instruction set; `tail` is nothing
- *  or _mixed, and behind all these names. */
+/** Declares the copies of `name`, and `name`_find(isa), which returns the one for an instruction set; `tail`, nothing
+ *  or _mixed, is appended to all these names. */
 #ifdef SPH2D__ISA_X86
 #define SPH2D__COPIES(type, name, tail)                                                                                \
     extern const type name##_baseline##tail, name##_avx2##tail, name##_avx512##tail;                                   \

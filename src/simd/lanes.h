@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lanes.h
- *  Vectors of doubles as wide as the instruction set that the including file is compiled for; of floats, twice as many,
- *  where it is compiled with SPH2D__MIXED (lanes_float.h). sph2d__real is what is in them.
+ *  Vectors of doubles with the width of the instruction set that the including file is compiled for; with SPH2D__MIXED
+ *  of floats, twice as many (lanes_float.h). sph2d__real is the type of their elements.
  *
- *  Plain arithmetic works on them (a compiler extension that GCC and Clang share); the few functions below are what the
- *  language lacks. A loop over lanes in plain C would say the same, but compilers unroll so short a loop before they
- *  try to make vectors of it: the force pass took 4 times the instructions. */
+ *  Arithmetic operators work on them (an extension of GCC and Clang); the functions below add what the language lacks.
+ *  A loop over lanes in plain C would be equivalent, but compilers unroll so short a loop before they try to vectorise
+ *  it: the force pass took 4 times the instructions. */
 #ifndef SPH2D_SIMD_LANES_H
 #define SPH2D_SIMD_LANES_H
 
@@ -166,16 +166,15 @@ SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
 #endif
 
 #ifndef __AVX512F__
-/** The same where little is computed with it: by one instruction where there is a good one. What follows that waits for
- *  all lanes, and so does what follows that: in a sum of two products it takes 2/3 of the time, before a kernel 3
- *  times. */
+/** The same, for short computations: by one instruction if there is a fast one. The computation then waits for all
+ *  lanes: a sum of two products takes 2/3 of the time, a kernel 3 times as long. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_gather_late(const double *from, const uint32_t *index)
 {
     return sph2d__lanes_gather(from, index);
 }
 #endif
 
-/** Two floats in the place of each double that is kept: one gather fetches both. */
+/** Pairs of floats stored in the space of doubles: one gather loads both. */
 SPH2D__INLINE sph2d__float2 sph2d__float2_load(const double *from)
 {
     sph2d__float2 p;
@@ -191,7 +190,7 @@ SPH2D__INLINE sph2d__float2 sph2d__float2_gather(const double *from, const uint3
     return (sph2d__float2)sph2d__lanes_gather_late(from, index);
 }
 
-/** A pair of the same float twice, in the place of a double, and its value. */
+/** A float twice, in the space of a double; and its value. */
 static inline double sph2d__splat(double a)
 {
     const float both[2] = {(float)a, (float)a};
@@ -209,7 +208,7 @@ static inline double sph2d__splat_value(double kept)
 #endif /* SPH2D__MIXED */
 
 #ifndef __AVX512F__
-/** Writes those of first, first + 1, ... whose bits are set one behind the other; up to a whole block is written. */
+/** Writes those of first, first + 1, ... whose bits are set contiguously; up to a whole block is written. */
 SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
 {
 #if SPH2D__LANES >= 4
@@ -229,7 +228,7 @@ SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigne
     }
 #endif
 }
-/** Writes the lanes whose bits are set one behind the other; up to a whole block is written. */
+/** Writes the lanes whose bits are set contiguously; up to a whole block is written. */
 SPH2D__INLINE void sph2d__lanes_pack(sph2d__real *to, sph2d__lanes a, unsigned which)
 {
     for (int l = 0; l < SPH2D__LANES; ++l) {

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file curve.c
- *  A series of samples into one number. */
+ *  Reduces a series of samples to one number. */
 #include "study/curve.h"
 
 #include <math.h>
 
 typedef sph2d_study_curve curve;
 
-/** Steps to each side in which a reference is moved. */
+/** Number of shifts of a reference that are tried to each side. */
 enum { SHIFTS = 100 };
 
-/** The clock of a simulation is a sum of steps: a time that it misses by rounding alone is reached. */
+/** Relative tolerance of times, as the time of a simulation is a sum of steps with rounding errors. */
 static const double ROUNDING = 1e-12;
 
 static double slack(double x)
@@ -94,11 +94,11 @@ static double period(curve c, double level)
     return crossings > 1 ? (newest - first) / (double)(crossings - 1) : NAN;
 }
 
-/** Less the slope of the line through the logarithms of the peaks; a swing that is not over does not count. */
+/** Minus the slope of the line through the logarithms of the peaks, without an incomplete one at the end. */
 static double decay(curve c, double level)
 {
     double n = 0, st = 0, sl = 0, stt = 0, stl = 0, peak = 0, time = 0, first = NAN;
-    bool open = true; /* of the swing under way the beginning is not known */
+    bool open = true; /* the start of the present half period is not known */
     for (size_t i = 0; i < c.count; ++i) {
         double y = c.y[i] - level;
         bool crossed = i > 0 && (c.y[i - 1] < level) != (c.y[i] < level);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file front.c
- *  Error against time. */
+ *  The Pareto front of error and time. */
 #include "study/parts.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ double sph2d_study_row_error(const sph2d_study_results *results, const sph2d_stu
     return has_error ? row->values[results->judge].error : NAN;
 }
 
-/** Whether `a` makes `b` needless; of two that are equal the first does. */
+/** Whether `a` dominates `b`; of two equal rows the first does. */
 static bool beats(const sph2d_study_results *results, const sph2d_study_row *a, const sph2d_study_row *b)
 {
     double error = sph2d_study_row_error(results, a), other = sph2d_study_row_error(results, b);

@@ -22,7 +22,7 @@ static bool is_profile(const sph2d_study_results *results, size_t measure, const
     return same;
 }
 
-/** The series that a measure looks at, and the column of it; NULL when the record does not have it. */
+/** The series and column of a measure; NULL when the record does not have it. */
 static const sph2d_study_series *find_series(const sph2d_study_results *results, size_t measure,
                                              const sph2d_study_record *record, size_t *column)
 {
@@ -51,8 +51,8 @@ bool sph2d__record_serves(const sph2d_study_results *results, const sph2d_study_
 
 /* ---- profiles ---------------------------------------------------------------------------------------------------- */
 
-/** The error of a profile against its reference, which has a point at each place, or against the finest run's: there
- *  those places count where both have liquid. `finest` is NULL for a reference. False when memory is short. */
+/** The error of a profile against its reference at the same positions, or against the finest run's at positions where
+ *  both have liquid. `finest` is NULL for a reference. False when memory is short. */
 static bool compare_profiles(const sph2d_study_measure *m, const sph2d_study_series *mine,
                              const sph2d_study_series *finest, const sph2d_study_curve *reference, double *error)
 {
@@ -89,8 +89,8 @@ static bool measure_profile(const sph2d_study_results *results, size_t measure, 
 
 /* ---- series and summaries ---------------------------------------------------------------------------------------- */
 
-/** The part of a series that a measure looks at; empty where there is none. False when memory is short. The caller
- *  frees *room, which holds it. */
+/** The part of a series that a measure uses; empty if there is none. False when memory is short. The caller frees
+ *  *room, which holds it. */
 static bool take_curve(const sph2d_study_results *results, size_t measure, const sph2d_study_record *record,
                        sph2d_study_curve *curve, double **room)
 {
@@ -105,7 +105,7 @@ static bool take_curve(const sph2d_study_results *results, size_t measure, const
     return *room != NULL;
 }
 
-/** The number that a measure makes of a record. */
+/** The value of a measure in a record. */
 static double number(const sph2d_study_measure *m, const sph2d_study_record *record, sph2d_study_curve curve)
 {
     double value = m->source == SPH2D_MEASURE_SUMMARY ? record->summary[m->summary]

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file order.c
- *  Orders of convergence, between two rows and of all that belong together. */
+ *  Orders of convergence, between two rows and of all rows on a line. */
 #include "study/parts.h"
 
 #include <math.h>
 
 #include "study/curve.h"
 
-/** The row that the order of `fine` is told from: the nearest before it that is coarser and has the same settings;
- *  among rows that are written one by one, else the nearest that is coarser and sets the same keys. */
+/** The row from which the order of `fine` is computed: the nearest before it that is coarser and has the same settings;
+ *  among individually listed rows otherwise the nearest that is coarser and sets the same keys. */
 static const sph2d_study_row *coarser(const sph2d_study_results *results, const sph2d_study_row *fine)
 {
     const sph2d_study_row *same = NULL, *alike = NULL;

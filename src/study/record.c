@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file record.c
- *  What a run of a row leaves behind, as a block of bytes and back: a head, the struct, then each series and its
- *  numbers, all as they are in memory. */
+ *  Serialises the record of a row: a head, the struct, then each series and its numbers, all in their memory layout. */
 #include "study/parts.h"
 
 #include <stdlib.h>
@@ -9,7 +8,7 @@
 
 #include "study/hash.h"
 
-/** In front of a block. What is behind it has the length and the checksum that it says. */
+/** The head of a block, with length and checksum of the rest. */
 typedef struct head {
     char mark[16];
     uint64_t size, checksum;
@@ -61,7 +60,7 @@ void sph2d_study_record_free(sph2d_study_record *record)
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
-/** A block while it is written: what finds no room only counts. */
+/** A block being written: bytes that do not fit are only counted. */
 typedef struct writer {
     char *out;
     size_t size, used;
@@ -99,7 +98,7 @@ size_t sph2d_study_record_pack(const sph2d_study_record *record, void *out, size
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
-/** What is left of a block. */
+/** The rest of a block being read. */
 typedef struct reader {
     const char *rest;
     size_t left;
@@ -115,7 +114,7 @@ static bool take(reader *r, void *out, size_t size)
     return true;
 }
 
-/** Takes one series. A count that the bytes cannot hold asks for no memory. */
+/** Reads one series. No memory is allocated for a count that the block cannot hold. */
 static sph2d_status take_series(reader *r, sph2d_study_record *record)
 {
     sph2d_study_series s;

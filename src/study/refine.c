@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file refine.c
- *  Rows that go on from rows. */
+ *  Refinements: rows derived from other rows. */
 #include "study/parts.h"
 
 #include <math.h>
@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** The name of a row that goes on from `base`, whose name a step may have something to add to; NULL when memory is
- *  short. */
+/** The name of a row derived from `base`, to whose name the step may add; NULL when memory is short. */
 static char *make_name(const sph2d_study_run *run, const sph2d_study_run *base, const sph2d_study_run *step)
 {
     bool given = step->given && step->given[0];

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file results.c
- *  A study from what its file says to rows that can be run. */
+ *  Prepares a study from its file: references, checks, rows. */
 #include <stdlib.h>
 
 #include "study/curve.h"
 #include "study/parts.h"
 
-/** All references, so that every fault is told at once. */
+/** Reads all references, so that all errors are reported at once. */
 static sph2d_status make_references(sph2d_study_results *results, sph2d_report *report)
 {
     const sph2d_study *study = results->study;
@@ -26,7 +26,7 @@ static bool is_wanted(const sph2d_study_run *run, bool all)
     return !run->skip || all;
 }
 
-/** The scene of each row, and what each refinement makes of the first. */
+/** Checks the scene of each row, and that of each refinement of the first. */
 static sph2d_status check_rows(const sph2d_study_results *results, bool all, sph2d_report *report)
 {
     const sph2d_study *study = results->study;
@@ -43,7 +43,7 @@ static sph2d_status check_rows(const sph2d_study_results *results, bool all, sph
     return status;
 }
 
-/** A row for each run, with room for its values, so that a long study does not fail for it in the end. */
+/** Makes a row for each run, with space for its values, so that a long study does not fail at its end. */
 static sph2d_status make_rows(sph2d_study_results *results, bool all)
 {
     const sph2d_study *study = results->study;

@@ -46,7 +46,7 @@ static sph2d_status begin_series(runner *r)
     return SPH2D_OK;
 }
 
-/** Takes every probe that is due now. */
+/** Evaluates every probe that is due now. */
 static sph2d_status take_due(runner *r)
 {
     double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
@@ -95,7 +95,7 @@ static sph2d_status take_profiles(runner *r)
     return SPH2D_OK;
 }
 
-/** A part of the scene's energy; NaN where there is none. */
+/** An energy over the scene's energy scale; NaN if that is 0. */
 static double of_scale(double energy, const sph2d_summary *summary)
 {
     return summary->energy_scale > 0 ? energy / summary->energy_scale : NAN;
@@ -133,7 +133,7 @@ static void take_summary(runner *r)
 /** Steps to the end of the scene, to a guard or until the caller asks to stop. */
 static sph2d_status advance(runner *r)
 {
-    /* A sum of many steps may miss the end by a rounding error, and should not take one more for it. */
+    /* The time is a sum of steps: a rounding error before the end must not cause one more step. */
     const double until = sph2d_sim_scene(r->sim)->run.until;
     sph2d_status status = take_due(r);
     while (status == SPH2D_OK && sph2d_sim_time(r->sim) * (1 + 1e-12) < until) {
@@ -151,8 +151,8 @@ static sph2d_status advance(runner *r)
     return status == SPH2D_OK ? take_profiles(r) : status;
 }
 
-/** Passes on what the simulation said, with the name of the row, since rows may share a terminal. The first error is
- *  the reason. */
+/** Forwards the simulation's messages with the name of the row, since rows may share a terminal. The first error is the
+ *  reason. */
 static void pass_on(runner *r)
 {
     sph2d__row_locate(r->results, r->run, r->file, &r->said, 0);
@@ -192,7 +192,7 @@ static sph2d_status go(runner *r, double begun)
     return status;
 }
 
-/** Runs a row once. Returns how many threads shared a step at most. */
+/** Runs a row once. Returns the largest number of threads that shared a step. */
 static int run_once(const sph2d_study_results *results, const sph2d_study_run *run,
                     const sph2d_study_run_options *options, bool again, sph2d_study_record *record,
                     sph2d_report *report)
@@ -223,8 +223,8 @@ static int run_once(const sph2d_study_results *results, const sph2d_study_run *r
 
 /* ---- repeats ----------------------------------------------------------------------------------------------------- */
 
-/** Keeps the least times of both. What a second run says otherwise is the same bit for bit, unless it did not finish.
- */
+/** Keeps the smaller times of both. The other results of a second run are the same bit for bit, unless it did not
+ *  finish. */
 static void merge(sph2d_study_record *kept, const sph2d_study_record *more)
 {
     if (more->end != SPH2D_STUDY_FINISHED) {
