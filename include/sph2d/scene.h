@@ -85,7 +85,7 @@ typedef struct sph2d_shape {
     /** A disc. */
     sph2d_disc disc;
 
-    /** Corners, 3 to 10000, closed by itself. */
+    /** Vertices, 3 to 10000, closed automatically. */
     sph2d_points polygon;
 } sph2d_shape;
 
@@ -106,7 +106,7 @@ typedef struct sph2d_outline {
     /** The four sides of a rectangle. */
     sph2d_box box;
 
-    /** Corners, 3 to 10000, closed by itself: a solid. */
+    /** Vertices, 3 to 10000, closed automatically: a solid. */
     sph2d_points polygon;
 } sph2d_outline;
 

@@ -198,7 +198,7 @@ typedef enum sph2d_shape_kind {
     /** A disc. */
     SPH2D_SHAPE_DISC,
 
-    /** Corners, closed by itself, 3 to 10000 points, without self-crossing. */
+    /** Vertices, 3 to 10000, closed automatically, without self-intersection. */
     SPH2D_SHAPE_POLYGON
 } sph2d_shape_kind;
 
@@ -219,7 +219,7 @@ typedef enum sph2d_outline_kind {
     /** The four sides of a rectangle. */
     SPH2D_OUTLINE_BOX,
 
-    /** Corners, closed by itself, 3 to 10000 points either way round, without self-crossing: a solid. */
+    /** Vertices, 3 to 10000, closed automatically, in either orientation, without self-intersection: a solid. */
     SPH2D_OUTLINE_POLYGON
 } sph2d_outline_kind;
 

@@ -106,7 +106,7 @@ static size_t check_profile(const sph2d_study_results *results, size_t index, co
     return faults;
 }
 
-/** Faults that show when particles are placed. Warnings are told when the row runs. */
+/** Errors that are found when particles are placed. Warnings are reported when the row runs. */
 static sph2d_status place_particles(const sph2d_scene *scene, sph2d_report *report)
 {
     sph2d_sim *sim;
