@@ -22,15 +22,15 @@ char *build_processor(char *out, size_t size)
     struct utsname system;
     snprintf(out, size, "%s", uname(&system) == 0 ? system.machine : "unknown");
     FILE *in = fopen("/proc/cpuinfo", "r");
-    while (in != NULL && fgets(line, sizeof line, in) != NULL) {
+    while (in && fgets(line, sizeof line, in)) {
         const char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", strlen("model name")) != 0 || colon == NULL)
+        if (strncmp(line, "model name", strlen("model name")) != 0 || !colon)
             continue;
         line[strcspn(line, "\n")] = '\0';
         snprintf(out, size, "%s", colon + 1 + strspn(colon + 1, " "));
         break;
     }
-    if (in != NULL)
+    if (in)
         fclose(in);
     return out;
 }

@@ -217,7 +217,7 @@ int command_check(const cli_options *options)
     }
     checked c = {.options = options, .threads = threads_choose(options)};
     int code = prepare(&c);
-    if (code == CLI_EXIT_SUCCESS && options->preview != NULL)
+    if (code == CLI_EXIT_SUCCESS && options->preview)
         code = draw_preview(&c);
     if (code == CLI_EXIT_SUCCESS)
         code = measure(&c);

@@ -55,7 +55,7 @@ static double choose_coarsening(const sph2d_scene *scene, double steps, double s
 static sph2d_block *coarsen(sph2d_scene *scene, double k)
 {
     sph2d_block *blocks = malloc((scene->block_count + 1) * sizeof *blocks);
-    if (blocks == NULL)
+    if (!blocks)
         return NULL;
     for (size_t i = 0; i < scene->block_count; ++i) {
         blocks[i] = scene->blocks[i];
@@ -135,7 +135,7 @@ coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double se
         return run;
     sph2d_scene coarse = *scene;
     sph2d_block *blocks = coarsen(&coarse, k);
-    if (blocks == NULL)
+    if (!blocks)
         return run;
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 1;

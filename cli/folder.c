@@ -68,7 +68,7 @@ static bool is_cleared(const char *name, folder_clearing clearing)
 static bool is_leftover(const char *name)
 {
     const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
-    if (mark == NULL || !isdigit((unsigned char)mark[5]))
+    if (!mark || !isdigit((unsigned char)mark[5]))
         return false;
     return mark[5 + strspn(mark + 5, "0123456789")] == '\0';
 }
@@ -88,7 +88,7 @@ const char *folder_file(cli_folder *f, const char *format, ...)
     size_t start = strlen(f->path);
     size_t size = start + (size_t)(length > 0 ? length : 0) + 2;
     char *grown = realloc(f->file, size);
-    if (grown != NULL) {
+    if (grown) {
         f->file = grown;
         bool slash = start > 0 && f->path[start - 1] == '/';
         snprintf(grown, size, "%s%s", f->path, slash ? "" : "/");
@@ -116,7 +116,7 @@ static int refuse_memory(void)
 static bool is_empty(DIR *listing)
 {
     const struct dirent *entry;
-    while ((entry = readdir(listing)) != NULL)
+    while ((entry = readdir(listing)))
         if (!is_dot(entry->d_name))
             return false;
     return true;
@@ -125,7 +125,7 @@ static bool is_empty(DIR *listing)
 int folder_refuse(const char *path, bool force)
 {
     DIR *listing = opendir(path);
-    if (listing == NULL)
+    if (!listing)
         return errno == ENOENT && path[0] != '\0' ? CLI_EXIT_SUCCESS : refuse(path, "write to", errno);
     bool empty = is_empty(listing);
     closedir(listing);
@@ -143,17 +143,17 @@ int folder_refuse(const char *path, bool force)
 static int make_path(const char *path)
 {
     char *part = strdup(path);
-    if (part == NULL)
+    if (!part)
         return refuse_memory();
     int code = CLI_EXIT_SUCCESS;
-    for (char *end = part; code == CLI_EXIT_SUCCESS && end != NULL;) {
+    for (char *end = part; code == CLI_EXIT_SUCCESS && end;) {
         end = strchr(end + 1, '/');
-        if (end != NULL)
+        if (end)
             *end = '\0';
         /* A parent that cannot be created may exist, so only the last error counts. */
-        if (mkdir(part, 0777) != 0 && errno != EEXIST && end == NULL)
+        if (mkdir(part, 0777) != 0 && errno != EEXIST && !end)
             code = refuse(path, "make the folder", errno);
-        if (end != NULL)
+        if (end)
             *end = '/';
     }
     free(part);
@@ -179,12 +179,12 @@ static int lock_folder(cli_folder *f)
 static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers)
 {
     const struct dirent *entry;
-    while ((entry = readdir(listing)) != NULL) {
+    while ((entry = readdir(listing))) {
         bool leftover = is_leftover(entry->d_name);
         if (!leftover && !is_cleared(entry->d_name, clearing))
             continue;
         const char *path = folder_file(f, "%s%s", inside, entry->d_name);
-        if (path == NULL)
+        if (!path)
             return refuse_memory();
         if (unlink(path) != 0)
             return refuse(path, "remove", errno);
@@ -196,10 +196,10 @@ static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder
 static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
 {
     const char *path = folder_file(f, "%s", inside);
-    if (path == NULL)
+    if (!path)
         return refuse_memory();
     DIR *listing = opendir(path);
-    if (listing == NULL)
+    if (!listing)
         return errno == ENOENT ? CLI_EXIT_SUCCESS : refuse(path, "read the folder", errno);
     size_t leftovers = 0;
     int code = clean_listing(f, listing, inside, clearing, &leftovers);
@@ -233,7 +233,7 @@ int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing)
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
         /* The empty frames folder of an earlier run; it stays if it contains other files. */
         const char *frames = folder_file(f, "frames");
-        if (frames != NULL)
+        if (frames)
             rmdir(frames);
     }
     return code;
@@ -259,7 +259,7 @@ bool folder_holds(const char *path, const char *name)
 {
     size_t size = strlen(path) + strlen(name) + 2;
     char *inside = malloc(size);
-    if (inside == NULL)
+    if (!inside)
         return false;
     snprintf(inside, size, "%s/%s", path, name);
     bool holds = access(inside, F_OK) == 0;
@@ -270,7 +270,7 @@ bool folder_holds(const char *path, const char *name)
 int folder_make_inside(cli_folder *f, const char *name)
 {
     const char *path = folder_file(f, "%s", name);
-    if (path == NULL)
+    if (!path)
         return refuse_memory();
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return refuse(path, "make the folder", errno);

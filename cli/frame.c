@@ -27,9 +27,9 @@ frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 /* A field by name; its name is NULL if there is none. */
 static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name)
 {
-    if (source->snapshot != NULL) {
+    if (source->snapshot) {
         const sph2d_array *array = sph2d_snapshot_array(source->snapshot, group, name);
-        return array != NULL ? *array : (sph2d_array){0};
+        return array ? *array : (sph2d_array){0};
     }
     for (size_t i = 0; i < sph2d_field_count(group); ++i) {
         sph2d_array array = sph2d_field(source->sim, group, i);
@@ -43,7 +43,7 @@ static sph2d_array find_field(const particle_source *source, sph2d_group group, 
 static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name)
 {
     sph2d_array array = find_field(source, group, name);
-    bool usable = array.name != NULL && array.type == SPH2D_F64 && array.components == 2;
+    bool usable = array.name && array.type == SPH2D_F64 && array.components == 2;
     return usable && (array.stride == 1 || array.count <= 1) ? array : (sph2d_array){0};
 }
 
@@ -82,7 +82,7 @@ char *frame_colors(char *out, size_t size)
 sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 {
     const char *color = style->frames.color;
-    if (style->frames.style != SPH2D_STYLE_POINTS || color == NULL || frame_color_known(color))
+    if (style->frames.style != SPH2D_STYLE_POINTS || !color || frame_color_known(color))
         return SPH2D_OK;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, "run.frames.color",
                                            "'%s' is not a field to colour by", color);
@@ -96,7 +96,7 @@ static bool reserve(frame_buffers *buffers, size_t count)
     if (count <= buffers->capacity)
         return true;
     double *grown = realloc(buffers->values, count * sizeof *grown);
-    if (grown == NULL)
+    if (!grown)
         return false;
     buffers->values = grown;
     buffers->capacity = count;
@@ -125,7 +125,7 @@ static sph2d_status make_values(const particle_source *source, const frame_style
     bool speed = strcmp(name, "speed") == 0;
     sph2d_array field =
         speed ? find_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : find_field(source, SPH2D_GROUP_FLUID, name);
-    if (field.name == NULL || field.count != picture->count || (!speed && field.components != 1))
+    if (!field.name || field.count != picture->count || (!speed && field.components != 1))
         return missing_field(report, speed ? "Velocities" : name);
     if (!reserve(buffers, field.count))
         return SPH2D_NOMEM;
@@ -150,7 +150,7 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
 {
     sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
     sph2d_array walls = find_vectors(source, SPH2D_GROUP_WALL, "Coordinates");
-    if (fluid.name == NULL || walls.name == NULL)
+    if (!fluid.name || !walls.name)
         return missing_field(report, "Coordinates");
     bool points = style->frames.style == SPH2D_STYLE_POINTS;
     double default_radius = (points ? 0.5 : 2) * style->spacing;
@@ -165,7 +165,7 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
         .wall_y = walls.data[1],
         .wall_radius = 0.5 * style->spacing,
     };
-    if (!points || style->frames.color == NULL)
+    if (!points || !style->frames.color)
         return SPH2D_OK;
     return make_values(source, style, buffers, picture, report);
 }

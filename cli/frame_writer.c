@@ -69,7 +69,7 @@ sph2d_status frame_writer_create(const frame_style *style, const cli_options *op
 {
     *out = NULL;
     frame_writer *w = calloc(1, sizeof *w);
-    if (w == NULL)
+    if (!w)
         return SPH2D_NOMEM;
     sph2d_render_options render = sph2d_render_options_default();
     render.width = (unsigned)style->frames.size[0];
@@ -89,7 +89,7 @@ sph2d_status frame_writer_create(const frame_style *style, const cli_options *op
 
 void frame_writer_destroy(frame_writer *w)
 {
-    if (w == NULL)
+    if (!w)
         return;
     sph2d_renderer_destroy(w->renderer);
     frame_free(&w->buffers);
@@ -111,7 +111,7 @@ sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, 
         status = sph2d_renderer_draw(w->renderer, &picture, report);
     if (status == SPH2D_OK)
         status = sph2d_renderer_write_png(w->renderer, path, report);
-    if (status == SPH2D_OK && times != NULL) {
+    if (status == SPH2D_OK && times) {
         const frame_times one = {1, sph2d_renderer_times(w->renderer)};
         frame_times_add(times, &one);
     }

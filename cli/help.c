@@ -193,7 +193,7 @@ static void print_materials(void)
 static void print_methods(void)
 {
     const sph2d_method_info *method;
-    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
+    for (size_t k = 0; (method = sph2d_method_row(k)); ++k) {
         printf("%s%s\n", method->name, k == 0 ? " (the default)" : "");
         printf("  for       %s\n", method->use);
         printf("  scheme    %s\n", method->scheme);
@@ -236,7 +236,7 @@ static void unknown_topic(const char *topic)
     for (size_t i = 0; i < TOPIC_COUNT; ++i)
         names[count++] = topics[i].name;
     const char *nearest = text_nearest(topic, names, count);
-    if (nearest != NULL)
+    if (nearest)
         message_usage("help", "unknown topic '%s'; did you mean '%s'?", topic, nearest);
     else
         message_usage("help", "unknown topic '%s'", topic);
@@ -254,7 +254,7 @@ int command_help(const cli_options *options)
     }
     const char *topic = options->operands[0];
     const cli_command *about = command_find(topic);
-    if (about != NULL) {
+    if (about) {
         help_print_command(about);
         return CLI_EXIT_SUCCESS;
     }

@@ -37,7 +37,7 @@ static void find_range(const sph2d_array *array, unsigned component, double *min
 static void print_header(const char *path, const sph2d_snapshot_info *info)
 {
     text_row("file", "%s", path);
-    text_row("scene", "%s%s", info->scene_name, info->scene_text != NULL ? "" : " (from structs, without a file)");
+    text_row("scene", "%s%s", info->scene_name, info->scene_text ? "" : " (from structs, without a file)");
     text_row("written by", "sph2d %s, method %s, %s", info->code_version, info->method, info->isa);
     text_row("time", "%.9g s after %" PRIu64 " steps; next step %.6g s", info->time, info->steps, info->time_step);
     text_row("domain", "[%g, %g] to [%g, %g] m", info->domain.min.x, info->domain.min.y, info->domain.max.x,
@@ -144,7 +144,7 @@ static void print_object(const char *path, const sph2d_snapshot *snapshot)
     json_close_object(&line);
     json_number(&line, "spacing", info.spacing);
     json_number(&line, "support_radius", info.support_radius);
-    json_flag(&line, "resumable", info.scene_text != NULL);
+    json_flag(&line, "resumable", info.scene_text);
     json_open_array(&line, "arrays");
     for (size_t i = 0; i < state.array_count; ++i)
         add_array(&line, &state.arrays[i]);

@@ -78,10 +78,10 @@ static const char *literal_default(const sph2d_key *key)
 {
     double number;
     const char *text = key->default_text;
-    if (text == NULL)
+    if (!text)
         return "";
     bool word = false;
-    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
+    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i]; ++i)
         word = word || strcmp(key->words[i], text) == 0;
     return word || text[0] == '[' || parse_number(text, &number) ? text : "";
 }
@@ -133,7 +133,7 @@ static void write_one(const writer *w, const sph2d_key *key, const char *path, b
 static bool is_given(const writer *w, const sph2d_key *key, const char *prefix, char path[PATH_SIZE])
 {
     snprintf(path, PATH_SIZE, "%.90s%s%.30s", prefix, prefix[0] != '\0' ? "." : "", key->name);
-    return find_value(w, path) != NULL || has_inside(w, path);
+    return find_value(w, path) || has_inside(w, path);
 }
 
 /* Whether the template has another key of the same choice. */
@@ -175,9 +175,9 @@ static bool ends_with(const char *text, const char *end)
 static void name_scene(const char *operand, char *name, size_t size)
 {
     const char *slash = strrchr(operand, '/');
-    snprintf(name, size, "%s", slash != NULL && slash[1] != '\0' ? slash + 1 : operand);
+    snprintf(name, size, "%s", slash && slash[1] != '\0' ? slash + 1 : operand);
     char *dot = strrchr(name, '.');
-    if (dot != NULL)
+    if (dot)
         *dot = '\0';
     const char *plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
     if (name[0] == '\0' || strspn(name, plain) != strlen(name))
@@ -188,7 +188,7 @@ static int write_scene(const char *path, const scene_template *template, const c
 {
     /* "x" fails if the file exists by now, so that nothing is overwritten */
     FILE *out = fopen(path, force ? "w" : "wx");
-    if (out == NULL) {
+    if (!out) {
         bool exists = errno == EEXIST;
         message_error(exists ? SPH2D_CODE_FILE_EXISTS : SPH2D_CODE_FILE_WRITE,
                       exists ? "add --force to replace it" : NULL, "cannot write '%s': %s", path, strerror(errno));
@@ -212,7 +212,7 @@ static int write_scene(const char *path, const scene_template *template, const c
 
 static const scene_template *find_template(const char *name)
 {
-    if (name == NULL)
+    if (!name)
         return &scene_templates[0];
     const char *names[8];
     for (size_t i = 0; i < scene_template_count; ++i) {
@@ -221,7 +221,7 @@ static const scene_template *find_template(const char *name)
             return &scene_templates[i];
     }
     const char *nearest = text_nearest(name, names, scene_template_count);
-    if (nearest != NULL)
+    if (nearest)
         message_usage("init", "--template: no template '%s'; did you mean '%s'?", name, nearest);
     else
         message_usage("init", "--template: no template '%s'", name);
@@ -235,7 +235,7 @@ int command_init(const cli_options *options)
         return CLI_EXIT_USAGE;
     }
     const scene_template *template = find_template(options->template_name);
-    if (template == NULL)
+    if (!template)
         return CLI_EXIT_USAGE;
     const char *operand = options->operands[0];
     bool file = ends_with(operand, ".yaml") || ends_with(operand, ".yml");
@@ -247,7 +247,7 @@ int command_init(const cli_options *options)
     name_scene(operand, name, sizeof name);
     size_t size = strlen(operand) + sizeof "/scene.yaml";
     char *path = malloc(size);
-    if (path == NULL) {
+    if (!path) {
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
         return CLI_EXIT_SOFTWARE;
     }

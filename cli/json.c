@@ -39,7 +39,7 @@ static void start_item(cli_json *line, const char *key)
     if (line->comma)
         fputs(", ", line->out);
     line->comma = true;
-    if (key != NULL) {
+    if (key) {
         write_string(line->out, key);
         fputs(": ", line->out);
     }
@@ -74,7 +74,7 @@ void json_end(cli_json *line)
 void json_text(cli_json *line, const char *key, const char *value)
 {
     start_item(line, key);
-    if (value == NULL)
+    if (!value)
         fputs("null", line->out);
     else
         write_string(line->out, value);

@@ -45,7 +45,7 @@ void keys_append_range(const sph2d_key *key, char *out, size_t size)
 static bool all_operators_have(const sph2d_method_info *method, sph2d_feature feature)
 {
     const sph2d_method_info *other;
-    for (size_t k = 0; (other = sph2d_method_row(k)) != NULL; ++k)
+    for (size_t k = 0; (other = sph2d_method_row(k)); ++k)
         if (other->method == method->method && !sph2d_method_has(other, feature))
             return false;
     return true;
@@ -55,7 +55,7 @@ void keys_append_methods(sph2d_feature feature, char *out, size_t size)
 {
     const sph2d_method_info *method, *last = NULL, *lacks = NULL;
     size_t lacking = 0;
-    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k)
+    for (size_t k = 0; (method = sph2d_method_row(k)); ++k)
         if (!sph2d_method_has(method, feature)) {
             lacks = method;
             ++lacking;
@@ -64,11 +64,11 @@ void keys_append_methods(sph2d_feature feature, char *out, size_t size)
         append(out, size, "not %s", lacks->name);
         return;
     }
-    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
+    for (size_t k = 0; (method = sph2d_method_row(k)); ++k) {
         bool all = all_operators_have(method, feature);
-        if (!sph2d_method_has(method, feature) || (all && last != NULL && last->method == method->method))
+        if (!sph2d_method_has(method, feature) || (all && last && last->method == method->method))
             continue;
-        append(out, size, "%s%s", last == NULL ? "" : ", ", all ? method->word : method->name);
+        append(out, size, "%s%s", !last ? "" : ", ", all ? method->word : method->name);
         last = method;
     }
 }
@@ -98,11 +98,11 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size)
     keys_append_range(key, range, sizeof range);
     if (range[0] != '\0')
         append(out, size, "; %s", range);
-    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
+    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i]; ++i)
         append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
     if (key->required)
         append(out, size, "; must be given");
-    else if (key->default_text != NULL && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
+    else if (key->default_text && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
         append(out, size, "; default %s", key->default_text);
     return out;
 }

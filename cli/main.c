@@ -43,7 +43,7 @@ static void unknown_command(const char *word)
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i)
         names[i] = commands[i].name;
     const char *nearest = text_nearest(word, names, CLI_COMMAND_COUNT);
-    if (nearest != NULL)
+    if (nearest)
         message_usage(NULL, "unknown command '%s'; did you mean '%s'?", word, nearest);
     else
         message_usage(NULL, "unknown command '%s'", word);
@@ -93,7 +93,7 @@ int main(int argc, char **argv)
     if (argc < 2 || argv[1][0] == '-')
         return close_output(run_without_command(argc, argv));
     const cli_command *command = command_find(argv[1]);
-    if (command == NULL) {
+    if (!command) {
         unknown_command(argv[1]);
         return close_output(CLI_EXIT_USAGE);
     }

@@ -24,7 +24,7 @@ enum { MESSAGE_SIZE = 2048 };
 bool message_terminal(void)
 {
     const char *term = getenv("TERM");
-    return isatty(STDERR_FILENO) && term != NULL && strcmp(term, "dumb") != 0;
+    return isatty(STDERR_FILENO) && term && strcmp(term, "dumb") != 0;
 }
 
 void message_setup(const cli_options *options)
@@ -33,16 +33,16 @@ void message_setup(const cli_options *options)
     style.json = options->json;
     style.quiet = options->quiet;
     style.verbose = options->verbose;
-    style.color = !options->no_color && (no_color == NULL || no_color[0] == '\0') && message_terminal();
+    style.color = !options->no_color && (!no_color || no_color[0] == '\0') && message_terminal();
 }
 
 void message_status(const char *text)
 {
-    if (text == NULL && !style.status_shown)
+    if (!text && !style.status_shown)
         return;
-    style.status_shown = text != NULL;
+    style.status_shown = text;
     /* back to the first column, erase to the end of the line */
-    fprintf(stderr, "\r\033[K%s", text != NULL ? text : "");
+    fprintf(stderr, "\r\033[K%s", text ? text : "");
 }
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
@@ -70,8 +70,8 @@ static void write_text(char *text, const char *mark, const char *color)
     message_status(NULL);
     make_printable(text);
     char out[MESSAGE_SIZE + 32];
-    size_t before = mark != NULL && style.color ? (size_t)(mark - text) : 0;
-    size_t word = mark != NULL && style.color ? strcspn(mark, ":") : 0;
+    size_t before = mark && style.color ? (size_t)(mark - text) : 0;
+    size_t word = mark && style.color ? strcspn(mark, ":") : 0;
     int length = snprintf(out, sizeof out, "%.*s%s%.*s%s%s\n", (int)before, text, word > 0 ? color : "", (int)word,
                           text + before, word > 0 ? "\033[0m" : "", text + before + word);
     if (length > 0)
@@ -105,7 +105,7 @@ static void write_object(const char *severity, const sph2d_diagnostic *d)
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
-    cli_json line = json_begin(stream != NULL ? stream : stderr);
+    cli_json line = json_begin(stream ? stream : stderr);
     json_text(&line, "severity", severity);
     json_text(&line, "code", sph2d_code_text(d->code));
     if (d->file[0] != '\0')
@@ -120,7 +120,7 @@ static void write_object(const char *severity, const sph2d_diagnostic *d)
     if (d->hint[0] != '\0')
         json_text(&line, "hint", d->hint);
     json_end(&line);
-    if (stream != NULL && fclose(stream) == 0)
+    if (stream && fclose(stream) == 0)
         fwrite(text, 1, size, stderr);
     free(text);
 }
@@ -152,8 +152,8 @@ void message_usage(const char *command, const char *format, ...)
         return;
     }
     char text[MESSAGE_SIZE];
-    const char *space = command != NULL ? " " : "";
-    const char *name = command != NULL ? command : "";
+    const char *space = command ? " " : "";
+    const char *name = command ? command : "";
     snprintf(text, sizeof text, "sph2d%s%s: %s\nTry 'sph2d%s%s --help'.", space, name, d.message, space, name);
     write_text(text, NULL, NULL);
 }
@@ -162,7 +162,7 @@ void message_error(sph2d_code code, const char *hint, const char *format, ...)
 {
     sph2d_diagnostic d = {.code = code};
     FORMAT_INTO(d.message, format);
-    snprintf(d.hint, sizeof d.hint, "%s", hint != NULL ? hint : "");
+    snprintf(d.hint, sizeof d.hint, "%s", hint ? hint : "");
     write_diagnostic(&d);
 }
 
@@ -205,7 +205,7 @@ void message_detail(const char *format, ...)
 void message_report(sph2d_status status, sph2d_report *report, const sph2d_scene_file *file)
 {
     for (size_t i = 0; i < report->count; ++i) {
-        if (file != NULL && report->items[i].file[0] == '\0' && report->items[i].path[0] != '\0')
+        if (file && report->items[i].file[0] == '\0' && report->items[i].path[0] != '\0')
             sph2d_scene_file_locate(file, &report->items[i]);
         write_diagnostic(&report->items[i]);
     }

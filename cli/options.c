@@ -96,8 +96,8 @@ void options_print(unsigned command)
         char letter[5] = "    ";
         if (rows[i].id < 256)
             snprintf(letter, sizeof letter, "-%c, ", rows[i].id);
-        snprintf(left, sizeof left, "%s--%s%s%s", letter, rows[i].name, rows[i].argument != NULL ? " " : "",
-                 rows[i].argument != NULL ? rows[i].argument : "");
+        snprintf(left, sizeof left, "%s--%s%s%s", letter, rows[i].name, rows[i].argument ? " " : "",
+                 rows[i].argument ? rows[i].argument : "");
         printf("  %-24s %s\n", left, rows[i].text);
     }
 }
@@ -121,13 +121,12 @@ static void unknown_option(const char *name, unsigned command, const char *given
         if ((rows[i].commands & command) != 0) {
             names[count++] = rows[i].name;
         } else if (strcmp(rows[i].name, word) == 0) {
-            message_usage(name, "'--%s' is not an option %s", word,
-                          name != NULL ? "of this command" : "without a command");
+            message_usage(name, "'--%s' is not an option %s", word, name ? "of this command" : "without a command");
             return;
         }
     }
     const char *nearest = text_nearest(word, names, count);
-    if (nearest != NULL)
+    if (nearest)
         message_usage(name, "unknown option '%s'; did you mean '--%s'?", given, nearest);
     else
         message_usage(name, "unknown option '%s'", given);
@@ -138,7 +137,7 @@ static void unknown_option(const char *name, unsigned command, const char *given
 /* The index of `value` in a NULL-terminated list, or -1. */
 static int find_word(const char *value, const char *const *words)
 {
-    for (int i = 0; words[i] != NULL; ++i)
+    for (int i = 0; words[i]; ++i)
         if (strcmp(value, words[i]) == 0)
             return i;
     return -1;
@@ -147,10 +146,10 @@ static int find_word(const char *value, const char *const *words)
 static bool add_override(cli_options *options, const char *name, char *pair)
 {
     char *equals = strchr(pair, '=');
-    if (equals == NULL || equals == pair)
+    if (!equals || equals == pair)
         return bad_value(name, "set", pair, "KEY=VALUE");
     sph2d_override *grown = realloc(options->overrides, (options->override_count + 1) * sizeof *grown);
-    if (grown == NULL) {
+    if (!grown) {
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
         return false;
     }
@@ -293,7 +292,7 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
     case OPTION_REPEAT:
         return set_count(&options->repeat, 100, name, "repeat", value);
     case OPTION_TARGET:
-        options->percent = strchr(value, '%') != NULL;
+        options->percent = strchr(value, '%');
         return parse_fraction(value, &options->target) ||
                bad_value(name, "target", value, "an error above 0, such as 1% or 0.01");
     case OPTION_TEMPLATE:
@@ -344,7 +343,7 @@ static void make_tables(getopt_tables *tables, unsigned command)
     for (size_t i = 0; i < ROW_COUNT; ++i) {
         if ((rows[i].commands & command) == 0)
             continue;
-        int has_argument = rows[i].argument != NULL ? required_argument : no_argument;
+        int has_argument = rows[i].argument ? required_argument : no_argument;
         *next++ = (struct option){rows[i].name, has_argument, NULL, rows[i].id};
         if (rows[i].id < 256) {
             *letter++ = (char)rows[i].id;

@@ -33,12 +33,12 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
     if (scene->probe_count == 0)
         return SPH2D_OK;
     o->series = calloc(scene->probe_count, sizeof *o->series);
-    if (o->series == NULL)
+    if (!o->series)
         return SPH2D_NOMEM;
     o->series_count = scene->probe_count;
     for (size_t i = 0; i < o->series_count; ++i) {
         const char *path = folder_file(folder, "%s.csv", scene->probes[i].name);
-        if (path == NULL)
+        if (!path)
             return SPH2D_NOMEM;
         uint64_t rows = sph2d_sim_output_count(sim, SPH2D_OUTPUT_PROBE + i);
         sph2d_status status =
@@ -63,10 +63,10 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
 {
     uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_FRAME);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_FRAME);
-    if (o->writer == NULL)
+    if (!o->writer)
         return SPH2D_OK;
     const char *path = folder_file(o->folder, "frames/frame_%06" PRIu64 ".png", number);
-    if (path == NULL)
+    if (!path)
         return SPH2D_NOMEM;
     particle_source source = {.sim = o->sim};
     return frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
@@ -74,7 +74,7 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
 
 static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report)
 {
-    if (path == NULL)
+    if (!path)
         return SPH2D_NOMEM;
     unsigned compress = (unsigned)scene_of(o)->run.snapshots.compress;
     sph2d_status status = sph2d_snapshot_write(o->sim, o->file, compress, path, report);
@@ -88,7 +88,7 @@ static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved
 static sph2d_status remove_checkpoint(cli_outputs *o, sph2d_report *report)
 {
     const char *path = folder_file(o->folder, "checkpoint.h5");
-    if (path == NULL)
+    if (!path)
         return SPH2D_NOMEM;
     if (unlink(path) == 0 || errno == ENOENT)
         return SPH2D_OK;

@@ -102,7 +102,7 @@ static void markdown_begin_keys(void)
 
 static void markdown_key(const entry *e)
 {
-    if (e->section != NULL)
+    if (e->section)
         printf("| [`%s`](#%s) |", e->name, e->section);
     else
         printf("| `%s` |", e->name);
@@ -111,7 +111,7 @@ static void markdown_key(const entry *e)
     printf(" | ");
     if (e->required)
         printf("must be given");
-    else if (e->fallback != NULL)
+    else if (e->fallback)
         printf("%s%s%s", e->literal ? "`" : "", e->fallback, e->literal ? "`" : "");
     printf(" | ");
     markdown_text(e->text);
@@ -226,7 +226,7 @@ static void manual_key(const entry *e)
         append(line, sizeof line, "%s %s", e->one_of ? ", one of" : ",", e->values);
     if (e->required)
         append(line, sizeof line, "; must be given");
-    else if (e->fallback != NULL)
+    else if (e->fallback)
         append(line, sizeof line, "; default %s", e->fallback);
     manual_sentence(line);
     if (e->methods[0] != '\0') {
@@ -305,7 +305,7 @@ static void describe_values(const form *f, const sph2d_key *key, char *out, size
 {
     out[0] = '\0';
     if (key->kind == SPH2D_KEY_WORD) {
-        for (size_t i = 0; key->words[i] != NULL; ++i)
+        for (size_t i = 0; key->words[i]; ++i)
             append(out, size, "%s%s%s%s", i > 0 ? ", " : "", f->marks[0], key->words[i], f->marks[1]);
         return;
     }
@@ -318,7 +318,7 @@ static void describe_values(const form *f, const sph2d_key *key, char *out, size
 static bool is_literal(const sph2d_key *key)
 {
     double number;
-    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i] != NULL; ++i)
+    for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i]; ++i)
         if (strcmp(key->words[i], key->default_text) == 0)
             return true;
     return key->default_text[0] == '[' || parse_number(key->default_text, &number);
@@ -331,7 +331,7 @@ static entry describe(const form *f, const sph2d_key *key, const char *prefix)
     e.one_of = key->kind == SPH2D_KEY_WORD;
     describe_values(f, key, e.values, sizeof e.values);
     e.fallback = key->default_text;
-    e.literal = key->default_text != NULL && is_literal(key);
+    e.literal = key->default_text && is_literal(key);
     if (key->feature != SPH2D_FEATURE_NONE) {
         char having[VALUES_SIZE] = "";
         keys_append_methods((sph2d_feature)key->feature, having, sizeof having);
@@ -399,7 +399,7 @@ static void write_methods(const form *f)
     f->begin_table("Methods, those to take first in front. Keys for which no methods are named above are known to all.",
                    heads, 7);
     const sph2d_method_info *method;
-    for (size_t k = 0; (method = sph2d_method_row(k)) != NULL; ++k) {
+    for (size_t k = 0; (method = sph2d_method_row(k)); ++k) {
         char support[24], compression[24], forms[VALUES_SIZE] = "";
         snprintf(support, sizeof support, "%g", method->support_ratio);
         snprintf(compression, sizeof compression, "%g", method->max_compression);
@@ -416,7 +416,7 @@ static void write_probes(const form *f, const sph2d_key *kinds)
     f->begin_table(
         "What the kinds write, behind the time [s]. A value without meaning, as where there is no liquid, is nan.",
         heads, 2);
-    for (int kind = 0; kinds->words[kind] != NULL; ++kind) {
+    for (int kind = 0; kinds->words[kind]; ++kind) {
         char columns[VALUES_SIZE] = "";
         for (const char *c = sph2d_probe_columns((sph2d_probe_kind)kind); *c != '\0'; ++c)
             append(columns, sizeof columns, *c == ',' ? ", " : "%c", *c);

@@ -7,10 +7,10 @@
 #include "command.h"
 #include "exit.h"
 #include "folder.h"
+#include "frame_writer.h"
 #include "message.h"
 #include "progress.h"
 #include "threads.h"
-#include "frame_writer.h"
 
 /* The frame style of a snapshot, with the options of the command line. */
 static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *options)
@@ -24,13 +24,13 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
     sph2d_style scene_style = frames->style;
     if (options->style_given)
         frames->style = options->style;
-    else if (options->color != NULL)
+    else if (options->color)
         frames->style = SPH2D_STYLE_POINTS; /* only points have colours */
     if (options->radius > 0)
         frames->radius = options->radius;
     else if (frames->style != scene_style)
         frames->radius = 0; /* the radius of another style does not apply */
-    if (options->color != NULL) {
+    if (options->color) {
         frames->color = options->color;
         frames->color_range = (sph2d_vec2){0, 0};
     }
@@ -43,9 +43,9 @@ static int check_usage(const cli_options *options)
 {
     if (options->operand_count == 0)
         message_usage("render", "a snapshot must be given");
-    else if (options->output == NULL)
+    else if (!options->output)
         message_usage("render", "a folder for the frames must be given: -o DIR");
-    else if (options->color != NULL && options->style_given && options->style != SPH2D_STYLE_POINTS)
+    else if (options->color && options->style_given && options->style != SPH2D_STYLE_POINTS)
         message_usage("render", "--color needs --style points");
     else
         return CLI_EXIT_SUCCESS;
@@ -119,10 +119,10 @@ static bool read_next(worker *w, frame_job *out)
 static bool name_frame(worker *w, frame_job *f)
 {
     const char *path = folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
-    f->path = path != NULL ? strdup(path) : NULL;
-    if (f->path == NULL)
+    f->path = path ? strdup(path) : NULL;
+    if (!f->path)
         fail(w, SPH2D_NOMEM);
-    return f->path != NULL;
+    return f->path;
 }
 
 static void end_frame(frame_job *f)
@@ -133,7 +133,7 @@ static void end_frame(frame_job *f)
 
 static sph2d_status make_writer(worker *w, const frame_style *style)
 {
-    if (w->writer != NULL && frame_writer_accepts(w->writer, style))
+    if (w->writer && frame_writer_accepts(w->writer, style))
         return SPH2D_OK;
     frame_writer_destroy(w->writer);
     return frame_writer_create(style, w->sequence->options, &w->writer, &w->report);

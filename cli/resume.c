@@ -27,17 +27,17 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
 {
     *count = 0;
     DIR *listing = opendir(path);
-    if (listing == NULL)
+    if (!listing)
         return NULL;
     uint64_t *numbers = NULL;
     uint64_t number;
     const struct dirent *entry;
-    while ((entry = readdir(listing)) != NULL) {
+    while ((entry = readdir(listing))) {
         if (!folder_numbered(entry->d_name, "snapshot_", ".h5", &number))
             continue;
         if ((*count & (*count + 1)) == 0) { /* full: 0, 1, 3, 7, ... */
             uint64_t *grown = realloc(numbers, (2 * *count + 1) * sizeof *grown);
-            if (grown == NULL)
+            if (!grown)
                 break;
             numbers = grown;
         }
@@ -53,7 +53,7 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
 static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
 {
     sph2d_snapshot *snapshot = NULL;
-    if (path == NULL || sph2d_snapshot_read(path, &snapshot, &s->report) == SPH2D_OK)
+    if (!path || sph2d_snapshot_read(path, &snapshot, &s->report) == SPH2D_OK)
         return snapshot;
     for (size_t i = 0; i < s->report.count; ++i)
         s->report.items[i].severity = SPH2D_WARNING;
@@ -70,17 +70,17 @@ static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved)
     size_t count;
     uint64_t *numbers = list_snapshots(s->folder.path, &count);
     sph2d_snapshot *newest = NULL;
-    for (size_t i = 0; i < count && newest == NULL; ++i)
+    for (size_t i = 0; i < count && !newest; ++i)
         newest = try_snapshot(s, folder_file(&s->folder, "snapshot_%06" PRIu64 ".h5", numbers[i]));
     free(numbers);
     *saved = SAVED_IN_SNAPSHOT;
     const char *path = folder_file(&s->folder, "checkpoint.h5");
-    if (path == NULL || access(path, F_OK) != 0)
+    if (!path || access(path, F_OK) != 0)
         return newest;
     sph2d_snapshot *checkpoint = try_snapshot(s, path);
-    if (checkpoint == NULL)
+    if (!checkpoint)
         return newest;
-    if (newest != NULL && sph2d_snapshot_get_info(newest).steps >= sph2d_snapshot_get_info(checkpoint).steps) {
+    if (newest && sph2d_snapshot_get_info(newest).steps >= sph2d_snapshot_get_info(checkpoint).steps) {
         sph2d_snapshot_destroy(checkpoint);
         return newest;
     }
@@ -130,13 +130,13 @@ static int continue_run(cli_session *s, saved_in saved)
         return CLI_EXIT_SUCCESS;
     }
     int code = session_create_frame_writer(s);
-    if (code == CLI_EXIT_SUCCESS && s->writer != NULL)
+    if (code == CLI_EXIT_SUCCESS && s->writer)
         code = folder_make_inside(&s->folder, "frames");
     if (code != CLI_EXIT_SUCCESS)
         return code;
     /* A guard that fires again writes its file again. */
     const char *guard = folder_file(&s->folder, "guard.h5");
-    if (guard != NULL)
+    if (guard)
         unlink(guard);
     return session_run(s, saved);
 }
@@ -153,7 +153,7 @@ int command_resume(const cli_options *options)
     code = folder_reopen(&session.folder, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS) {
         snapshot = newest_snapshot(&session, &saved);
-        if (snapshot == NULL) {
+        if (!snapshot) {
             message_error(SPH2D_CODE_FILE_OPEN,
                           "a run writes snapshots if its scene has run.snapshots, and a checkpoint when it is stopped",
                           "no complete snapshot in '%s'", session.folder.path);

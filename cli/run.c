@@ -12,7 +12,7 @@ static int check_usage(const cli_options *options)
         message_usage("run", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
         return CLI_EXIT_USAGE;
     }
-    if (options->output == NULL && !options->dry_run) {
+    if (!options->output && !options->dry_run) {
         message_usage("run", "a folder for the outputs must be given: -o DIR");
         return CLI_EXIT_USAGE;
     }
@@ -43,7 +43,7 @@ static int prepare(cli_session *s, const char *scene)
 static int open_folder(cli_session *s)
 {
     int code = folder_open_new(&s->folder, s->options->output, s->options->force ? FOLDER_CLEAR_RUN : FOLDER_KEEP);
-    if (code == CLI_EXIT_SUCCESS && s->writer != NULL)
+    if (code == CLI_EXIT_SUCCESS && s->writer)
         code = folder_make_inside(&s->folder, "frames");
     return code;
 }

@@ -52,7 +52,7 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
         if (strlen(words[i]) > WORD_MAX)
             continue;
         size_t distance = edit_distance(word, words[i]);
-        if (distance < best || (distance == best && nearest == NULL)) {
+        if (distance < best || (distance == best && !nearest)) {
             best = distance;
             nearest = words[i];
         }

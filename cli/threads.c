@@ -15,7 +15,7 @@ enum { THREADS_MAX = 1024 };
 static int environment_threads(void)
 {
     const char *text = getenv("OMP_NUM_THREADS");
-    if (text == NULL)
+    if (!text)
         return 0;
     char *end;
     long count = strtol(text, &end, 10);

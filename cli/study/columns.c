@@ -66,7 +66,7 @@ size_t study_columns_shown(const cli_study *s, study_column **out)
 {
     size_t count = 0;
     *out = malloc((study_column_count + 3 * s->study->measure_count) * sizeof **out);
-    for (int place = 1; *out != NULL && place <= PLACES; ++place) {
+    for (int place = 1; *out && place <= PLACES; ++place) {
         for (size_t i = 0; place == PLACE_MEASURES && i < s->study->measure_count; ++i)
             count += study_columns_of(s, i, *out + count);
         for (size_t i = 0; i < study_column_count; ++i)

@@ -21,7 +21,7 @@ static void put_number(FILE *out, double value)
 /* A text in quotes where it needs them; `more` stands behind it. */
 static void put_text(FILE *out, const char *text, const char *more)
 {
-    const char *quote = strpbrk(text, ",\"\n\r") != NULL ? "\"" : "";
+    const char *quote = strpbrk(text, ",\"\n\r") ? "\"" : "";
     fputs(quote, out);
     for (; *text != '\0'; ++text)
         fprintf(out, "%s%c", *text == '"' ? "\"" : "", *text);
@@ -50,11 +50,11 @@ static void put_line(FILE *out, const cli_study *s, const sph2d_study_row *row)
 {
     const char *before = "";
     for (size_t i = 0; i < study_column_count; ++i) {
-        if (study_columns[i].csv == NULL)
+        if (!study_columns[i].csv)
             continue;
         fputs(before, out);
         before = ",";
-        if (row != NULL)
+        if (row)
             put_field(out, row, &study_columns[i]);
         else
             fputs(study_columns[i].csv, out);
@@ -64,7 +64,7 @@ static void put_line(FILE *out, const cli_study *s, const sph2d_study_row *row)
         size_t count = study_columns_of(s, i, columns);
         for (size_t k = 0; k < count; ++k) {
             putc(',', out);
-            if (row != NULL)
+            if (row)
                 put_field(out, row, &columns[k]);
             else
                 put_text(out, s->study->measures[i].name, columns[k].csv);

@@ -84,6 +84,6 @@ void study_json_print(const cli_study *s, const char *end, bool passed)
     const sph2d_study_row *cheapest = sph2d_study_cheapest(s->results, s->target);
     json_text(&line, "judge", judge < s->study->measure_count ? s->study->measures[judge].name : NULL);
     json_number(&line, "target", s->target);
-    json_text(&line, "cheapest", cheapest != NULL ? cheapest->run.name : NULL);
+    json_text(&line, "cheapest", cheapest ? cheapest->run.name : NULL);
     json_end(&line);
 }

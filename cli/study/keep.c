@@ -17,8 +17,8 @@ static void put_mark(const void *what, FILE *out)
 int study_open_folder(cli_study *s)
 {
     const char *path = s->options->output;
-    int code = path != NULL ? folder_refuse(path, s->options->force || folder_holds(path, "rows/README")) : 0;
-    if (path == NULL || code != CLI_EXIT_SUCCESS)
+    int code = path ? folder_refuse(path, s->options->force || folder_holds(path, "rows/README")) : 0;
+    if (!path || code != CLI_EXIT_SUCCESS)
         return code;
     code = folder_open_new(&s->folder, path, FOLDER_CLEAR_STUDY);
     if (code == CLI_EXIT_SUCCESS)
@@ -43,13 +43,13 @@ static void write_program(const cli_study *s, char *out, size_t size)
 
 int study_find(cli_study *s, sph2d_study_row *row)
 {
-    if (s->options->output == NULL)
+    if (!s->options->output)
         return CLI_EXIT_SUCCESS;
     char program[8192];
     write_program(s, program, sizeof program);
     sph2d_status status = sph2d_study_row_key(s->results, row, program, &s->report);
     const char *rows = folder_file(&s->folder, "rows");
-    status = status == SPH2D_OK && rows == NULL ? SPH2D_NOMEM : status;
+    status = status == SPH2D_OK && !rows ? SPH2D_NOMEM : status;
     if (status == SPH2D_OK && !s->options->force)
         sph2d_study_row_find(s->results, row, rows);
     return study_report(s, status);
@@ -57,8 +57,8 @@ int study_find(cli_study *s, sph2d_study_row *row)
 
 int study_keep(cli_study *s, const sph2d_study_row *row)
 {
-    if (s->options->output == NULL)
+    if (!s->options->output)
         return CLI_EXIT_SUCCESS;
     const char *rows = folder_file(&s->folder, "rows");
-    return study_report(s, rows != NULL ? sph2d_study_row_keep(row, rows, &s->report) : SPH2D_NOMEM);
+    return study_report(s, rows ? sph2d_study_row_keep(row, rows, &s->report) : SPH2D_NOMEM);
 }

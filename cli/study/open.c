@@ -67,13 +67,13 @@ static void put_made(const void *text, FILE *out)
 int study_open_write(cli_study *s)
 {
     int code = CLI_EXIT_SUCCESS;
-    if (s->made != NULL && folder_holds(s->folder.path, "study.yaml"))
+    if (s->made && folder_holds(s->folder.path, "study.yaml"))
         message_detail("'%s/study.yaml' is there already and stays as it is", s->folder.path);
-    else if (s->made != NULL)
+    else if (s->made)
         code = study_write(s, "study.yaml", put_made, s->made);
     const sph2d_study_row *row = sph2d_study_cheapest(s->results, s->target);
     char *scene = NULL;
-    if (row == NULL)
+    if (!row)
         return code;
     sph2d_status status = sph2d_study_run_scene_text(s->results, &row->run, &scene, &s->report);
     if (status == SPH2D_OK)

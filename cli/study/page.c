@@ -14,7 +14,7 @@ static void put(FILE *out, const char *text)
 {
     for (; *text != '\0'; ++text) {
         const char *name = *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : *text == '&' ? "&amp;" : "&quot;";
-        if (strchr("<>&\"", *text) != NULL)
+        if (strchr("<>&\"", *text))
             fputs(name, out);
         else
             putc(*text, out);
@@ -40,7 +40,7 @@ static void put_first_comment(FILE *out, const char *text)
         size_t length = strcspn(text, "\r\n");
         char *line = strndup(text, length);
         fputs(before, out);
-        if (line != NULL)
+        if (line)
             put(out, line + strspn(line, "# "));
         free(line);
         text += length + strcspn(text + length, "\n");
@@ -53,8 +53,8 @@ static void put_first_comment(FILE *out, const char *text)
 static void put_study_comment(const cli_study *s, FILE *out)
 {
     char text[32768] = "";
-    FILE *in = s->made == NULL ? fopen(s->path, "r") : NULL;
-    if (in == NULL)
+    FILE *in = !s->made ? fopen(s->path, "r") : NULL;
+    if (!in)
         return;
     size_t length = fread(text, 1, sizeof text - 1, in);
     text[length] = '\0';
@@ -98,7 +98,7 @@ static void put_command(const void *study, FILE *out)
         size_t size = strlen(override->path) + strlen(override->value) + 2;
         char *word = malloc(size);
         fputs(" --set", out);
-        if (word != NULL) {
+        if (word) {
             snprintf(word, size, "%s=%s", override->path, override->value);
             put_word(out, word);
         }

@@ -68,7 +68,7 @@ static bool find_points(drawing *d)
 {
     const cli_study *s = d->study;
     d->points = calloc(s->results->row_count, sizeof *d->points);
-    if (d->points == NULL)
+    if (!d->points)
         return false;
     STUDY_FOR_ROWS (s, row) {
         point *p = &d->points[d->count];
@@ -191,9 +191,9 @@ static bool run_gnuplot(const cli_study *s)
 static bool keep_picture(cli_study *s, const char *name, const char *kind)
 {
     const char *path = folder_file(&s->folder, ".%s.%s.tmp.%ld", name, kind, (long)getpid());
-    char *unfinished = path != NULL ? strdup(path) : NULL;
+    char *unfinished = path ? strdup(path) : NULL;
     path = folder_file(&s->folder, "%s.%s", name, kind);
-    bool kept = unfinished != NULL && path != NULL && rename(unfinished, path) == 0;
+    bool kept = unfinished && path && rename(unfinished, path) == 0;
     free(unfinished);
     return kept;
 }

@@ -105,7 +105,7 @@ static void fill(pool *p)
         if (w->pid != 0)
             continue;
         sph2d_study_row *row = w->row = next_row(p);
-        if (row == NULL)
+        if (!row)
             return;
         message_note("row %" PRIu64 " of %zu: %s", row->number, s->results->row_count, row->run.name);
         if (start(p, w))
@@ -202,7 +202,7 @@ int study_pool_run(cli_study *s, size_t first)
 {
     pool p = {.study = s, .next = first, .workers = calloc(s->jobs, sizeof *p.workers)};
     struct pollfd *polls = calloc(s->jobs, sizeof *polls);
-    if (p.workers != NULL && polls != NULL)
+    if (p.workers && polls)
         run_all(&p, polls);
     else
         p.code = study_report(s, SPH2D_NOMEM);

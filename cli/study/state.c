@@ -20,7 +20,7 @@ bool study_text_begin(study_text *t)
 {
     *t = (study_text){NULL, NULL, 0};
     t->out = open_memstream(&t->text, &t->size);
-    return t->out != NULL;
+    return t->out;
 }
 
 char *study_text_take(study_text *t)
@@ -40,7 +40,7 @@ int study_write(cli_study *s, const char *name, void (*put)(const void *what, FI
         put(what, t.out);
         char *text = study_text_take(&t);
         const char *path = folder_file(&s->folder, "%s", name);
-        if (text != NULL && path != NULL)
+        if (text && path)
             status = sph2d_text_write(path, text, t.size, &s->report);
         free(text);
     }
@@ -49,7 +49,7 @@ int study_write(cli_study *s, const char *name, void (*put)(const void *what, FI
 
 void study_fill(FILE *out, const char *template, const study_slot *slots, const void *what)
 {
-    for (const char *at; (at = strstr(template, "{{")) != NULL; template = strstr(at, "}}") + 2) {
+    for (const char *at; (at = strstr(template, "{{")); template = strstr(at, "}}") + 2) {
         const study_slot *slot = slots;
         fwrite(template, 1, (size_t)(at - template), out);
         while (strncmp(slot->name, at + 2, strlen(slot->name)) != 0 || at[2 + strlen(slot->name)] != '}')
@@ -62,6 +62,6 @@ void study_fill(FILE *out, const char *template, const study_slot *slots, const 
 void study_clean(char *text, const char *others, char by)
 {
     text_whole(text);
-    for (char *c = strpbrk(text, others); c != NULL; c = strpbrk(c + 1, others))
+    for (char *c = strpbrk(text, others); c; c = strpbrk(c + 1, others))
         *c = by;
 }

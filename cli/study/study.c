@@ -16,7 +16,7 @@
 /* A key that rows vary cannot have one value in all of them. */
 static int refuse_varied(const cli_study *s)
 {
-    for (size_t i = 0; s->made == NULL && i < s->options->override_count; ++i) {
+    for (size_t i = 0; !s->made && i < s->options->override_count; ++i) {
         for (size_t k = 0; k < s->study->vary_count; ++k) {
             if (strcmp(s->options->overrides[i].path, s->study->vary[k].path) != 0)
                 continue;
@@ -37,9 +37,8 @@ static int prepare(cli_study *s)
     if (code != CLI_EXIT_SUCCESS)
         return code;
     /* What the command line changes is a part already of a study that was made. */
-    sph2d_status status =
-        sph2d_study_results_create(s->file, options->overrides, s->made != NULL ? 0 : options->override_count,
-                                   options->all, &s->results, &s->report);
+    sph2d_status status = sph2d_study_results_create(s->file, options->overrides, s->made ? 0 : options->override_count,
+                                                     options->all, &s->results, &s->report);
     code = study_report(s, status);
     if (code != CLI_EXIT_SUCCESS)
         return code;
@@ -76,7 +75,7 @@ static int refine(cli_study *s)
 static void tell_left_out(const cli_study *s)
 {
     size_t skipped = 0, missing = 0;
-    bool kept = s->options->output != NULL;
+    bool kept = s->options->output;
     for (size_t r = 0; r < s->results->row_count; ++r) {
         const sph2d_study_row *row = &s->results->rows[r];
         skipped += !row->wanted;
@@ -96,8 +95,8 @@ static void tell_left_out(const cli_study *s)
 static int write_outputs(cli_study *s)
 {
     static int (*const parts[])(cli_study *) = {study_csv_write, study_open_write, study_plot, study_page_write};
-    int code = s->options->output != NULL ? folder_clear_study(&s->folder) : CLI_EXIT_SUCCESS;
-    for (size_t i = 0; s->options->output != NULL && i < sizeof parts / sizeof *parts && code == CLI_EXIT_SUCCESS; ++i)
+    int code = s->options->output ? folder_clear_study(&s->folder) : CLI_EXIT_SUCCESS;
+    for (size_t i = 0; s->options->output && i < sizeof parts / sizeof *parts && code == CLI_EXIT_SUCCESS; ++i)
         code = parts[i](s);
     return code;
 }

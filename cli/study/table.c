@@ -26,7 +26,7 @@ static int width_of(const char *text)
 /* The text of a cell, or the heading where `row` is NULL. */
 static void write_cell(const cli_study *s, const sph2d_study_row *row, const study_column *c, char out[STUDY_CELL_SIZE])
 {
-    if (row != NULL)
+    if (row)
         study_cell(row, c, out);
     else
         study_heading(s, c, out);
@@ -84,7 +84,7 @@ char *study_conditions(const cli_study *s, char *out, size_t size)
             beside += isnan(row->record.wall);
         }
     out[0] = '\0';
-    if (isa == NULL)
+    if (!isa)
         return out;
     snprintf(out, size, "%s, %s", threads_describe(in_use, s->threads.count, &s->threads), isa);
     size_t used = strlen(out);
@@ -108,10 +108,10 @@ static void write_error(const cli_study *s, char out[TEXT_SIZE], double error)
 char *study_verdict(const cli_study *s, char *out, size_t size)
 {
     const sph2d_study_row *cheapest = sph2d_study_cheapest(s->results, s->target);
-    const sph2d_study_row *row = cheapest != NULL ? cheapest : sph2d_study_best(s->results);
+    const sph2d_study_row *row = cheapest ? cheapest : sph2d_study_best(s->results);
     char wanted[TEXT_SIZE], got[TEXT_SIZE], time[STUDY_CELL_SIZE], judged[101], name[201];
     out[0] = '\0';
-    if (row == NULL)
+    if (!row)
         return out;
     const sph2d_study_measure *judge = &s->study->measures[s->results->judge];
     const char *against = judge->expectation == SPH2D_EXPECT_FINEST ? ", against the finest row" : "";
@@ -122,7 +122,7 @@ char *study_verdict(const cli_study *s, char *out, size_t size)
     snprintf(name, sizeof name, "%s", row->run.name);
     text_whole(judged);
     text_whole(name);
-    if (cheapest != NULL)
+    if (cheapest)
         snprintf(out, size, "For an error of %s (%s%s) the cheapest is '%s': %s in %s CPU s.", wanted, judged, against,
                  name, got, time);
     else
@@ -137,7 +137,7 @@ void study_table_print(const cli_study *s)
     size_t count = study_columns_shown(s, &columns);
     int *widths = calloc(count + 1, sizeof *widths);
     char line[1024], build[1024];
-    if (columns != NULL && widths != NULL)
+    if (columns && widths)
         print_rows(s, columns, widths, count);
     else
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");

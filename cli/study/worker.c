@@ -39,7 +39,7 @@ static bool send_record(int out, const sph2d_study_record *record)
     size_t size = sph2d_study_record_pack(record, NULL, 0);
     char *block = malloc(size);
     ssize_t count = 0;
-    if (block == NULL)
+    if (!block)
         return false;
     sph2d_study_record_pack(record, block, size);
     for (size_t sent = 0; sent < size && (count >= 0 || errno == EINTR); sent += count > 0 ? (size_t)count : 0)
@@ -72,7 +72,7 @@ bool study_receive(int in, sph2d_study_record *record)
         if (length == room) {
             room = room > 0 ? 2 * room : 1 << 16;
             char *grown = realloc(block, room);
-            if (grown == NULL)
+            if (!grown)
                 break;
             block = grown;
         }

@@ -207,7 +207,7 @@ void sph2d__h5_put_texts(sph2d__h5_writer *w, hid_t at, const char *name, const 
     hid_t type = w->ok ? text_type(longest, false) : H5I_INVALID_HID;
     hid_t space = w->ok ? make_space(count, 0) : H5I_INVALID_HID;
     sph2d__h5_check(w, type >= 0 && space >= 0, name);
-    sph2d__h5_check_memory(w, block != NULL);
+    sph2d__h5_check_memory(w, block);
     if (w->ok) {
         for (size_t i = 0; i < count; ++i)
             memcpy(block + i * longest, texts[i], strlen(texts[i]));

@@ -60,7 +60,7 @@ static bool copy_overrides(sph2d_scene_file *file)
         if (!copy->path || !copy->value)
             return false;
     }
-    return file->overrides != NULL;
+    return file->overrides;
 }
 
 /** Reads the particle file if the scene names one. */

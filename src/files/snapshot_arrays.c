@@ -87,7 +87,7 @@ static void put_array(sph2d__h5_writer *w, hid_t at, const sph2d_array *array, s
     hid_t dataset = sph2d__h5_dataset(w, at, array->name, array_type(array), array->count, columns);
     size_t block_rows = array->count < BLOCK_ROWS ? array->count : BLOCK_ROWS;
     uint64_t *block = malloc((block_rows > 0 ? block_rows : 1) * (columns > 0 ? columns : 1) * sizeof *block);
-    sph2d__h5_check_memory(w, block != NULL);
+    sph2d__h5_check_memory(w, block);
     for (size_t first = 0; block && w->ok && first < array->count; first += block_rows) {
         size_t rows = array->count - first < block_rows ? array->count - first : block_rows;
         gather(array, first, rows, columns, block);

@@ -88,7 +88,7 @@ static bool split(const char *path, const char **in, sph2d_group *group, const c
         *in = groups[i].in;
         *group = groups[i].group;
         *name = path + length + 1;
-        return strchr(*name, '/') == NULL;
+        return !strchr(*name, '/');
     }
     return false;
 }
@@ -114,7 +114,7 @@ static const signed char *read_units(sph2d__h5_reader *r, size_t count)
 
 static bool has_array(const sph2d_snapshot *s, sph2d_group group, const char *name)
 {
-    return sph2d_snapshot_array(s, group, name) != NULL;
+    return sph2d_snapshot_array(s, group, name);
 }
 
 /** Checks an array against the field table. */

@@ -19,7 +19,7 @@ static void put_scene(sph2d__h5_writer *w, const sph2d_scene_file *file)
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_SCENE);
     sph2d__h5_put_document(w, at, SPH2D__SCENE_TEXT, sph2d_scene_file_text(file));
     const char **texts = calloc(2 * count + 1, sizeof *texts);
-    sph2d__h5_check_memory(w, texts != NULL);
+    sph2d__h5_check_memory(w, texts);
     for (size_t i = 0; texts && i < count; ++i) {
         texts[i] = overrides[i].path;
         texts[count + i] = overrides[i].value;

@@ -21,7 +21,7 @@ typedef struct checker {
 /** Whether a file gives a key of what is checked. */
 static bool is_given(const checker *c, const char *name)
 {
-    return sph2d__node_find(sph2d__node_at(c->root, c->above), name, strlen(name)) != NULL;
+    return sph2d__node_find(sph2d__node_at(c->root, c->above), name, strlen(name));
 }
 
 /** Whether the value of a key could be read, where it is given. */

@@ -38,7 +38,7 @@ static bool complete(sph2d_study_file *file)
     sph2d_study_measure *measures = sph2d__pool_alloc(&file->document.pool, study->measure_count, sizeof *measures);
     if (!measures)
         return false;
-    bool fine = study->scene != NULL;
+    bool fine = study->scene;
     for (size_t i = 0; i < study->measure_count; ++i) {
         measures[i] = study->measures[i];
         measures[i].name = clean_name(file, measures[i].name);

@@ -139,7 +139,7 @@ static bool end_row(const collection *c, sph2d_study_run *run, sph2d__pool *pool
     if (name)
         sph2d_study_run_name(run, NULL, name, size);
     run->name = name;
-    return name != NULL;
+    return name;
 }
 
 static bool make_refinements(sph2d_study *study, sph2d__pool *pool)
@@ -153,7 +153,7 @@ static bool make_refinements(sph2d_study *study, sph2d__pool *pool)
             return false;
     }
     study->refinements = steps;
-    return steps != NULL;
+    return steps;
 }
 
 static bool make_runs(sph2d_study *study, const sph2d__node *root, sph2d__pool *pool)
@@ -174,7 +174,7 @@ static bool make_runs(sph2d_study *study, const sph2d__node *root, sph2d__pool *
     }
     study->runs = rows;
     study->run_count = count;
-    return rows != NULL;
+    return rows;
 }
 
 bool sph2d__study_rows_make(sph2d_study *study, const sph2d__node *root, sph2d__pool *pool)

@@ -187,7 +187,7 @@ static void report_syntax(builder *b, struct fy_diag *diag)
 {
     void *position = NULL;
     size_t before = b->faults->errors;
-    for (struct fy_diag_error *e; (e = fy_diag_errors_iterate(diag, &position)) != NULL;) {
+    for (struct fy_diag_error *e; (e = fy_diag_errors_iterate(diag, &position));) {
         if (e->type != FYET_ERROR)
             continue;
         size_t offset = token_offset(e->fyt, b->last);
@@ -204,7 +204,7 @@ static void report_syntax(builder *b, struct fy_diag *diag)
 static void run_parser(builder *b, struct fy_parser *parser, struct fy_diag *diag)
 {
     struct fy_event *event;
-    while (b->status == SPH2D_OK && (event = fy_parser_parse(parser)) != NULL) {
+    while (b->status == SPH2D_OK && (event = fy_parser_parse(parser))) {
         handle_event(b, event);
         fy_parser_event_free(parser, event);
     }

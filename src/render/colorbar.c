@@ -107,7 +107,7 @@ static layout arrange(int width, int height, const char *label)
     layout at = {.unit = fmax(1.1, (width < height ? width : height) / 400.0)};
     const double pads = 2 * PAD * at.unit, max_width = width / 3.0 - pads,
                  numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
-    snprintf(at.title, sizeof at.title, "%s", label != NULL ? label : "");
+    snprintf(at.title, sizeof at.title, "%s", label ? label : "");
     size_t length = strlen(at.title);
     while (length > 0 && sph2d__canvas_text_width(at.unit, at.title) > max_width)
         at.title[--length] = '\0';

@@ -19,7 +19,7 @@ _Static_assert(BATCH % SPH2D__TRIANGLE == 0 && BATCH % SPH2D__SQUARE == 0, "a ba
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report)
 {
     *dots = (sph2d__dots){.batch = malloc(BATCH * sizeof *dots->batch)};
-    if (dots->batch == NULL) {
+    if (!dots->batch) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing particles");
         return SPH2D_NOMEM;
     }
@@ -70,7 +70,7 @@ void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view 
         sph2d__dot dot = {.weight = 1.0F};
         if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, dot.pixel))
             continue;
-        if (list->values != NULL)
+        if (list->values)
             sph2d__colormap((list->values[i] - list->value_min) / span, dot.color);
         else
             memcpy(dot.color, list->color, sizeof dot.color);

@@ -54,7 +54,7 @@ const char *sph2d_render_backends(void)
 /* Opens one context and loads its functions; the context is current afterwards. */
 static bool open_one(const backend *from, sph2d__gl_context *context, sph2d__gl *gl, char *why, size_t size)
 {
-    if (from->open == NULL) {
+    if (!from->open) {
         snprintf(why, size, "this build of sph2d has no OpenGL from %s", from->name);
         return false;
     }
@@ -79,18 +79,18 @@ sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2
     const char *hint = NULL;
     for (size_t i = 0; i < BACKENDS; ++i) {
         const backend *from = &backends[i];
-        if (wanted != NULL && strcmp(wanted, from->name) != 0)
+        if (wanted && strcmp(wanted, from->name) != 0)
             continue;
         if (open_one(from, context, gl, why[i], sizeof why[i]))
             return SPH2D_OK;
-        hint = from->open != NULL ? from->broken : from->missing;
+        hint = from->open ? from->broken : from->missing;
     }
-    if (hint == NULL) {
+    if (!hint) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
                          "unknown OpenGL backend '%s'; expected 'osmesa' or 'egl'", wanted);
         return SPH2D_INVALID;
     }
-    if (wanted == NULL)
+    if (!wanted)
         hint = "install a software OpenGL (Debian: apt install libosmesa6-dev, or libegl-dev and libgl1-mesa-dri) and "
                "build sph2d again";
     const char *between = why[0][0] != '\0' && why[1][0] != '\0' ? "; " : "";

@@ -23,7 +23,7 @@ static bool has_extension(EGLDisplay display, const char *name)
 {
     const char *list = eglQueryString(display, EGL_EXTENSIONS);
     const size_t length = strlen(name);
-    while (list != NULL && *list != '\0') {
+    while (list && *list != '\0') {
         const size_t word = strcspn(list, " ");
         if (word == length && strncmp(list, name, length) == 0)
             return true;
@@ -100,14 +100,14 @@ static const char *open_context(egl *self)
 bool sph2d__gl_open_egl(sph2d__gl_context *context, char *why, size_t size)
 {
     egl *self = calloc(1, sizeof *self);
-    if (self == NULL) {
+    if (!self) {
         snprintf(why, size, "out of memory for an EGL context");
         return false;
     }
     const char *missing = open_display(self);
-    if (missing == NULL)
+    if (!missing)
         missing = open_context(self);
-    if (missing != NULL) {
+    if (missing) {
         snprintf(why, size, "%s (EGL error 0x%04x)", missing, (unsigned)eglGetError());
         destroy(self);
         return false;

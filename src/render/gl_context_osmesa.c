@@ -54,12 +54,12 @@ bool sph2d__gl_open_osmesa(sph2d__gl_context *context, char *why, size_t size)
                                      3,
                                      0};
     osmesa *self = calloc(1, sizeof *self);
-    if (self == NULL) {
+    if (!self) {
         snprintf(why, size, "out of memory for an OSMesa context");
         return false;
     }
     self->context = OSMesaCreateContextAttribs(attributes, NULL);
-    if (self->context == NULL) {
+    if (!self->context) {
         snprintf(why, size, "OSMesa gives no OpenGL 3.3 core context");
         free(self);
         return false;

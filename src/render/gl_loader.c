@@ -11,7 +11,7 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
 {
     gl->GetIntegerv = (PFNGLGETINTEGERVPROC)context->get_proc("glGetIntegerv");
     gl->GetString = (PFNGLGETSTRINGPROC)context->get_proc("glGetString");
-    if (gl->GetIntegerv == NULL || gl->GetString == NULL) {
+    if (!gl->GetIntegerv || !gl->GetString) {
         snprintf(why, size, "%s gives no OpenGL functions", context->name);
         return false;
     }
@@ -19,8 +19,8 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
     GLint major = 0, minor = 0;
     gl->GetIntegerv(GL_MAJOR_VERSION, &major);
     gl->GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (version == NULL || major < 3 || (major == 3 && minor < 3)) {
-        snprintf(why, size, "OpenGL 3.3 is needed, %s has %s", context->name, version != NULL ? version : "none");
+    if (!version || major < 3 || (major == 3 && minor < 3)) {
+        snprintf(why, size, "OpenGL 3.3 is needed, %s has %s", context->name, version ? version : "none");
         return false;
     }
     return true;
@@ -32,7 +32,7 @@ bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, 
         return false;
 #define SPH2D__GL_FETCH(function, type)                                                                                \
     gl->function = (type)context->get_proc("gl" #function);                                                            \
-    if (gl->function == NULL) {                                                                                        \
+    if (!gl->function) {                                                                                               \
         snprintf(why, size, "OpenGL from %s lacks gl" #function, context->name);                                       \
         return false;                                                                                                  \
     }

@@ -10,7 +10,7 @@ sph2d_status sph2d__lumps_create(sph2d__lumps *lumps, int columns, int rows, sph
 {
     *lumps = (sph2d__lumps){.capacity = (size_t)columns * (size_t)rows};
     lumps->weights = malloc(lumps->capacity * sizeof *lumps->weights);
-    if (lumps->weights != NULL)
+    if (lumps->weights)
         return SPH2D_OK;
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing metaballs");
     return SPH2D_NOMEM;

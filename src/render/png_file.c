@@ -55,8 +55,8 @@ static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, u
 {
     errno = 0;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, on_error, on_warning);
-    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
-    const bool written = info != NULL && encode(png, info, file, pixels, width, height);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    const bool written = info && encode(png, info, file, pixels, width, height);
     const int error = errno;
     png_destroy_write_struct(&png, &info);
     errno = error != 0 ? error : ENOMEM; /* the only other reason */
@@ -71,7 +71,7 @@ sph2d_status sph2d__png_write(const char *path, const unsigned char *pixels, uns
     if (begun != SPH2D_OK)
         return begun;
     FILE *file = fopen(atomic.temp_path, "wb");
-    if (file == NULL) {
+    if (!file) {
         sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "create", path, errno);
         sph2d__atomic_abort(&atomic);
         return SPH2D_CANTCREAT;

@@ -51,7 +51,7 @@ static sph2d_status invalid(sph2d_report *report, const char *what)
 
 static sph2d_status check_options(const sph2d_render_options *options, sph2d_report *report)
 {
-    if (options == NULL || options->struct_size != sizeof *options)
+    if (!options || options->struct_size != sizeof *options)
         return invalid(report, "render options do not come from sph2d_render_options_default()");
     if (options->style != SPH2D_STYLE_METABALLS && options->style != SPH2D_STYLE_POINTS)
         return invalid(report, "the style of the renderer is unknown");
@@ -84,7 +84,7 @@ static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, 
 
 sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer, sph2d_report *report)
 {
-    if (renderer == NULL)
+    if (!renderer)
         return invalid(report, "the pointer for the renderer is NULL");
     *renderer = NULL;
     sph2d_status status = check_options(options, report);
@@ -92,7 +92,7 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
         return status;
     sph2d_renderer *self = calloc(1, sizeof *self);
     unsigned char *pixels = malloc((size_t)options->width * options->height * 4);
-    if (self == NULL || pixels == NULL) {
+    if (!self || !pixels) {
         free(self);
         free(pixels);
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for a picture of %u x %u pixels",
@@ -118,9 +118,9 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
 
 void sph2d_renderer_destroy(sph2d_renderer *renderer)
 {
-    if (renderer == NULL)
+    if (!renderer)
         return;
-    if (renderer->context.impl != NULL) {
+    if (renderer->context.impl) {
         if (renderer->context.make_current(renderer->context.impl)) {
             sph2d__metaballs_destroy(&renderer->gl, &renderer->metaballs);
             renderer->gl.DeleteProgram(renderer->points_program);
@@ -136,18 +136,18 @@ void sph2d_renderer_destroy(sph2d_renderer *renderer)
 
 static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *report)
 {
-    if (picture == NULL)
+    if (!picture)
         return invalid(report, "the picture is NULL");
-    if (picture->count > 0 && (picture->x == NULL || picture->y == NULL))
+    if (picture->count > 0 && (!picture->x || !picture->y))
         return invalid(report, "the picture has particles without positions");
     if (picture->count > 0 && !(picture->radius > 0.0 && isfinite(picture->radius)))
         return invalid(report, "the radius of the picture's particles is not a positive number");
-    if (picture->wall_count > 0 && (picture->wall_x == NULL || picture->wall_y == NULL))
+    if (picture->wall_count > 0 && (!picture->wall_x || !picture->wall_y))
         return invalid(report, "the picture has boundary particles without positions");
     if (picture->wall_count > 0 && !(picture->wall_radius > 0.0 && isfinite(picture->wall_radius)))
         return invalid(report, "the radius of the picture's boundary particles is not a positive number");
     const bool automatic = picture->value_min == 0.0 && picture->value_max == 0.0;
-    if (picture->values != NULL && !automatic &&
+    if (picture->values && !automatic &&
         !(picture->value_min < picture->value_max && isfinite(picture->value_max - picture->value_min)))
         return invalid(report, "the picture's colour range is not two finite numbers in increasing order");
     return SPH2D_OK;
@@ -163,7 +163,7 @@ typedef struct layout {
 static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *picture, layout *out, sph2d_report *report)
 {
     /* Before the first particle there may be no array of values, but the view must stay the same. */
-    const bool colored = picture->values != NULL || (picture->count == 0 && picture->value_label != NULL);
+    const bool colored = picture->values || (picture->count == 0 && picture->value_label);
     *out = (layout){
         .legend = self->style == SPH2D_STYLE_POINTS && colored, .min = picture->value_min, .max = picture->value_max};
     const int width = (int)self->width, height = (int)self->height;
@@ -233,7 +233,7 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
 
 sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report)
 {
-    if (renderer == NULL)
+    if (!renderer)
         return invalid(report, "the renderer is NULL");
     layout at;
     sph2d_status status = check_picture(picture, report);
@@ -264,14 +264,14 @@ sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *
 
 const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer)
 {
-    return renderer != NULL && renderer->drawn ? renderer->pixels : NULL;
+    return renderer && renderer->drawn ? renderer->pixels : NULL;
 }
 
 sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report)
 {
-    if (path == NULL)
+    if (!path)
         return invalid(report, "the path of the picture is NULL");
-    if (sph2d_renderer_pixels(renderer) == NULL)
+    if (!sph2d_renderer_pixels(renderer))
         return invalid(report, "there is no picture to write: draw one first");
     const double begun = seconds();
     const sph2d_status status = sph2d__png_write(path, renderer->pixels, renderer->width, renderer->height, report);
@@ -281,7 +281,7 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
 
 sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer)
 {
-    return renderer != NULL ? renderer->times : (sph2d_frame_times){0};
+    return renderer ? renderer->times : (sph2d_frame_times){0};
 }
 
 const char *sph2d_renderer_gl(const sph2d_renderer *renderer)

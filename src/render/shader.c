@@ -30,7 +30,7 @@ static char *copy_string(const char *text)
 {
     const size_t size = strlen(text) + 1;
     char *copy = malloc(size);
-    if (copy != NULL)
+    if (copy)
         memcpy(copy, text, size);
     return copy;
 }
@@ -48,7 +48,7 @@ static sph2d_status read_built_in(const char *name, source *into, sph2d_report *
             continue;
         into->file = copy_string(name);
         into->text = copy_string(sph2d__shader_sources[i].text);
-        return into->file != NULL && into->text != NULL ? SPH2D_OK : no_memory(report);
+        return into->file && into->text ? SPH2D_OK : no_memory(report);
     }
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_SHADER, NULL, "this build has no shader '%s'", name);
     return SPH2D_RENDER;
@@ -58,7 +58,7 @@ static sph2d_status read_built_in(const char *name, source *into, sph2d_report *
 static bool read_all(FILE *file, source *into)
 {
     into->text = malloc(SOURCE_MAX + 1);
-    if (into->text == NULL)
+    if (!into->text)
         return false;
     errno = 0;
     const size_t length = fread(into->text, 1, SOURCE_MAX + 1, file);
@@ -76,14 +76,14 @@ static sph2d_status read_file(const char *dir, const char *name, source *into, s
 {
     const size_t size = strlen(dir) + strlen(name) + 2;
     into->file = malloc(size);
-    if (into->file == NULL)
+    if (!into->file)
         return no_memory(report);
     snprintf(into->file, size, "%s/%s", dir, name);
 
     FILE *file = fopen(into->file, "rb");
-    const bool read = file != NULL && read_all(file, into);
+    const bool read = file && read_all(file, into);
     const int error = errno;
-    if (file != NULL)
+    if (file)
         fclose(file);
     if (!read) {
         sph2d__report_errno(report, SPH2D_CODE_FILE_OPEN, "read the shader", into->file, error);
@@ -108,12 +108,12 @@ static void locate(const char *message, int *line, int *column)
 
 static void excerpt_line(const char *text, int line, char *excerpt, size_t size)
 {
-    for (int i = 1; i < line && text != NULL; ++i) {
+    for (int i = 1; i < line && text; ++i) {
         text = strchr(text, '\n');
-        if (text != NULL)
+        if (text)
             ++text;
     }
-    if (text != NULL && line > 0)
+    if (text && line > 0)
         snprintf(excerpt, size, "%.*s", (int)strcspn(text, "\r\n"), text);
 }
 
@@ -126,12 +126,12 @@ static void report_log(sph2d_report *report, const source *from, const char *log
         char message[256] = "";
         snprintf(message, sizeof message, "%.*s", (int)length, log);
         log += length + (log[length] == '\n');
-        if (length == 0 || strstr(message, "warning") != NULL)
+        if (length == 0 || strstr(message, "warning"))
             continue;
         any = true;
         sph2d_diagnostic *diagnostic = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_SHADER, NULL,
                                                         "the shader does not compile: %s", message);
-        if (diagnostic == NULL)
+        if (!diagnostic)
             continue;
         snprintf(diagnostic->file, sizeof diagnostic->file, "%s", from->file);
         locate(message, &diagnostic->line, &diagnostic->column);
@@ -146,7 +146,7 @@ static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *na
                             sph2d_report *report)
 {
     source from = {0};
-    sph2d_status status = dir != NULL ? read_file(dir, name, &from, report) : read_built_in(name, &from, report);
+    sph2d_status status = dir ? read_file(dir, name, &from, report) : read_built_in(name, &from, report);
     if (status == SPH2D_OK) {
         *shader = gl->CreateShader(type);
         gl->ShaderSource(*shader, 1, (const GLchar *const *)&from.text, NULL);

@@ -11,7 +11,7 @@ sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph
     *tiles = (sph2d__tiles){.columns = (width + SPH2D__TILE - 1) / SPH2D__TILE,
                             .rows = (height + SPH2D__TILE - 1) / SPH2D__TILE};
     tiles->touched = malloc((size_t)tiles->columns * (size_t)tiles->rows);
-    if (tiles->touched != NULL)
+    if (tiles->touched)
         return SPH2D_OK;
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing metaballs");
     return SPH2D_NOMEM;

@@ -37,7 +37,7 @@ double sph2d__sim_first_step_factor(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     double speed = sph2d__sim_start_speed(sim), rate = 0;
-    bool adaptive = !(sim->scene.method.time_step > 0), integrates_density = sim->method->density_rate != NULL;
+    bool adaptive = !(sim->scene.method.time_step > 0), integrates_density = sim->method->density_rate;
     if (!(speed > 0) || !adaptive || !integrates_density || sim->record.steps > 0)
         return 1;
     for (size_t i = 0; i < f->count; ++i)

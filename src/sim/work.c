@@ -210,7 +210,7 @@ static void swap(double **a, double **b)
 /** Exchanges the accelerations with arrays that are unused between steps. */
 static void swap_accelerations(sph2d__store *f)
 {
-    bool leapfrog = f->old_ax != NULL;
+    bool leapfrog = f->old_ax;
     swap(&f->ax, leapfrog ? &f->old_ax : &f->next_x);
     swap(&f->ay, leapfrog ? &f->old_ay : &f->next_y);
 }

@@ -102,7 +102,7 @@ static bool take_curve(const sph2d_study_results *results, size_t measure, const
     *curve = (sph2d_study_curve){*room, *room, 0};
     if (*room && count > 0)
         *curve = sph2d__curve_select(s->rows, s->columns + 1, column + 1, count, m->from, m->to, *room);
-    return *room != NULL;
+    return *room;
 }
 
 /** The value of a measure in a record. */

@@ -39,7 +39,7 @@ bool sph2d__refine_row(sph2d_study_row *row, const sph2d_study_run *base, const 
         places[i] = i < own ? base->places[i] : step->places[i - own];
     }
     row->run.name = make_name(&row->run, base, step);
-    return row->run.name != NULL;
+    return row->run.name;
 }
 
 sph2d_status sph2d_study_results_refine(sph2d_study_results *results, size_t step)
