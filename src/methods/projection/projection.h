@@ -17,7 +17,7 @@
  *
  *  D D' hardly sees fields that change sign from neighbour to neighbour: three quarters of the scatter of p at rest lie
  *  in them, push nobody, and no tolerance removes them. So the reported pressure is the value at each particle of a
- *  linear fit to the pressures of the liquid around it and of wet walls (moving least squares, Lancaster & Salkauskas
+ *  linear fit to the pressures of the liquid around it and of the first layer of wet walls (moving least squares, Lancaster & Salkauskas
  *  1981), with weights 1 - q: linear fields stay as they are, at surfaces too, and of a lattice's alternating ones 0 to
  *  7 % are left (a kernel's weights leave up to a quarter of those that alternate by rows). p itself acts, and the
  *  solver goes on from it.

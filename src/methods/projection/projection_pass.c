@@ -97,7 +97,7 @@ static void average(sph2d__system *s, size_t first, size_t last)
     const sph2d__period *period = &s->fluid_cells.period;
     const sph2d__store *w = &s->walls;
     sph2d__store *f = &s->fluid;
-    const double unit = 1 / s->support;
+    const double unit = 1 / s->support, first_layer = 0.75 * s->spacing;
     FOR_SLICES (first, last, i) {
         ends at = ends_of(n, i);
         mean_sums sum = {0};
@@ -114,7 +114,9 @@ static void average(sph2d__system *s, size_t first, size_t last)
             sph2d__lanes dx = sph2d__shortest(sph2d__lanes_gather(w->x, b) - x, period->length_x) * unit;
             sph2d__lanes dy = sph2d__shortest(sph2d__lanes_gather(w->y, b) - y, period->length_y) * unit;
             sph2d__lanes pb = sph2d__lanes_gather(w->acting_pressure, b), none = {0};
-            dx += sph2d__lanes_below(pb, 1e-300, none + 2, none); /* a dry one is too far */
+            /* Too far away: the dry, and those behind the first layer, which carry what is left. */
+            dx += sph2d__lanes_below(pb, 1e-300, none + 2, none);
+            dx += sph2d__lanes_below(sph2d__lanes_gather(w->depth, b), first_layer, none, none + 2);
             mean_pair(&sum, dx, dy, pb - p);
         }
         for (int l = 0; l < SPH2D__LANES && i + (size_t)l < f->count; ++l)
