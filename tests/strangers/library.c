@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <sph2d/state.h>
+
 #include "judge.h"
 
 static const double pi = 3.14159265358979323846;
@@ -10,7 +12,7 @@ static const double pi = 3.14159265358979323846;
 /** What is watched while a scene runs. */
 typedef struct watch {
     const sph2d_scene *scene;
-    const sph2d_sim *sim;
+    sph2d_sim *sim;
     verdict *verdict;
     bool energy, ruined;
     double lowest, held; // least energy; of pcisph, whose solver stores nothing, least elastic energy
@@ -43,6 +45,16 @@ static void look_at_particles(watch *w, library_run *run)
     }
 }
 
+/** The pressures by which particles act, which are part of the state; `reported` where there are no others. */
+static const double *acting_pressure(sph2d_sim *sim, const double *reported)
+{
+    const sph2d_state state = sph2d_sim_state(sim);
+    for (size_t i = 0; i < state.array_count; ++i)
+        if (state.arrays[i].group == SPH2D_GROUP_FLUID && strcmp(state.arrays[i].name, "ActingPressures") == 0)
+            return state.arrays[i].data[0];
+    return reported;
+}
+
 static void look_at_energy(watch *w, library_run *run)
 {
     const sph2d_summary s = sph2d_sim_summary(w->sim);
@@ -51,10 +63,12 @@ static void look_at_energy(watch *w, library_run *run)
         w->energy = w->energy && s.left_open[side] == 0;
     if (!w->energy)
         return;
-    const sph2d_view fluid = sph2d_sim_fluid(w->sim);
+    sph2d_view fluid = sph2d_sim_fluid(w->sim);
     const sph2d_plan *plan = sph2d_sim_plan(w->sim);
     const bool projected =
         w->scene->method.name == SPH2D_METHOD_PCISPH || w->scene->method.name == SPH2D_METHOD_CONSTRAINT;
+    if (projected)
+        fluid.pressure = acting_pressure(w->sim, fluid.pressure);
     double elastic = projected ? held_energy(w->scene, plan, &fluid, sph2d_sim_steps(w->sim) == 0)
                                : elastic_energy(w->scene, plan, &fluid);
     if (w->scene->method.name == SPH2D_METHOD_PCISPH)
