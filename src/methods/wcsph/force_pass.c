@@ -95,7 +95,13 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 /* The kernel of nearly all scenes. */
 static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;
 
-/** Runs the copy with exactly the scene's terms or, if there is none, loops that test the terms. */
+/** Loops that test the terms: for those without a copy. */
+static __attribute__((noinline)) void force_by_tests(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
+{
+    force_with(s, first, last, terms_of(s, USUAL), walls_of);
+}
+
+/** Runs the copy with exactly the scene's terms, if there is one. */
 SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
     const terms with = terms_of(s, USUAL);
@@ -107,7 +113,7 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
     }
     FOR_COPIES(TRY)
 #undef TRY
-    force_with(s, first, last, with, walls_of);
+    force_by_tests(s, first, last, walls_of);
 }
 
 /* For each kernel; unusual ones test their terms in the loops, which takes 2 % of a step. */
