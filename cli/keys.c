@@ -4,20 +4,10 @@
 #include "keys.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
-
-static void append(char *out, size_t size, const char *format, ...)
-{
-    size_t used = strlen(out);
-    va_list values;
-    va_start(values, format);
-    vsnprintf(out + used, size - used, format, values);
-    va_end(values);
-}
+#include "text.h"
 
 static bool is_number(sph2d_key_kind kind)
 {
@@ -32,13 +22,13 @@ void keys_append_range(const sph2d_key *key, char *out, size_t size)
     const char *from = key->min_excluded ? "above" : "at least";
     bool below = isfinite(key->min), above = isfinite(key->max);
     if (below && above && !key->min_excluded)
-        append(out, size, "%g to %g", key->min, key->max);
+        text_append(out, size, "%g to %g", key->min, key->max);
     else if (below && above)
-        append(out, size, "above %g, at most %g", key->min, key->max);
+        text_append(out, size, "above %g, at most %g", key->min, key->max);
     else if (below)
-        append(out, size, "%s %g", from, key->min);
+        text_append(out, size, "%s %g", from, key->min);
     else if (above)
-        append(out, size, "at most %g", key->max);
+        text_append(out, size, "at most %g", key->max);
 }
 
 /* Whether a method has a feature with all its operators. */
@@ -61,14 +51,14 @@ void keys_append_methods(sph2d_feature feature, char *out, size_t size)
             ++lacking;
         }
     if (lacking == 1) {
-        append(out, size, "not %s", lacks->name);
+        text_append(out, size, "not %s", lacks->name);
         return;
     }
     for (size_t k = 0; (method = sph2d_method_row(k)); ++k) {
         bool all = all_operators_have(method, feature);
         if (!sph2d_method_has(method, feature) || (all && last && last->method == method->method))
             continue;
-        append(out, size, "%s%s", !last ? "" : ", ", all ? method->word : method->name);
+        text_append(out, size, "%s%s", !last ? "" : ", ", all ? method->word : method->name);
         last = method;
     }
 }
@@ -79,7 +69,7 @@ void keys_append_wall_forms(uint32_t forms, char *out, size_t size)
     const char *between = "";
     for (unsigned k = 1; k < sizeof words / sizeof *words; ++k)
         if (forms >> k & 1) {
-            append(out, size, "%s%s", between, words[k]);
+            text_append(out, size, "%s%s", between, words[k]);
             between = ", ";
         }
 }
@@ -89,21 +79,21 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size)
     out[0] = '\0';
     if (key->feature != SPH2D_FEATURE_NONE) {
         keys_append_methods((sph2d_feature)key->feature, out, size);
-        append(out, size, ": ");
+        text_append(out, size, ": ");
     }
-    append(out, size, "%s", key->text);
+    text_append(out, size, "%s", key->text);
     if (key->unit[0] != '\0')
-        append(out, size, " [%s]", key->unit);
+        text_append(out, size, " [%s]", key->unit);
     char range[64] = "";
     keys_append_range(key, range, sizeof range);
     if (range[0] != '\0')
-        append(out, size, "; %s", range);
+        text_append(out, size, "; %s", range);
     for (size_t i = 0; key->kind == SPH2D_KEY_WORD && key->words[i]; ++i)
-        append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
+        text_append(out, size, "%s%s", i == 0 ? "; one of " : ", ", key->words[i]);
     if (key->required)
-        append(out, size, "; must be given");
+        text_append(out, size, "; must be given");
     else if (key->default_text && key->kind != SPH2D_KEY_LIST && key->kind != SPH2D_KEY_GROUP)
-        append(out, size, "; default %s", key->default_text);
+        text_append(out, size, "; default %s", key->default_text);
     return out;
 }
 

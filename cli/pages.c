@@ -5,7 +5,6 @@
 #include "pages.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,6 +13,7 @@
 
 #include "keys.h"
 #include "parse.h"
+#include "text.h"
 
 enum { NAME_SIZE = 80, VALUES_SIZE = 320, LINE_SIZE = 2000, MAN_WIDTH = 78 };
 
@@ -44,17 +44,6 @@ typedef struct form {
     void (*row)(const char *const *cells, size_t count);
     void (*end_table)(void);
 } form;
-
-static void append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
-
-static void append(char *out, size_t size, const char *format, ...)
-{
-    size_t used = strlen(out);
-    va_list values;
-    va_start(values, format);
-    vsnprintf(out + used, size - used, format, values);
-    va_end(values);
-}
 
 /* Starts a sentence with a capital letter, unless with a symbol or a word of scene files. */
 static void capitalise(char *text)
@@ -221,13 +210,13 @@ static void manual_key(const entry *e)
     manual_sentence(e->text);
     snprintf(line, sizeof line, "%s", e->type);
     if (e->unit[0] != '\0')
-        append(line, sizeof line, " in %s", e->unit);
+        text_append(line, sizeof line, " in %s", e->unit);
     if (e->values[0] != '\0')
-        append(line, sizeof line, "%s %s", e->one_of ? ", one of" : ",", e->values);
+        text_append(line, sizeof line, "%s %s", e->one_of ? ", one of" : ",", e->values);
     if (e->required)
-        append(line, sizeof line, "; must be given");
+        text_append(line, sizeof line, "; must be given");
     else if (e->fallback)
-        append(line, sizeof line, "; default %s", e->fallback);
+        text_append(line, sizeof line, "; default %s", e->fallback);
     manual_sentence(line);
     if (e->methods[0] != '\0') {
         snprintf(line, sizeof line, "methods: %s", e->methods);
@@ -306,12 +295,12 @@ static void describe_values(const form *f, const sph2d_key *key, char *out, size
     out[0] = '\0';
     if (key->kind == SPH2D_KEY_WORD) {
         for (size_t i = 0; key->words[i]; ++i)
-            append(out, size, "%s%s%s%s", i > 0 ? ", " : "", f->marks[0], key->words[i], f->marks[1]);
+            text_append(out, size, "%s%s%s%s", i > 0 ? ", " : "", f->marks[0], key->words[i], f->marks[1]);
         return;
     }
     keys_append_range(key, out, size);
     if (out[0] != '\0' && key->zero_is_unset)
-        append(out, size, "; 0: the default");
+        text_append(out, size, "; 0: the default");
 }
 
 /* Whether a default could stand in a file as it is; some are words about it. */
@@ -360,12 +349,12 @@ static void write_choice(const form *f, const sph2d_keys *keys)
     char line[VALUES_SIZE] = "";
     for (size_t i = 0; i < keys->count; ++i)
         if (keys->items[i].choice != 0)
-            append(line, sizeof line, "%s%s%s%s",
-                   line[0] != '\0' ? ", " : "Exactly one of these must be given: ", f->marks[0], keys->items[i].name,
-                   f->marks[1]);
+            text_append(line, sizeof line, "%s%s%s%s",
+                        line[0] != '\0' ? ", " : "Exactly one of these must be given: ", f->marks[0],
+                        keys->items[i].name, f->marks[1]);
     if (line[0] == '\0')
         return;
-    append(line, sizeof line, ".");
+    text_append(line, sizeof line, ".");
     f->paragraph(line);
 }
 
@@ -419,7 +408,7 @@ static void write_probes(const form *f, const sph2d_key *kinds)
     for (int kind = 0; kinds->words[kind]; ++kind) {
         char columns[VALUES_SIZE] = "";
         for (const char *c = sph2d_probe_columns((sph2d_probe_kind)kind); *c != '\0'; ++c)
-            append(columns, sizeof columns, *c == ',' ? ", " : "%c", *c);
+            text_append(columns, sizeof columns, *c == ',' ? ", " : "%c", *c);
         const char *cells[] = {kinds->words[kind], columns};
         f->row(cells, 2);
     }

@@ -188,3 +188,12 @@ void text_row(const char *name, const char *format, ...)
     va_end(values);
     putchar('\n');
 }
+
+void text_append(char *out, size_t size, const char *format, ...)
+{
+    size_t used = strlen(out);
+    va_list values;
+    va_start(values, format);
+    vsnprintf(out + used, size - used, format, values);
+    va_end(values);
+}

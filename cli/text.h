@@ -32,4 +32,7 @@ char *text_unit(char out[TEXT_SIZE], const signed char unit[3]);
 /** Prints a table row to stdout: the name padded to a column, then printf's text. */
 void text_row(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/** Prints behind the text in `out`, cut at `size` bytes in all. */
+void text_append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 #endif
