@@ -36,6 +36,7 @@
     X(fitted_walls)                                                                                                    \
     X(projection)                                                                                                      \
     X(reported_pressure)                                                                                               \
+    X(limited_viscosity)                                                                                               \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

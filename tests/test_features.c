@@ -297,7 +297,7 @@ static const struct feature {
     {"method.precision", WCSPH | FITTED, set_mixed},
     {"method.state_equation", WCSPH | FITTED, set_tait},
     {"method.viscosity_form", WCSPH, set_monaghan},
-    {"method.artificial_viscosity", MULLER | WCSPH, set_alpha},
+    {"method.artificial_viscosity", MULLER | WCSPH | PCISPH | CONSTRAINT, set_alpha},
     {"method.turbulence", WCSPH, set_eddies},
     {"method.density_diffusion", WCSPH | FITTED, set_delta},
     {"method.diffusion_form", WCSPH, set_fourtakas},

@@ -198,7 +198,9 @@ typedef struct sph2d_method_options {
 
     /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8, h being
      *  H/2; default 0. muller: the dynamic viscosity is at least alpha rho c0 H, since its pressure force does not
-     *  conserve energy; default 0 means 0.1, with which energy does not grow. */
+     *  conserve energy; default 0 means 0.1, with which energy does not grow. pcisph, constraint: adds the kinematic
+     *  viscosity alpha h U / 8, U^2 = g h_0 + u^2/2 at the start, to what of the velocities around a particle is not
+     *  linear (Frontiere, Raskin & Owen 2017); default 0 means 0.1, with which liquid at rest is still. */
     double artificial_viscosity;
 
     /** wcsph, symmetric operators: subgrid viscosity; default depends on the scene. */

@@ -358,8 +358,9 @@ static const sph2d_key method_items[] = {
      .text = "antuono is exact for linear density, fourtakas for liquid at rest; fastest "
              "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .default_text = "muller 0.1, else 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
-     .text = "alpha; wcsph adds the viscosity alpha c0 H/16, that of muller is alpha rho c0 H at least"},
+     .unit = "", .default_text = "0.1, wcsph 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
+     .text = "alpha; wcsph adds the viscosity alpha c0 H/16, pcisph and constraint alpha sqrt(g h) H/16, h the "
+             "scene's head, to what of velocities is not linear; that of muller is alpha rho c0 H at least"},
     {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
      .default_text =
          "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "

@@ -83,9 +83,10 @@ static const sph2d__method_row rows[] = {
               .source = "Bodin, Lacoursiere & Servin 2011",
               .support_ratio = 2.4,
               .max_compression = 0.01,
-              .features = HAS(KERNEL) | HAS(DAMPING) | HAS(TOLERANCE) | HAS(MAX_ITERATIONS) | HAS(SURFACE_TENSION) |
-                          HAS(FREE_SURFACE),
+              .features = HAS(KERNEL) | HAS(DAMPING) | HAS(TOLERANCE) | HAS(MAX_ITERATIONS) |
+                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
+     .artificial_viscosity = 0.1,
      .sound_compression = 1,
      .convergence_hint = "method.tolerance",
      PROJECTED},
@@ -98,8 +99,9 @@ static const sph2d__method_row rows[] = {
               .support_ratio = 2.4,
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(CRITERION) | HAS(MIN_ITERATIONS) | HAS(MAX_ITERATIONS) |
-                          HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
+     .artificial_viscosity = 0.1,
      .free_compression = true,
      .sound_compression = 0.1, /* the iteration keeps max_compression */
      .convergence_hint = "method.max_compression",

@@ -215,18 +215,20 @@ static void swap_accelerations(sph2d__store *f)
     swap(&f->ay, leapfrog ? &f->old_ay : &f->next_y);
 }
 
-/** Whether anything in the scene resists motion. */
-static bool is_viscous(const sph2d__system *s)
+/** Whether anything in the scene resists motion, but what a step books itself. */
+static bool is_viscous(const sph2d_sim *sim)
 {
+    const sph2d__system *s = &sim->system;
     const sph2d_method_options *m = &s->method;
     bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
-    return s->viscosity > 0 || m->artificial_viscosity > 0 || eddies || s->body.springs.stiffness > 0;
+    return s->viscosity > 0 || (m->artificial_viscosity > 0 && !sim->method->project) || eddies ||
+           s->body.springs.stiffness > 0;
 }
 
 static bool find_viscous_power(sph2d_sim *sim, double *power)
 {
     sph2d__system *s = &sim->system;
-    if (!is_viscous(s))
+    if (!is_viscous(sim))
         return true;
     double forward = dot_accelerations(&s->fluid);
     swap_accelerations(&s->fluid);

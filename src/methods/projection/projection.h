@@ -107,7 +107,7 @@ void sph2d__projection_prepare(sph2d__system *system);
      SPH2D__BIT(multiplier) | SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |              \
-     SPH2D__BIT(old_ay) | SPH2D__BIT(push))
+     SPH2D__BIT(old_ay) | SPH2D__BIT(push) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(density_rate))
 #define SPH2D__PROJECTION_CARRIED                                                                                      \
     (SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(ax) |  \
      SPH2D__BIT(ay))

@@ -112,17 +112,20 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
                  .slope = sph2d__kernel_constant(kernel) / (h2 * h2),
                  .weight = (sph2d__lanes){0} + own,
                  .viscous = s->viscosity > 0,
+                 .limited = sph2d__limited_viscosity_of(s) > 0,
                  .from = f,
                  .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
     search_slice(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
     at->fluid = write_slots(n, to, f->count);
     sum_slots(n, at->begin, at->fluid, &w, kernel, &sum);
+    if (w.limited)
+        finish_gradient(f, first, &sum.gradient, s->rest_density);
     if (s->walls_press) {
         w.weight = (sph2d__lanes){0} + s->calibration / s->rest_density;
         w.mass = s->walls.mass;
         w.from = &s->walls;
-        w.viscous = false;
+        w.viscous = w.limited = false;
         search_slice(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
         at->walls = write_slots(n, to, s->walls.count);
         sum_slots(n, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &w, kernel, &sum);

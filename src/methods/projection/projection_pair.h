@@ -7,6 +7,7 @@
 
 #include "kernels/kernel.h"
 #include "methods/common/shortest.h"
+#include "methods/projection/limited_viscosity_pair.h"
 #include "methods/projection/projection.h"
 #include "methods/terms/viscosity_pair.h"
 
@@ -18,6 +19,7 @@ typedef struct slice {
     sph2d__lanes value;          /* f(q), weighted */
     sph2d__lanes gx, gy, square; /* G and |G|^2 */
     sph2d__drag drag;
+    gradient_sums gradient;
 } slice;
 
 /** What the sums over the pairs with one store need. */
@@ -26,6 +28,7 @@ typedef struct weights {
     sph2d__lanes weight; /* c m/rho0, or c/rho0 with masses given */
     const double *mass;  /* of each boundary particle; NULL: in the weight */
     bool viscous;        /* the velocities differ: drag */
+    bool limited;        /* and their gradients are wanted */
     const sph2d__store *from;
     const sph2d__period *period;
 } weights;
@@ -45,9 +48,14 @@ SPH2D__INLINE sph2d__float2 gather_pair(slice *sum, const weights *w, sph2d_kern
     sum->gy += gy;
     if (!w->mass)
         sum->square += gx * gx + gy * gy;
-    if (w->viscous)
-        sph2d__drag_add(&sum->drag, g, sum->vx - sph2d__lanes_gather(from->vx, index),
-                        sum->vy - sph2d__lanes_gather(from->vy, index));
+    if (w->viscous || w->limited) {
+        sph2d__lanes ux = sum->vx - sph2d__lanes_gather(from->vx, index);
+        sph2d__lanes uy = sum->vy - sph2d__lanes_gather(from->vy, index);
+        if (w->viscous)
+            sph2d__drag_add(&sum->drag, g, ux, uy);
+        if (w->limited)
+            gradient_pair(&sum->gradient, gx, gy, dx, dy, ux, uy);
+    }
     return sph2d__float2_of(gx, gy);
 }
 
