@@ -19,14 +19,18 @@ void keys_append_range(const sph2d_key *key, char *out, size_t size)
 {
     if (!is_number(key->kind))
         return;
-    const char *from = key->min_excluded ? "above" : "at least";
-    bool below = isfinite(key->min), above = isfinite(key->max);
-    if (below && above && !key->min_excluded)
+    /* The limits of all numbers are told once. */
+    bool positive = key->min_excluded || (key->min == SPH2D_SMALLEST && key->max == SPH2D_LARGEST);
+    const char *from = positive ? "above" : "at least";
+    double least = positive ? 0 : key->min;
+    bool below = isfinite(key->min) && key->min > -SPH2D_LARGEST,
+         above = isfinite(key->max) && key->max < SPH2D_LARGEST;
+    if (below && above && !positive)
         text_append(out, size, "%g to %g", key->min, key->max);
     else if (below && above)
-        text_append(out, size, "above %g, at most %g", key->min, key->max);
+        text_append(out, size, "above %g, at most %g", least, key->max);
     else if (below)
-        text_append(out, size, "%s %g", from, key->min);
+        text_append(out, size, "%s %g", from, least);
     else if (above)
         text_append(out, size, "at most %g", key->max);
 }

@@ -69,6 +69,7 @@
     X(placing)                                                                                                         \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
+    X(extremes)                                                                                                        \
     X(guards)                                                                                                          \
     X(ledger)                                                                                                          \
     X(ledger_pressure)                                                                                                 \

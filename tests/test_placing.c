@@ -258,14 +258,14 @@ START_TEST(a_million_millions_are_refused_with_their_memory)
     bool memory_named;
     scene.domain = (sph2d_box){{0, 0}, {1e4, 1e4}};
     blocks[0] = test_block(0, 0, 1e4, 1e4); /* 10^12 at 0.01 m */
-    ck_assert_msg(too_many("blocks[0]", &memory_named), "%s", test_report_text(&report));
+    ck_assert_msg(too_many("spacing", &memory_named), "%s", test_report_text(&report));
     ck_assert(memory_named);
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "1e+12 particles"));
     /* Numbers that no index holds are refused the same way. */
     scene.domain = (sph2d_box){{0, 0}, {1e7, 1e7}};
     blocks[0] = test_block(0, 0, 1e7, 1e7);
     sph2d_report_clear(&report);
-    ck_assert_msg(too_many("blocks[0]", &memory_named), "%s", test_report_text(&report));
+    ck_assert_msg(too_many("spacing", &memory_named), "%s", test_report_text(&report));
     ck_assert(memory_named);
 }
 END_TEST

@@ -16,6 +16,11 @@
 extern "C" {
 #endif
 
+/** Largest magnitude of a scene's numbers, and the smallest of those that must be above 0. Scenes are tested within these
+ *  limits (tests/test_extremes.c); beyond them products of a few numbers would leave the range of doubles. */
+#define SPH2D_LARGEST 1e12
+#define SPH2D_SMALLEST 1e-12
+
 /** Kind of a key's value, and the C type at its offset. */
 typedef enum sph2d_key_kind {
     /** double */

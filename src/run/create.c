@@ -199,6 +199,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
+    if (!state && sph2d__sim_is_too_large(sim, report))
+        return SPH2D_SCENE;
     status = create_team(sim, options->threads);
     if (status == SPH2D_OK)
         status = allocate_arrays(sim);

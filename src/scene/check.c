@@ -30,6 +30,20 @@ static bool check_precision(checker *c)
     return false;
 }
 
+/** Whether the domain has room for a particle. */
+static bool check_spacing(checker *c)
+{
+    sph2d_box d = c->scene->domain;
+    double side = fmin(d.max.x - d.min.x, d.max.y - d.min.y);
+    if (c->scene->spacing <= side)
+        return true;
+    sph2d_diagnostic *d1 =
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "spacing", "is larger than the shorter side of the domain");
+    sph2d_diagnostic_hint(
+        d1, "no particle fits: at most %g m, and a tenth of the liquid's depth or less to show motion", side);
+    return false;
+}
+
 /** Checks that a shape is given, valid, and (if `inside`) inside the domain. */
 static void check_shape(checker *c, const sph2d_shape *shape, const char *list, size_t index, bool inside)
 {
@@ -87,9 +101,9 @@ static void check_block(checker *c, size_t i)
     check_shape(c, &block->shape, "blocks", i, true);
     char path[PATH_SIZE];
     double dx = c->scene->spacing;
-    if (block->spacing != 0 && !(block->spacing >= 0.01 * dx && block->spacing <= 2 * dx))
+    if (block->spacing != 0 && !(block->spacing >= 0.03 * dx && block->spacing <= 2 * dx))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "blocks", i, ".spacing"),
-                           "must be between 0.01 and 2 times the scene's spacing");
+                           "must be between 0.03 and 2 times the scene's spacing: 1100 to 1/4 times its density");
     if (block->arrangement == SPH2D_ARRANGEMENT_RINGS && block->shape.kind != SPH2D_SHAPE_DISC)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "blocks", i, ".arrangement"),
                            "only a disc can be made of rings; leave it out");
@@ -114,6 +128,10 @@ static void check_source(checker *c, size_t i)
                              "a nozzle on a side of the domain cannot emit particles");
         sph2d_diagnostic_hint(w, "move it half a spacing inwards");
     }
+    sph2d_box box = c->scene->domain;
+    if (source->width > hypot(box.max.x - box.min.x, box.max.y - box.min.y))
+        sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "sources", i, ".width"),
+                           "is larger than the domain");
     if (source->direction.x == 0 && source->direction.y == 0)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "sources", i, ".direction"),
                            "must not be (0, 0)");
@@ -235,7 +253,8 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
         return SPH2D_SCENE;
     }
     sph2d__check_ranges(&c);
-    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c))
+    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c) ||
+        !check_spacing(&c))
         return SPH2D_SCENE; /* the other checks depend on these */
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(&c, i);

@@ -135,6 +135,8 @@ static const double MAX_FITTED_SUPPORT = 3, MAX_CELL_REYNOLDS = 100;
 static void check_fitted_support(sph2d__checker *c)
 {
     sph2d_method_options defaults = c->scene->method;
+    if (c->errors > 0) /* what is derived needs a valid scene */
+        return;
     double cell = c->scene->fluid.density * sph2d__scene_derive(c->scene).speed * c->scene->spacing;
     if (defaults.name != SPH2D_METHOD_WCSPH || defaults.operators != SPH2D_OPERATORS_FITTED ||
         !(defaults.support_ratio > MAX_FITTED_SUPPORT) ||

@@ -27,6 +27,8 @@ static void check_outline_points(checker *c, sph2d_points points, bool two, cons
                            two ? "a line has two points" : "a polyline has two points or more");
         return;
     }
+    if (!sph2d__check_count(c, points, path))
+        return;
     check_points_inside(c, points, path);
     for (size_t i = 1; i < points.count; ++i) {
         sph2d_vec2 p = points.items[i];

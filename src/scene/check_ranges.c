@@ -23,13 +23,19 @@ bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t siz
         return true;
     if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
         return true;
-    const char *least = key->min_excluded ? "above" : "at least";
+    bool positive = key->min == SPH2D_SMALLEST && key->max == SPH2D_LARGEST, tiny = positive && value > 0;
+    bool above = key->min_excluded || (positive && !tiny);
+    double least = above ? 0 : key->min;
+    const char *word = above ? "above" : "at least";
     if (!isfinite(value))
         snprintf(why, size, "%g is not a finite number", value);
-    else if (key->max == INFINITY)
-        snprintf(why, size, "%g is out of range: must be %s %g", value, least, key->min);
+    else if (key->max == INFINITY || (above && value <= 0))
+        snprintf(why, size, "%g is out of range: must be %s %g", value, word, least);
+    else if (tiny || fabs(value) > SPH2D_LARGEST)
+        snprintf(why, size, "%g is out of range: must be %s %g and at most %g, as scenes are tested there", value, word,
+                 least, key->max);
     else
-        snprintf(why, size, "%g is out of range: must be %s %g and at most %g", value, least, key->min, key->max);
+        snprintf(why, size, "%g is out of range: must be %s %g and at most %g", value, word, least, key->max);
     return false;
 }
 

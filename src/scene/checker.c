@@ -7,9 +7,6 @@
 
 #include "scene/shape.h"
 
-/* Maximum number of corners of a polygon: the search for crossings compares every side with every other. */
-enum { MAX_CORNERS = 10000 };
-
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
 {
     ++c->errors;
@@ -48,6 +45,22 @@ void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p)
     sph2d_diagnostic_hint(d, "the domain reaches from (%g, %g) to (%g, %g)", b.min.x, b.min.y, b.max.x, b.max.y);
 }
 
+/* Maximum number of points of an outline, so that a scene is checked in seconds: every piece is compared with every
+ * other. */
+enum { MAX_POINTS = 2000 };
+
+bool sph2d__check_count(sph2d__checker *c, sph2d_points points, const char *path)
+{
+    if (points.count <= MAX_POINTS)
+        return true;
+    char message[100];
+    snprintf(message, sizeof message, "has %zu points, more than %d", points.count, MAX_POINTS);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+    sph2d_diagnostic_hint(d, "points nearer to each other than the spacing of %g m change nothing: leave some out",
+                          c->scene->spacing);
+    return false;
+}
+
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path)
 {
     const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = corners};
@@ -56,9 +69,10 @@ bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *p
                            "a polygon needs 3 corners or more that are not on one line");
         return false;
     }
-    if (corners.count > MAX_CORNERS || sph2d__polygon_crosses_itself(corners)) {
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
-                           "a polygon must not cross or touch itself, and has at most 10000 corners");
+    if (!sph2d__check_count(c, corners, path))
+        return false;
+    if (sph2d__polygon_crosses_itself(corners)) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "a polygon must not cross or touch itself");
         return false;
     }
     return true;

@@ -31,6 +31,8 @@ void sph2d__check_outside(sph2d__checker *c, const char *path, sph2d_vec2 p);
 /** Whether a rectangle is valid; counts and reports an error otherwise. */
 bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path);
 
+/** Checks the number of points of an outline. */
+bool sph2d__check_count(sph2d__checker *c, sph2d_points points, const char *path);
 /** Whether a polygon is valid; counts and reports an error otherwise. */
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path);
 

@@ -9,9 +9,10 @@
 
 /* Macros for the columns of a row. */
 #define AT(type, member) .offset = offsetof(type, member)
-#define ANY .min = -INFINITY, .max = INFINITY
-#define ABOVE_0 .min = 0, .max = INFINITY, .min_excluded = true
-#define FROM_0 .min = 0, .max = INFINITY
+#define ANY .min = -SPH2D_LARGEST, .max = SPH2D_LARGEST
+#define ABOVE_0 .min = SPH2D_SMALLEST, .max = SPH2D_LARGEST
+#define FROM_0 .min = 0, .max = SPH2D_LARGEST
+#define SEED .min = 0, .max = INFINITY
 #define BETWEEN(low, high) .min = (low), .max = (high)
 #define BETWEEN_OR_0(low, high) .min = (low), .max = (high), .zero_is_unset = true
 #define LIST_AT(type, member, counter) AT(type, member), .count_offset = offsetof(type, counter)
@@ -110,7 +111,7 @@ KEYS(start, sph2d_flow, NULL);
 static const sph2d_key perturb_items[] = {
     {"amplitude", SPH2D_KEY_NUMBER, false, AT(sph2d_perturb, amplitude), BETWEEN(0, 0.5), .unit = "spacings",
      .default_text = "0", .text = "largest displacement of a coordinate"},
-    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_perturb, seed), FROM_0, .unit = "", .default_text = "1",
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_perturb, seed), SEED, .unit = "", .default_text = "1",
      .text = "of the random numbers"},
 };
 KEYS(perturb, sph2d_perturb, NULL);
@@ -147,7 +148,7 @@ static const sph2d_key source_items[] = {
      .text = "when it opens"},
     {"stop", SPH2D_KEY_NUMBER, false, AT(sph2d_source, stop), FROM_0, .unit = "s", .default_text = "never",
      .text = "when it closes"},
-    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), FROM_0, .unit = "", .default_text = "1",
+    {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), SEED, .unit = "", .default_text = "1",
      .text = "of the random spread"},
 };
 KEYS(source, sph2d_source, source_set);

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "start/near.h"
 #include "start/start.h"
 
 /* Boundary particles nearer than this many spacings to an earlier one are left out: their area would count twice. */
@@ -20,15 +21,11 @@ static int layer_count(const sph2d_sim *sim)
     return (int)ceil(sim->system.support / sim->scene.spacing - 1e-9);
 }
 
-/** Whether an earlier boundary particle is too near to a new one. */
-static bool is_too_near(const sph2d_sim *sim, size_t first, sph2d_vec2 p)
+/** The boundary particles placed so far, for their distance from new ones. */
+static bool find_earlier(sph2d_sim *sim, sph2d__near *earlier)
 {
     const sph2d__store *w = &sim->system.walls;
-    double nearest = MIN_DISTANCE * sim->scene.spacing;
-    for (size_t i = 0; i < first; ++i)
-        if (hypot(w->x[i] - p.x, w->y[i] - p.y) < nearest)
-            return true;
-    return false;
+    return sph2d__near_build(earlier, w->x, w->y, w->count, MIN_DISTANCE * sim->scene.spacing, &sim->memory);
 }
 
 /** A boundary particle: position, area, and unit normal to and depth below the surface. */
@@ -150,6 +147,8 @@ static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, d
 static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     double other = INFINITY;
+    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE) /* no piece is opposite, and there are many */
+        return 1;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         double distance = c->closed ? sph2d__segment_distance(&piece, p) : INFINITY;
@@ -189,7 +188,8 @@ static double surface_length(const contour *c, size_t index, sph2d__segment laye
     return to - from;
 }
 
-static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size_t first, sph2d_report *report)
+static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, const sph2d__near *earlier,
+                                sph2d_report *report)
 {
     for (size_t index = 0; index < c->pieces; ++index) {
         sph2d__segment layer = layer_piece(c, index, d);
@@ -205,7 +205,7 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, size
             boundary_particle particle = {.area = length / count * c->spacing};
             if (d < c->spacing)
                 particle.skin = surface_length(c, index, layer, k, count);
-            if (!set_particle(c, index, p, d, &particle) || is_too_near(sim, first, particle.at))
+            if (!set_particle(c, index, p, d, &particle) || sph2d__near_any(earlier, particle.at))
                 continue;
             sph2d_status status = add_particle(sim, &particle, report);
             if (status != SPH2D_OK)
@@ -239,12 +239,13 @@ sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obsta
                                      sph2d_report *report)
 {
     contour c = contour_of(sim, obstacle);
-    size_t first = sim->system.walls.count;
-    if (!c.closed && !add_back(sim, &c, barrier))
+    sph2d__near earlier;
+    if ((!c.closed && !add_back(sim, &c, barrier)) || !find_earlier(sim, &earlier))
         return SPH2D_NOMEM;
     sph2d_status status = SPH2D_OK;
     for (int k = 0; status == SPH2D_OK && k < layer_count(sim); ++k)
-        status = place_layer(sim, &c, (k + 0.5) * c.spacing, first, report);
+        status = place_layer(sim, &c, (k + 0.5) * c.spacing, &earlier, report);
+    sph2d__near_free(&earlier, &sim->memory);
     return status;
 }
 
@@ -325,6 +326,39 @@ static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, 
         w->vx[w->count - 1] = j < 0 ? speeds->bottom : speeds->top;
 }
 
+/** Adds the boundary particle of cell (i, j) of the lattice that continues the domain's beyond its sides. */
+static sph2d_status place_cell(sph2d_sim *sim, const extent *x, long i, const extent *y, long j, sph2d_report *report)
+{
+    sph2d_vec2 p = {x->origin + ((double)i + 0.5) * x->size, y->origin + ((double)j + 0.5) * y->size};
+    boundary_particle particle = {p, x->size * y->size, {0, 0}, INFINITY, 0};
+    set_surface(&particle, x, i, y, j);
+    sph2d_status status = add_particle(sim, &particle, report);
+    if (status != SPH2D_OK)
+        return status;
+    set_speed(sim, x, i, y, j);
+    if (sim->system.walls.filled)
+        sim->system.walls.filled[sim->system.walls.count - 1] = filled_sum(sim, x, y, p);
+    return SPH2D_OK;
+}
+
+/** Fills the cells behind the sides, but for those too near to obstacles. */
+static sph2d_status place_cells(sph2d_sim *sim, const extent *x, const extent *y, sph2d_report *report)
+{
+    sph2d__near earlier;
+    sph2d_status status = find_earlier(sim, &earlier) ? SPH2D_OK : SPH2D_NOMEM;
+    for (long j = y->low; status == SPH2D_OK && j < y->high; ++j) {
+        bool behind = is_behind(y, j);
+        for (long i = next_column(x, behind, x->low); status == SPH2D_OK && i < x->high;
+             i = next_column(x, behind, i + 1)) {
+            sph2d_vec2 p = {x->origin + ((double)i + 0.5) * x->size, y->origin + ((double)j + 0.5) * y->size};
+            if ((behind || is_behind(x, i)) && !sph2d__near_any(&earlier, p))
+                status = place_cell(sim, x, i, y, j, report);
+        }
+    }
+    sph2d__near_free(&earlier, &sim->memory);
+    return status;
+}
+
 sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_box d = sim->scene.domain;
@@ -334,28 +368,10 @@ sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report)
         b.top != SPH2D_SIDE_WALL)
         return SPH2D_OK;
     int layers = layer_count(sim);
-    size_t first = sim->system.walls.count;
     double longest = fmax(d.max.x - d.min.x, d.max.y - d.min.y) / dx;
     if (sph2d__sim_too_many(sim, longest * layers, "spacing", report))
         return SPH2D_SCENE;
     extent x = extent_of(d.min.x, d.max.x, dx, b.left, b.right, layers);
     extent y = extent_of(d.min.y, d.max.y, dx, b.bottom, b.top, layers);
-    for (long j = y.low; j < y.high; ++j)
-        for (long i = next_column(&x, is_behind(&y, j), x.low); i < x.high;
-             i = next_column(&x, is_behind(&y, j), i + 1)) {
-            if (!is_behind(&x, i) && !is_behind(&y, j))
-                continue;
-            sph2d_vec2 p = {x.origin + ((double)i + 0.5) * x.size, y.origin + ((double)j + 0.5) * y.size};
-            if (is_too_near(sim, first, p))
-                continue;
-            boundary_particle particle = {p, x.size * y.size, {0, 0}, INFINITY, 0};
-            set_surface(&particle, &x, i, &y, j);
-            sph2d_status status = add_particle(sim, &particle, report);
-            if (status != SPH2D_OK)
-                return status;
-            set_speed(sim, &x, i, &y, j);
-            if (sim->system.walls.filled)
-                sim->system.walls.filled[sim->system.walls.count - 1] = filled_sum(sim, &x, &y, p);
-        }
-    return SPH2D_OK;
+    return place_cells(sim, &x, &y, report);
 }

@@ -9,6 +9,9 @@
 /** Whether a number of particles exceeds this machine's memory or 32-bit indices; if so, it is reported at `path`. */
 bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report);
 
+/** The same for all that the scene needs, before anything is placed. */
+bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report);
+
 /** Places the boundary particles of obstacles and sides. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
 /** Place the layers of generalised walls: along an obstacle, adding the back of an open line to its barrier, and

@@ -139,7 +139,7 @@ static double solve(sph2d__system *s, const spook *k)
     load(s, k);
     sph2d__slab_sum now = sph2d__over_rows(s, begin_slab, NULL);
     bool falls = true; /* not where nothing but an even compression is left, in a room that is full */
-    while (now.second > wanted && steps < most && falls) {
+    while (now.second > wanted && isfinite(now.second) && steps < most && falls) {
         double round = fmax(ROUND * now.second, LAST * wanted);
         while (falls && now.second > round && steps < most) {
             falls = iterate(s, k, &now);
