@@ -267,6 +267,22 @@ START_TEST(densities_and_energies_of_no_liquid_are_stopped)
 }
 END_TEST
 
+/* A drop that falls until it is faster than the sound speed that somebody set. */
+START_TEST(liquid_faster_than_its_sound_is_stopped)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = 1;
+    block = test_block(0.4, 0.7, 0.5, 0.8);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_int_eq(step_until_stopped(sim, 10000), SPH2D_GUARD);
+    ck_assert_double_eq_tol(sph2d_sim_time(sim), 1 / 9.81, 0.01); /* of free fall */
+    check_stopped(sim, SPH2D_CODE_SUPERSONIC, "faster than sound");
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /** Scenes at the edge of what numbers can hold: each is refused, stopped, or right. 0 leaves a number as it is; `scale`
  *  is of all lengths, `block_spacing` over the scene's. */
 static const struct {
@@ -375,6 +391,7 @@ Suite *suite_guards(void)
     TCase *survivors = tcase_create("survivors");
     tcase_add_loop_test(survivors, a_burst_survives_and_keeps_its_momentum, 0, 2);
     tcase_add_loop_test(survivors, densities_and_energies_of_no_liquid_are_stopped, 0, 3);
+    tcase_add_test(survivors, liquid_faster_than_its_sound_is_stopped);
     tcase_add_loop_test(survivors, extreme_scenes_are_refused_or_right, 0, 2 * EXTREMES);
     tcase_add_test(survivors, nothing_is_no_fault);
     suite_add_tcase(suite, survivors);
