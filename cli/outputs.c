@@ -124,7 +124,9 @@ sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report)
 
 sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report)
 {
-    return write_state(o, folder_file(o->folder, "guard.h5"), SAVED_NOWHERE, report);
+    sph2d_status status = write_state(o, folder_file(o->folder, "guard.h5"), SAVED_NOWHERE, report);
+    /* A run that was never stopped has none, and one that is resumed meets the guard again. */
+    return status == SPH2D_OK ? remove_checkpoint(o, report) : status;
 }
 
 sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)

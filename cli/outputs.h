@@ -37,7 +37,7 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
 /** Writes all outputs that are due at this step. */
 sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report);
 
-/** Writes the state in which a guard fired. */
+/** Writes the state in which a guard fired, and removes a checkpoint from before it. */
 sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report);
 
 /** Writes a checkpoint if needed, and removes an obsolete one. `stopped`: the run was stopped before its end. */
