@@ -19,6 +19,7 @@
     X(CANTCREAT, 73, "EX_CANTCREAT", "an output cannot be created")                                                    \
     X(IO, 74, "EX_IOERR", "reading or writing failed")                                                                 \
     X(STOPPED, 75, "EX_TEMPFAIL", "stopped by --max-wall with a checkpoint; 'sph2d resume' continues")                 \
+    X(HUNG_UP, 129, "", "stopped by SIGHUP with a checkpoint; 'sph2d resume' continues")                               \
     X(INTERRUPTED, 130, "", "stopped by SIGINT with a checkpoint; 'sph2d resume' continues")                           \
     X(TERMINATED, 143, "", "stopped by SIGTERM with a checkpoint; 'sph2d resume' continues")
 

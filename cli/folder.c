@@ -7,6 +7,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "exit.h"
+#include "made_folders.h"
 #include "message.h"
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
@@ -122,58 +124,97 @@ static bool is_empty(DIR *listing)
     return true;
 }
 
-int folder_refuse(const char *path, bool force)
+/* Whether the folder that is open is the one of that path: another process that made it and failed may have removed it
+ * before this one had the lock. */
+static bool is_current(const cli_folder *f)
 {
-    DIR *listing = opendir(path);
-    if (!listing)
-        return errno == ENOENT && path[0] != '\0' ? CLI_EXIT_SUCCESS : refuse(path, "write to", errno);
-    bool empty = is_empty(listing);
-    closedir(listing);
-    if (!empty && !force) {
-        message_error(SPH2D_CODE_FILE_EXISTS, "choose another with -o, or add --force to replace the outputs in it",
-                      "the folder '%s' exists and is not empty", path);
-        return CLI_EXIT_CANTCREAT;
-    }
-    if (access(path, W_OK | X_OK) != 0)
-        return refuse(path, "write to", errno);
-    return CLI_EXIT_SUCCESS;
+    struct stat opened, named;
+    return fstat(f->lock, &opened) == 0 && stat(f->path, &named) == 0 && opened.st_dev == named.st_dev &&
+           opened.st_ino == named.st_ino;
 }
 
-/* mkdir -p */
-static int make_path(const char *path)
-{
-    char *part = strdup(path);
-    if (!part)
-        return refuse_memory();
-    int code = CLI_EXIT_SUCCESS;
-    for (char *end = part; code == CLI_EXIT_SUCCESS && end;) {
-        end = strchr(end + 1, '/');
-        if (end)
-            *end = '\0';
-        /* A parent that cannot be created may exist, so only the last error counts. */
-        if (mkdir(part, 0777) != 0 && errno != EEXIST && !end)
-            code = refuse(path, "make the folder", errno);
-        if (end)
-            *end = '/';
-    }
-    free(part);
-    return code;
-}
-
-/* Prevents two sessions from writing to one folder. The kernel releases the lock when the process ends; file systems
+/* Prevents other sessions from writing to the folder. The kernel releases the lock when the process ends; file systems
  * without locks are accepted. */
 static int lock_folder(cli_folder *f)
 {
+    if (flock(f->lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        return CLI_EXIT_SUCCESS;
+    message_error(SPH2D_CODE_FILE_WRITE, "wait for it to end, or stop it", "another sph2d is writing to '%s'", f->path);
+    return CLI_EXIT_CANTCREAT;
+}
+
+/* Makes the folder if needed and opens it. Returns 0 or an errno. */
+static int make_and_open(cli_folder *f)
+{
+    int error = made_folders_make(f->path);
+    if (error != 0)
+        return error;
     f->lock = open(f->path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (f->lock < 0)
-        return refuse(f->path, "open the folder", errno);
-    if (flock(f->lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        message_error(SPH2D_CODE_FILE_WRITE, "wait for it to end, or stop it", "another sph2d is writing to '%s'",
-                      f->path);
+    return f->lock < 0 ? errno : 0;
+}
+
+/* Makes the folder and locks it. What others remove between the two is made again. */
+static int make_locked(cli_folder *f)
+{
+    enum { ATTEMPTS = 100 };
+    int error = ENOENT;
+    for (int attempt = 0; attempt < ATTEMPTS && error == ENOENT; ++attempt) {
+        error = make_and_open(f);
+        if (error != 0)
+            continue;
+        if (lock_folder(f) != CLI_EXIT_SUCCESS) {
+            made_folders_keep(); /* it is another's now */
+            return CLI_EXIT_CANTCREAT;
+        }
+        if (is_current(f))
+            return CLI_EXIT_SUCCESS;
+        close(f->lock);
+        f->lock = -1;
+        error = ENOENT;
+    }
+    return error == ENOMEM ? refuse_memory() : refuse(f->path, "make the folder", error);
+}
+
+/* A signal waits until the folder is locked, as only then it may be removed. */
+static int make_locked_undisturbed(cli_folder *f)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    int code = make_locked(f);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return code;
+}
+
+static int check_content(cli_folder *f, bool force, const char *own)
+{
+    DIR *listing = opendir(f->path);
+    if (!listing)
+        return refuse(f->path, "read the folder", errno);
+    bool empty = is_empty(listing);
+    closedir(listing);
+    if (!empty && !force && !(own && folder_holds(f->path, own))) {
+        message_error(SPH2D_CODE_FILE_EXISTS, "choose another with -o, or add --force to replace the outputs in it",
+                      "the folder '%s' exists and is not empty", f->path);
         return CLI_EXIT_CANTCREAT;
     }
+    if (access(f->path, W_OK | X_OK) != 0)
+        return refuse(f->path, "write to", errno);
     return CLI_EXIT_SUCCESS;
 }
+
+int folder_claim(cli_folder *f, const char *path, bool force, const char *own)
+{
+    *f = (cli_folder){path, -1, NULL};
+    int code = make_locked_undisturbed(f);
+    if (code == CLI_EXIT_SUCCESS)
+        code = check_content(f, force, own);
+    if (code != CLI_EXIT_SUCCESS)
+        folder_abandon(f);
+    return code;
+}
+
+/* ---- cleaning ---------------------------------------------------------------------------------------------------- */
 
 /* Removes leftovers, and files selected by `clearing`, from one folder; `inside` is "" or ends in a slash. */
 static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers)
@@ -210,26 +251,16 @@ static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
     return code;
 }
 
-static int open_locked(cli_folder *f, const char *path, folder_clearing clearing)
+int folder_clear(cli_folder *f, folder_clearing clearing)
 {
-    *f = (cli_folder){path, -1, NULL};
-    int code = lock_folder(f);
-    if (code == CLI_EXIT_SUCCESS) /* the results of a study are kept until there are new ones */
-        code = clean(f, "", clearing == FOLDER_CLEAR_STUDY ? FOLDER_KEEP : clearing);
-    /* The frames of a run and the rows of a study are in subfolders. */
-    if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_STUDY)
+    /* The results of a study are kept until there are new ones. The frames of a run and the rows of a study are in
+     * subfolders. */
+    bool study = clearing == FOLDER_CLEAR_STUDY;
+    int code = clean(f, "", study ? FOLDER_KEEP : clearing);
+    if (code == CLI_EXIT_SUCCESS && study)
         code = clean(f, "rows/", FOLDER_KEEP);
     else if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
         code = clean(f, "frames/", clearing);
-    return code;
-}
-
-int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing)
-{
-    *f = (cli_folder)FOLDER_CLOSED;
-    int code = make_path(path);
-    if (code == CLI_EXIT_SUCCESS)
-        code = open_locked(f, path, clearing);
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
         /* The empty frames folder of an earlier run; it stays if it contains other files. */
         const char *frames = folder_file(f, "frames");
@@ -252,7 +283,11 @@ int folder_reopen(cli_folder *f, const char *path)
         message_error(SPH2D_CODE_FILE_OPEN, "give the folder that 'sph2d run -o' wrote", "no folder '%s'", path);
         return CLI_EXIT_NOINPUT;
     }
-    return open_locked(f, path, FOLDER_KEEP);
+    *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL};
+    if (f->lock < 0)
+        return refuse(path, "open the folder", errno);
+    int code = lock_folder(f);
+    return code == CLI_EXIT_SUCCESS ? folder_clear(f, FOLDER_KEEP) : code;
 }
 
 bool folder_holds(const char *path, const char *name)
@@ -272,9 +307,10 @@ int folder_make_inside(cli_folder *f, const char *name)
     const char *path = folder_file(f, "%s", name);
     if (!path)
         return refuse_memory();
-    if (mkdir(path, 0777) != 0 && errno != EEXIST)
-        return refuse(path, "make the folder", errno);
-    return CLI_EXIT_SUCCESS;
+    int error = made_folders_make(path);
+    if (error == ENOMEM)
+        return refuse_memory();
+    return error != 0 ? refuse(path, "make the folder", error) : CLI_EXIT_SUCCESS;
 }
 
 void folder_close(cli_folder *f)
@@ -283,4 +319,10 @@ void folder_close(cli_folder *f)
         close(f->lock);
     free(f->file);
     *f = (cli_folder)FOLDER_CLOSED;
+}
+
+void folder_abandon(cli_folder *f)
+{
+    made_folders_remove();
+    folder_close(f);
 }

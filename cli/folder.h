@@ -27,14 +27,15 @@ typedef enum folder_clearing {
         NULL, -1, NULL                                                                                                 \
     }
 
-/** Checks that a folder can be used for new outputs: it is empty or `force` is given, and it is writable. Otherwise it
- *  prints an error and returns an exit code. Changes nothing, so that it can be called before the simulation is
- *  made. */
-int folder_refuse(const char *path, bool force);
+/** Takes a folder for new outputs: makes it if needed, locks it against other processes, and checks that it is empty,
+ *  that `force` is given, or that it holds `own` (NULL for none), and that it is writable. Nothing in it changes, so
+ *  that it is taken before anything slow is prepared. Returns an exit code; otherwise prints an error, and the folder
+ *  is closed. */
+int folder_claim(cli_folder *f, const char *path, bool force, const char *own);
 
-/** Creates the folder if needed, locks it and removes temporary files of earlier runs, and files selected by
- *  `clearing`. Returns an exit code. */
-int folder_open_new(cli_folder *f, const char *path, folder_clearing clearing);
+/** Removes temporary files of earlier runs from a claimed folder, and files selected by `clearing`. Returns an exit
+ *  code. */
+int folder_clear(cli_folder *f, folder_clearing clearing);
 
 /** Removes series, plots and pages of an earlier study; not its rows. Returns an exit code. */
 int folder_clear_study(cli_folder *f);
@@ -52,6 +53,9 @@ int folder_make_inside(cli_folder *f, const char *name);
 const char *folder_file(cli_folder *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 void folder_close(cli_folder *f);
+
+/** The same for a command that failed: removes the folders that it made and that are empty. */
+void folder_abandon(cli_folder *f);
 
 /** Whether `name` is PREFIX, six digits or more, SUFFIX; *number is the value of the digits. */
 bool folder_numbered(const char *name, const char *prefix, const char *suffix, uint64_t *number);

@@ -26,8 +26,9 @@
 static const char *const details[CLI_COMMAND_COUNT] = {
     [CLI__RUN] =
         "Writes the outputs of the scene to DIR: snapshot_000000.h5 and on, frames/frame_000000.png and on, and\n"
-        "NAME.csv for each probe. At the end prints speed and error. The first Ctrl-C finishes the step and\n"
-        "writes checkpoint.h5; 'sph2d resume DIR' continues, and all files are the same byte for byte.\n"
+        "NAME.csv for each probe. At the end prints speed and error. The first Ctrl-C (SIGINT, SIGTERM, SIGHUP)\n"
+        "finishes the step and writes checkpoint.h5; 'sph2d resume DIR' continues, and all files are the same\n"
+        "byte for byte. Before the first step it ends the run at once.\n"
         "A guard that stops a run writes guard.h5.\n"
         "\n"
         "  sph2d run scene.yaml -o out\n"

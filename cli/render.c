@@ -10,6 +10,7 @@
 #include "frame_writer.h"
 #include "message.h"
 #include "progress.h"
+#include "signals.h"
 #include "threads.h"
 
 /* The frame style of a snapshot, with the options of the command line. */
@@ -99,11 +100,13 @@ static void fail(worker *w, sph2d_status status)
     }
 }
 
-/* Reads the next snapshot; false if there is none, or after a failure. */
+/* Reads the next snapshot; false if there is none, after a failure, or after a signal. */
 static bool read_next(worker *w, frame_job *out)
 {
     sequence *s = w->sequence;
     *out = (frame_job){.index = s->next};
+    if (s->code == CLI_EXIT_SUCCESS && s->next < s->options->operand_count && signals_caught() != 0)
+        s->code = 128 + signals_caught();
     if (s->code != CLI_EXIT_SUCCESS || s->next == s->options->operand_count)
         return false;
     ++s->next;
@@ -158,7 +161,13 @@ static void count_frame(worker *w, sph2d_status status)
     progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->options->operand_count);
 }
 
-/* Draws the first frame before the others, as the folder is only changed once drawing works. */
+static int clear_folder(sequence *s)
+{
+    signals_note();
+    return folder_clear(&s->folder, s->options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
+}
+
+/* Draws the first frame before the others, as nothing in the folder is changed before drawing works. */
 static void draw_first(worker *w)
 {
     sequence *s = w->sequence;
@@ -168,7 +177,7 @@ static void draw_first(worker *w)
         frame_style style = style_of(f.snapshot, options);
         sph2d_status status = make_writer(w, &style);
         if (status == SPH2D_OK)
-            s->code = folder_open_new(&s->folder, options->output, options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
+            s->code = clear_folder(s);
         if (s->code == CLI_EXIT_SUCCESS && (status != SPH2D_OK || name_frame(w, &f)))
             count_frame(w, status == SPH2D_OK ? draw(w, &f) : status);
     }
@@ -219,7 +228,8 @@ int command_render(const cli_options *options)
     if (code != CLI_EXIT_SUCCESS)
         return code;
     sequence s = {.options = options, .folder = FOLDER_CLOSED};
-    s.code = folder_refuse(options->output, options->force);
+    signals_install();
+    s.code = folder_claim(&s.folder, options->output, options->force, NULL);
     if (s.code != CLI_EXIT_SUCCESS)
         return s.code;
     int workers = threads_for_frames(options, options->operand_count - 1);
@@ -230,6 +240,12 @@ int command_render(const cli_options *options)
     if (s.code == CLI_EXIT_SUCCESS)
         message_note("%zu frame%s in '%s': %s", s.drawn, s.drawn == 1 ? "" : "s", options->output,
                      frame_times_describe(times, &s.times));
-    folder_close(&s.folder);
+    else if (signals_caught() != 0 && s.code == 128 + signals_caught())
+        message_note("stopped by %s after %zu of %zu frames", signals_name(signals_caught()), s.drawn,
+                     options->operand_count);
+    if (s.code == CLI_EXIT_SUCCESS)
+        folder_close(&s.folder);
+    else
+        folder_abandon(&s.folder);
     return s.code;
 }

@@ -12,6 +12,7 @@
 #include "exit.h"
 #include "message.h"
 #include "session.h"
+#include "signals.h"
 #include "summary.h"
 
 /* ---- the newest snapshot ----------------------------------------------------------------------------------------- */
@@ -117,19 +118,29 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot)
     return session_report(s, status);
 }
 
-/* Continues the run, unless it is complete; then the folder is not changed. */
+/* A run that was killed at its end may have left a checkpoint beside a newer snapshot. */
+static void remove_obsolete(cli_session *s, saved_in saved)
+{
+    const char *checkpoint = folder_file(&s->folder, "checkpoint.h5");
+    if (saved == SAVED_IN_SNAPSHOT && checkpoint)
+        unlink(checkpoint);
+}
+
+/* Continues the run, unless it is complete. */
 static int continue_run(cli_session *s, saved_in saved)
 {
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
     if (loop_done(s->sim)) {
         message_note("the run in '%s' is complete: t = %g s, run.until = %g s", s->folder.path, sph2d_sim_time(s->sim),
                      scene->run.until);
+        remove_obsolete(s, saved);
         loop_result nothing = {.end = LOOP_FINISHED};
         if (s->options->json)
             summary_print(s->sim, &nothing, "complete", &s->threads, s->options);
         return CLI_EXIT_SUCCESS;
     }
     int code = session_create_frame_writer(s);
+    signals_note();
     if (code == CLI_EXIT_SUCCESS && s->writer)
         code = folder_make_inside(&s->folder, "frames");
     if (code != CLI_EXIT_SUCCESS)
@@ -170,6 +181,6 @@ int command_resume(const cli_options *options)
     sph2d_snapshot_destroy(snapshot);
     if (code == CLI_EXIT_SUCCESS)
         code = continue_run(&session, saved);
-    session_end(&session);
+    session_end(&session, code);
     return code;
 }

@@ -5,6 +5,7 @@
 #include "exit.h"
 #include "message.h"
 #include "session.h"
+#include "signals.h"
 
 static int check_usage(const cli_options *options)
 {
@@ -19,7 +20,8 @@ static int check_usage(const cli_options *options)
     return CLI_EXIT_SUCCESS;
 }
 
-/* All steps that may fail, before the folder is changed. */
+/* All steps that may fail, before anything in the folder is changed. It is claimed before the slow ones, so that a second
+ * run of the same folder is refused at once. */
 static int prepare(cli_session *s, const char *scene)
 {
     const cli_options *options = s->options;
@@ -27,7 +29,7 @@ static int prepare(cli_session *s, const char *scene)
         sph2d_scene_file_read(scene, options->overrides, options->override_count, &s->file, &s->report);
     int code = session_report_scene(s, status);
     if (code == CLI_EXIT_SUCCESS)
-        code = folder_refuse(options->output, options->force);
+        code = folder_claim(&s->folder, options->output, options->force, NULL);
     if (code != CLI_EXIT_SUCCESS)
         return code;
     sph2d_sim_options sim_options = session_sim_options(s);
@@ -40,9 +42,10 @@ static int prepare(cli_session *s, const char *scene)
     return code;
 }
 
-static int open_folder(cli_session *s)
+static int clear_folder(cli_session *s)
 {
-    int code = folder_open_new(&s->folder, s->options->output, s->options->force ? FOLDER_CLEAR_RUN : FOLDER_KEEP);
+    signals_note();
+    int code = folder_clear(&s->folder, s->options->force ? FOLDER_CLEAR_RUN : FOLDER_KEEP);
     if (code == CLI_EXIT_SUCCESS && s->writer)
         code = folder_make_inside(&s->folder, "frames");
     return code;
@@ -59,9 +62,9 @@ int command_run(const cli_options *options)
     session_begin(&session, options);
     code = prepare(&session, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS)
-        code = open_folder(&session);
+        code = clear_folder(&session);
     if (code == CLI_EXIT_SUCCESS)
         code = session_run(&session, SAVED_NOWHERE);
-    session_end(&session);
+    session_end(&session, code);
     return code;
 }

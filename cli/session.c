@@ -3,8 +3,6 @@
  *  The common part of `run` and `resume`. */
 #include "session.h"
 
-#include <signal.h>
-
 #include "clock.h"
 #include "exit.h"
 #include "message.h"
@@ -77,7 +75,7 @@ static const char *end_name(const loop_result *result)
     case LOOP_FINISHED:
         return "finished";
     case LOOP_SIGNAL:
-        return result->signal == SIGINT ? "SIGINT" : "SIGTERM";
+        return signals_name(result->signal);
     case LOOP_MAX_WALL:
         return "max-wall";
     case LOOP_GUARD:
@@ -129,10 +127,13 @@ int session_run(cli_session *s, saved_in saved)
     return code == CLI_EXIT_SUCCESS ? close_code : code;
 }
 
-void session_end(cli_session *s)
+void session_end(cli_session *s, int code)
 {
     frame_writer_destroy(s->writer);
     sph2d_sim_destroy(s->sim);
     sph2d_scene_file_destroy(s->file);
-    folder_close(&s->folder);
+    if (code == CLI_EXIT_SUCCESS)
+        folder_close(&s->folder);
+    else
+        folder_abandon(&s->folder);
 }

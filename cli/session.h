@@ -41,7 +41,7 @@ int session_create_frame_writer(cli_session *s);
  *  that the simulation was restored from. */
 int session_run(cli_session *s, saved_in saved);
 
-/** Frees everything. */
-void session_end(cli_session *s);
+/** Frees everything. Of a session that failed (`code`), the empty folders that it made are removed. */
+void session_end(cli_session *s, int code);
 
 #endif

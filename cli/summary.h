@@ -9,7 +9,7 @@
 #include "threads.h"
 
 /** Prints the summary to stdout: a table, with --json one object, with --quiet nothing. `reason` is how the session
- *  ended: finished, complete, guard, failed, SIGINT, SIGTERM, max-wall. */
+ *  ended: finished, complete, guard, failed, SIGINT, SIGTERM, SIGHUP, max-wall. */
 void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
                    const cli_options *options);
 

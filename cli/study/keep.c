@@ -16,11 +16,11 @@ static void put_mark(const void *what, FILE *out)
 
 int study_open_folder(cli_study *s)
 {
-    const char *path = s->options->output;
-    int code = path ? folder_refuse(path, s->options->force || folder_holds(path, "rows/README")) : 0;
-    if (!path || code != CLI_EXIT_SUCCESS)
-        return code;
-    code = folder_open_new(&s->folder, path, FOLDER_CLEAR_STUDY);
+    if (!s->options->output)
+        return CLI_EXIT_SUCCESS;
+    int code = folder_claim(&s->folder, s->options->output, s->options->force, "rows/README");
+    if (code == CLI_EXIT_SUCCESS)
+        code = folder_clear(&s->folder, FOLDER_CLEAR_STUDY);
     if (code == CLI_EXIT_SUCCESS)
         code = folder_make_inside(&s->folder, "rows");
     if (code == CLI_EXIT_SUCCESS) /* and whether rows can be kept is known before any runs */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study.c
  *  `sph2d study STUDY`: runs a scene several times, compares what comes out with what is expected, prints one table. */
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -127,7 +126,7 @@ static int judge(cli_study *s)
 static int finish(cli_study *s, int code)
 {
     int signal = s->stopped ? signals_caught() : 0;
-    const char *end = signal == SIGINT ? "SIGINT" : signal != 0 ? "SIGTERM" : "finished";
+    const char *end = signal != 0 ? signals_name(signal) : "finished";
     if (!s->options->quiet && !s->options->json)
         study_table_print(s);
     code = study_first(code, judge(s));
@@ -149,11 +148,15 @@ int command_study(const cli_options *options)
         s.threads = (thread_choice){1, "one a row, with --jobs"};
     signals_install();
     int code = prepare(&s);
+    signals_note();
     if (code == CLI_EXIT_SUCCESS)
         code = finish(&s, run_rows(&s));
     sph2d_study_results_destroy(s.results);
     sph2d_study_file_destroy(s.file);
     free(s.made);
-    folder_close(&s.folder);
+    if (code == CLI_EXIT_SUCCESS)
+        folder_close(&s.folder);
+    else
+        folder_abandon(&s.folder);
     return code;
 }

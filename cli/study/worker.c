@@ -24,6 +24,7 @@ static bool go_on(void *user, const sph2d_study_run *run, const sph2d_sim *sim)
     work *w = user;
     double time = sph2d_sim_time(sim), until = sph2d_sim_scene(sim)->run.until;
     if (sph2d_sim_steps(sim) == 0) {
+        signals_note();
         study_report(w->study, SPH2D_OK); /* warnings do not wait for the end */
         w->progress = progress_begin(w->study->options, 0, until);
         w->progress.printed_tenth = 10; /* rows are printed anyway: lines come only where one takes long */
@@ -57,6 +58,7 @@ void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int out)
                                        .beside_others = s->jobs > 1,
                                        .go_on = go_on,
                                        .user = &w};
+    signals_prepare();
     sph2d_status status = sph2d_study_row_run(s->results, row, &options, &s->report);
     progress_end(&w.progress);
     study_report(s, status);

@@ -15,7 +15,7 @@ done
 expect 0 "$SPH2D" --version
 prints '^sph2d [0-9]*\.[0-9]*\.[0-9]*$' && prints 'MIT' && prints '^HDF5 *[0-9]' && prints '^instruction sets *baseline'
 expect 0 "$SPH2D" -V --json && prints '^{"name": "sph2d", "version": "'
-expect 0 "$SPH2D" help exit && lines 12 && prints '^  75  EX_TEMPFAIL'
+expect 0 "$SPH2D" help exit && lines 13 && prints '^  75  EX_TEMPFAIL'
 expect 0 "$SPH2D" help codes && prints '^S104  '
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
