@@ -3,6 +3,7 @@
  *  `sph2d check SCENE`: reports all errors of a scene, then estimates the run. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "clock.h"
 #include "coarse_run.h"
@@ -19,7 +20,10 @@
 typedef struct checked {
     const cli_options *options;
     sph2d_scene_file *file;
-    const sph2d_scene *scene;
+    const sph2d_scene *scene; /* that of the file, or the coarse one */
+    sph2d_scene coarse;
+    sph2d_block *coarse_blocks;
+    double coarsening; /* factor of its spacing; 1: the scene of the file */
     sph2d_sim *sim;
     sph2d_plan plan;
     thread_choice threads;
@@ -90,6 +94,73 @@ static int draw_preview(checked *c)
     return report_status(c, status);
 }
 
+/* ---- large scenes ------------------------------------------------------------------------------------------------ */
+
+/* A check takes a second or two and less than a gigabyte: of more particles than this a coarser scene is checked, and
+ * its numbers are extrapolated. */
+static const double MOST_PARTICLES = 1e5;
+
+/* The factor of the spacing; 1 for scenes of single particles, which have no coarser form. */
+static double choose_coarsening(const sph2d_scene *scene)
+{
+    double k = 1;
+    for (double many = sph2d_scene_particles(scene); many > MOST_PARTICLES && scene->particles.count == 0; k *= 1.1) {
+        sph2d_scene coarse = *scene;
+        sph2d_block *blocks = coarse_scene(&coarse, k);
+        if (!blocks)
+            return 1;
+        many = sph2d_scene_particles(&coarse);
+        free(blocks);
+    }
+    return k;
+}
+
+/* Makes the plan of a coarser scene; false if it has none. */
+static bool plan_coarse(checked *c)
+{
+    const double k = choose_coarsening(c->scene);
+    c->coarse = *c->scene;
+    c->coarse_blocks = k > 1 ? coarse_scene(&c->coarse, k) : NULL;
+    sph2d_report nobody_reads = {0};
+    const bool planned = c->coarse_blocks && sph2d_scene_plan(&c->coarse, &c->plan, &nobody_reads) == SPH2D_OK;
+    sph2d_report_clear(&nobody_reads);
+    if (!planned)
+        return false;
+    message_note(
+        "checked with a spacing %.3g times as large, since it has about %.2g particles: counts, steps and times "
+        "are extrapolated",
+        k, sph2d_scene_particles(c->scene));
+    c->coarsening = k;
+    c->scene = &c->coarse;
+    return true;
+}
+
+static sph2d_status make_plan(checked *c)
+{
+    const sph2d_status status = sph2d_scene_fits(c->scene, &c->report);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d_report_clear(&c->report);
+    return plan_coarse(c) ? SPH2D_OK : sph2d_scene_plan(c->scene, &c->plan, &c->report);
+}
+
+/* From the coarse scene's numbers to those of the scene: areas by k^2, lengths and steps by k. */
+static void extrapolate(checked *c)
+{
+    const double k = c->coarsening;
+    sph2d_plan *p = &c->plan;
+    p->fluid_particles = (size_t)((double)p->fluid_particles * k * k);
+    p->wall_particles = (size_t)((double)p->wall_particles * k);
+    p->particle_mass /= k * k;
+    p->support_radius /= k;
+    p->time_step /= k;
+    p->memory *= k * k;
+    p->disk *= k * k;
+    c->steps *= k;
+    c->cpu *= k * k * k;
+    c->seconds *= k * k * k;
+}
+
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
 static void print_active(const sph2d_scene *scene)
@@ -147,7 +218,7 @@ static void print_table(const checked *c)
         text_row("", "%zu lattice sites left free at obstacles", plan->places_left_free);
     text_row("particle mass", "%.6g kg/m", plan->particle_mass);
     text_row("support radius", "%.6g m (%.3g spacings)", plan->support_radius,
-             plan->support_radius / c->scene->spacing);
+             plan->support_radius * c->coarsening / c->scene->spacing);
     text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
     text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * expected_compression(plan),
              100 * plan->impact_compression);
@@ -207,7 +278,7 @@ static int prepare(checked *c)
     c->scene = sph2d_scene_file_scene(c->file);
     frame_style style = frame_style_of_scene(c->scene);
     sph2d_status style_status = frame_style_check(&style, &c->report);
-    status = sph2d_scene_plan(c->scene, &c->plan, &c->report);
+    status = make_plan(c);
     if (status != SPH2D_OK || style_status != SPH2D_OK)
         return report_status(c, status != SPH2D_OK ? status : style_status);
     sph2d_report_clear(&c->report);
@@ -223,7 +294,7 @@ int command_check(const cli_options *options)
         message_usage("check", options->operand_count == 0 ? "a scene file must be given" : "one scene at a time");
         return CLI_EXIT_USAGE;
     }
-    checked c = {.options = options, .threads = threads_choose(options)};
+    checked c = {.options = options, .threads = threads_choose(options), .coarsening = 1};
     int code = prepare(&c);
     if (code == CLI_EXIT_SUCCESS && options->preview)
         code = draw_preview(&c);
@@ -231,11 +302,14 @@ int command_check(const cli_options *options)
         code = measure(&c);
     if (code == CLI_EXIT_SUCCESS)
         estimate(&c);
+    if (code == CLI_EXIT_SUCCESS)
+        extrapolate(&c);
     if (code == CLI_EXIT_SUCCESS && options->json)
         print_object(&c);
     else if (code == CLI_EXIT_SUCCESS && !options->quiet)
         print_table(&c);
     sph2d_sim_destroy(c.sim);
+    free(c.coarse_blocks);
     sph2d_scene_file_destroy(c.file);
     return code;
 }

@@ -9,14 +9,14 @@
 #include "clock.h"
 
 /* Target and maximum of its duration [s], and the minimum number of particles for a flow like the scene's. */
-static const double TARGET = 0.7, LONGEST = 1.5, MIN_PARTICLES = 150;
+static const double TARGET = 0.5, LONGEST = 0.7, MIN_PARTICLES = 150;
 
 /* Maximum coarsening, which keeps the shape of a scene, and the minimum that is worth a run. */
 static const double COARSEST = 8, FINEST = 1.4;
 
 /* With sources the first steps do not show the cost of later ones, so the coarse run may take longer; its own duration
  * is estimated by this time of a particle and step [s]. */
-static const double TARGET_WITH_SOURCES = 1.4, LONGEST_WITH_SOURCES = 4, USUAL = 4e-7;
+static const double TARGET_WITH_SOURCES = 0.7, LONGEST_WITH_SOURCES = 1, USUAL = 4e-7;
 
 /* Number of its first steps, whose time is the reference for later ones. */
 enum { FIRST = 50 };
@@ -51,8 +51,7 @@ static double choose_coarsening(const sph2d_scene *scene, double steps, double s
     return k * k * MIN_PARTICLES > particles ? sqrt(particles / MIN_PARTICLES) : k;
 }
 
-/** Enlarges the particles of a scene. Its blocks become copies, which the caller frees; NULL when memory is short. */
-static sph2d_block *coarsen(sph2d_scene *scene, double k)
+sph2d_block *coarse_scene(sph2d_scene *scene, double k)
 {
     sph2d_block *blocks = malloc((scene->block_count + 1) * sizeof *blocks);
     if (!blocks)
@@ -134,7 +133,7 @@ coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double se
     if (!(k >= FINEST))
         return run;
     sph2d_scene coarse = *scene;
-    sph2d_block *blocks = coarsen(&coarse, k);
+    sph2d_block *blocks = coarse_scene(&coarse, k);
     if (!blocks)
         return run;
     sph2d_sim_options options = sph2d_sim_options_default();

@@ -16,7 +16,11 @@ typedef struct coarse_run {
     double mean;            /**< mean number of particles of the scene; 0 if unknown */
 } coarse_run;
 
-/** Runs a coarse copy of a scene on one thread, for a second or two, with sources at most four; `steps`, `seconds` and
+/** Enlarges the spacings of a scene. Its blocks become copies, which the caller frees; NULL when memory is short, and
+ *  then the scene is unchanged. */
+sph2d_block *coarse_scene(sph2d_scene *scene, double k);
+
+/** Runs a coarse copy of a scene on one thread, for a second at most; `steps`, `seconds` and
  *  `particles` are expected from the scene's first steps. All is unknown for a scene that cannot be made coarser. */
 coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double seconds, double particles);
 

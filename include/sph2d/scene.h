@@ -673,6 +673,14 @@ typedef struct sph2d_plan {
     double disk;
 } sph2d_plan;
 
+/** Number of particles that the blocks, lists and sides of a valid scene need, without placing any: areas over those of a
+ *  particle, and lengths of sides times layers; what obstacles take or add is not counted. 0 for NULL. */
+SPH2D_API double sph2d_scene_particles(const sph2d_scene *scene);
+
+/** Checks a scene, and whether this machine has memory for so many particles; places none. Errors: SPH2D_SCENE,
+ *  SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_scene_fits(const sph2d_scene *scene, sph2d_report *report);
+
 /** Checks a scene and places its particles to make its plan. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report);
 

@@ -184,8 +184,8 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     return status;
 }
 
-static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,
-                          const sph2d_state *state, sph2d_report *report)
+/** Copies the scene, resolves its defaults and sets the system, before anything is placed. */
+static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options)
 {
     sph2d_status status = sph2d__scene_copy(scene, &sim->arena, &sim->memory, &sim->scene);
     if (status != SPH2D_OK)
@@ -199,6 +199,15 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
+    return SPH2D_OK;
+}
+
+static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,
+                          const sph2d_state *state, sph2d_report *report)
+{
+    sph2d_status status = set_up(sim, scene, options);
+    if (status != SPH2D_OK)
+        return status;
     if (!state && sph2d__sim_is_too_large(sim, report))
         return SPH2D_SCENE;
     status = create_team(sim, options->threads);
@@ -279,6 +288,24 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__memory last = *memory; /* the simulation contains its own allocator */
     void *block = sim;
     sph2d__release(&last, &block, 1, sizeof *sim);
+}
+
+sph2d_status sph2d_scene_fits(const sph2d_scene *scene, sph2d_report *report)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    sph2d_status status = sph2d_scene_check(scene, report);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__memory memory = sph2d__memory_from(options.allocator);
+    sph2d_sim *sim = sph2d__alloc(&memory, 1, sizeof *sim);
+    if (!sim)
+        return SPH2D_NOMEM;
+    sim->memory = memory;
+    status = set_up(sim, scene, &options);
+    if (status == SPH2D_OK && sph2d__sim_is_too_large(sim, report))
+        status = SPH2D_SCENE;
+    sph2d_sim_destroy(sim);
+    return status;
 }
 
 sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report)

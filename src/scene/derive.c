@@ -81,3 +81,24 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
     return d;
 }
+
+double sph2d_scene_particles(const sph2d_scene *scene)
+{
+    if (!scene)
+        return 0;
+    double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    double dx = scene->spacing, count = (double)scene->particles.count;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        double spacing = scene->blocks[i].spacing > 0 ? scene->blocks[i].spacing : dx;
+        count += fmin(sph2d__shape_area(&scene->blocks[i].shape), width * height) / (spacing * spacing);
+    }
+    const sph2d_boundary *b = &scene->boundary; /* beyond open sides walls go on for the length of the domain */
+    double wide = width * (1 + (b->left == SPH2D_SIDE_OPEN) + (b->right == SPH2D_SIDE_OPEN));
+    double tall = height * (1 + (b->bottom == SPH2D_SIDE_OPEN) + (b->top == SPH2D_SIDE_OPEN));
+    double length = ((b->left == SPH2D_SIDE_WALL) + (b->right == SPH2D_SIDE_WALL)) * tall +
+                    ((b->bottom == SPH2D_SIDE_WALL) + (b->top == SPH2D_SIDE_WALL)) * wide;
+    sph2d_wall_form form = sph2d__side_form(scene);
+    double support = sph2d__method_resolve(scene->method).support_ratio;
+    double layers = form == SPH2D_WALL_GENERALISED ? ceil(support - 1e-9) : form == SPH2D_WALL_SPRING ? 0 : 1;
+    return count + length / dx * layers;
+}

@@ -28,26 +28,9 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
     return true;
 }
 
-/** Number of particles that the blocks and the sides of the domain need, to round-off and without obstacles. */
-static double expected_count(const sph2d_sim *sim)
-{
-    const sph2d_scene *scene = &sim->scene;
-    double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
-    double dx = scene->spacing, count = 0;
-    for (size_t i = 0; i < scene->block_count; ++i) {
-        double spacing = scene->blocks[i].spacing > 0 ? scene->blocks[i].spacing : dx;
-        count += fmin(sph2d__shape_area(&scene->blocks[i].shape), width * height) / (spacing * spacing);
-    }
-    const sph2d_boundary *b = &scene->boundary;
-    double tall = (b->left == SPH2D_SIDE_WALL) + (b->right == SPH2D_SIDE_WALL);
-    double long_ones = (b->bottom == SPH2D_SIDE_WALL) + (b->top == SPH2D_SIDE_WALL);
-    double layers = scene->walls == SPH2D_WALL_GENERALISED ? ceil(sim->system.support / dx - 1e-9) : 1;
-    return count + (tall * height + long_ones * width) / dx * layers;
-}
-
 bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report)
 {
-    return sph2d__sim_too_many(sim, expected_count(sim), "spacing", report);
+    return sph2d__sim_too_many(sim, sph2d_scene_particles(&sim->scene), "spacing", report);
 }
 
 /* Liquid begins half a spacing in front of a wall, the layers half a spacing behind. Liquid that is nearer to a

@@ -70,6 +70,17 @@ expect 0 "$SPH2D" run jet.yaml -o jet --json --threads 1
 sed 's/.*"step_cpu_seconds": \([0-9.e+-]*\).*"steps": \([0-9]*\).*/\2 \1/' out | paste wanted - >both
 awk '{ exit !($1 > 0.8 * $3 && $1 < 1.2 * $3 && $2 > $4 / 2 && $2 < 2 * $4) }' both || fail "a jet: $(cat both)"
 
+# Many particles are checked by fewer, in seconds and little memory; more than there is memory for are refused.
+cat >large.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.0003
+blocks: [{box: {min: [0, 0], max: [0.5, 0.9]}}]
+END
+(ulimit -v 4000000 && expect 0 "$SPH2D" check large.yaml --json --threads 1) && says 'a spacing .* times as large'
+sed 's/.*"particles": \([0-9]*\), "wall_particles": \([0-9]*\).*/\1 \2/' out |
+    awk '{ exit !($1 > 4.95e6 && $1 < 5.05e6 && $2 > 49000 && $2 < 51000) }' || fail "a large scene: $(cat out)"
+expect 65 "$SPH2D" check large.yaml -s spacing=1e-8 && says 'particles need .* of memory' && says 'larger spacing'
+
 # Its trial steps end where the run does: a guard that fires beyond that is none of its business.
 set -- "$TINY" -s method.time_step=0.004
 expect 1 "$SPH2D" run "$@" -q --no-frames -s run.until=0.3 -o beyond
