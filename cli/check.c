@@ -115,16 +115,24 @@ static double choose_coarsening(const sph2d_scene *scene)
     return k;
 }
 
-/* Makes the plan of a coarser scene; false if it has none. */
-static bool plan_coarse(checked *c)
+static sph2d_status create(checked *c, const sph2d_scene *scene, sph2d_report *report)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = c->threads.count;
+    options.isa = c->options->isa;
+    return sph2d_sim_create(scene, &options, &c->sim, report);
+}
+
+/* Makes a coarser simulation; false if there is none. */
+static bool create_coarse(checked *c)
 {
     const double k = choose_coarsening(c->scene);
     c->coarse = *c->scene;
     c->coarse_blocks = k > 1 ? coarse_scene(&c->coarse, k) : NULL;
     sph2d_report nobody_reads = {0};
-    const bool planned = c->coarse_blocks && sph2d_scene_plan(&c->coarse, &c->plan, &nobody_reads) == SPH2D_OK;
+    const bool created = c->coarse_blocks && create(c, &c->coarse, &nobody_reads) == SPH2D_OK;
     sph2d_report_clear(&nobody_reads);
-    if (!planned)
+    if (!created)
         return false;
     message_note(
         "checked with a spacing %.3g times as large, since it has about %.2g particles: counts, steps and times "
@@ -135,13 +143,14 @@ static bool plan_coarse(checked *c)
     return true;
 }
 
-static sph2d_status make_plan(checked *c)
+static sph2d_status create_affordable(checked *c)
 {
-    const sph2d_status status = sph2d_scene_fits(c->scene, &c->report);
+    sph2d_report twice = {0}; /* what is created repeats its warnings */
+    const sph2d_status status = sph2d_scene_fits(c->scene, &twice);
+    sph2d_report_clear(&twice);
     if (status != SPH2D_OK)
-        return status;
-    sph2d_report_clear(&c->report);
-    return plan_coarse(c) ? SPH2D_OK : sph2d_scene_plan(c->scene, &c->plan, &c->report);
+        return sph2d_scene_fits(c->scene, &c->report);
+    return create_coarse(c) ? SPH2D_OK : create(c, c->scene, &c->report);
 }
 
 /* From the coarse scene's numbers to those of the scene: areas by k^2, lengths and steps by k. */
@@ -266,7 +275,7 @@ static void print_object(const checked *c)
 
 /* ---- the command ------------------------------------------------------------------------------------------------- */
 
-/* Each step repeats the warnings of the one before, so only the last one prints them. */
+/* Reading repeats the warnings of the check, so only the last prints them. */
 static int prepare(checked *c)
 {
     const cli_options *options = c->options;
@@ -278,14 +287,10 @@ static int prepare(checked *c)
     c->scene = sph2d_scene_file_scene(c->file);
     frame_style style = frame_style_of_scene(c->scene);
     sph2d_status style_status = frame_style_check(&style, &c->report);
-    status = make_plan(c);
-    if (status != SPH2D_OK || style_status != SPH2D_OK)
-        return report_status(c, status != SPH2D_OK ? status : style_status);
-    sph2d_report_clear(&c->report);
-    sph2d_sim_options sim_options = sph2d_sim_options_default();
-    sim_options.threads = c->threads.count;
-    sim_options.isa = options->isa;
-    return report_status(c, sph2d_sim_create(c->scene, &sim_options, &c->sim, &c->report));
+    status = create_affordable(c);
+    if (status == SPH2D_OK)
+        c->plan = *sph2d_sim_plan(c->sim);
+    return report_status(c, status != SPH2D_OK ? status : style_status);
 }
 
 int command_check(const cli_options *options)

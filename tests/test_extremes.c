@@ -214,6 +214,43 @@ START_TEST(numbers_that_do_not_fit_are_refused_or_harmless)
 }
 END_TEST
 
+/** A scene with `count` polylines of `points` points each. */
+static sph2d_status check_outlines(size_t count, size_t points, sph2d_report *report)
+{
+    sph2d_vec2 *at = calloc(count * points, sizeof *at);
+    sph2d_obstacle *obstacles = calloc(count, sizeof *obstacles);
+    ck_assert(at && obstacles);
+    sph2d_scene scene = test_scene(0.1, 0, 0, 1, 1);
+    sph2d_block block = test_block(0, 0, 1, 0.2);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < points; ++k)
+            at[i * points + k] = (sph2d_vec2){(double)k / (double)points, 0.5 + 0.4 * (double)i / (double)count};
+        obstacles[i] = sph2d_obstacle_default();
+        obstacles[i].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {at + i * points, points}};
+    }
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.obstacles = obstacles;
+    scene.obstacle_count = count;
+    sph2d_status status = sph2d_scene_check(&scene, report);
+    free(obstacles);
+    free(at);
+    return status;
+}
+
+START_TEST(outlines_have_points_that_can_be_compared)
+{
+    sph2d_report report = {0};
+    ck_assert_int_eq(check_outlines(1, 2000, &report), SPH2D_OK);
+    ck_assert_int_eq(check_outlines(1, 2001, &report), SPH2D_SCENE);
+    ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].polyline"));
+    sph2d_report_clear(&report);
+    ck_assert_int_eq(check_outlines(50, 100, &report), SPH2D_OK);
+    ck_assert_int_eq(check_outlines(51, 100, &report), SPH2D_SCENE);
+    ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "obstacles"));
+}
+END_TEST
+
 Suite *suite_extremes(void)
 {
     Suite *suite = suite_create("extremes");
@@ -221,6 +258,7 @@ Suite *suite_extremes(void)
     tcase_set_timeout(t, 120);
     tcase_add_test(t, every_number_is_refused_or_harmless);
     tcase_add_loop_test(t, numbers_that_do_not_fit_are_refused_or_harmless, 0, sizeof pairs / sizeof *pairs);
+    tcase_add_test(t, outlines_have_points_that_can_be_compared);
     suite_add_tcase(suite, t);
     return suite;
 }

@@ -2,6 +2,7 @@
 /** @file check_obstacles.c
  *  Checks of obstacles: their outlines, their motions, and the side of the liquid. */
 #include <math.h>
+#include <stdio.h>
 
 #include "base/pi.h"
 #include "scene/checker.h"
@@ -153,9 +154,11 @@ static velocity_jump largest_jump(const sph2d_motion *m)
  *  v. */
 static void check_velocity_jump(checker *c, size_t i)
 {
+    velocity_jump hit = largest_jump(&c->scene->obstacles[i].motion);
+    if (hit.speed == 0) /* most are at rest, and the sound speed takes a look at all of them */
+        return;
     sph2d_method_options m = sph2d__method_resolve(c->scene->method);
     double c0 = sph2d__method_row_of(&m)->has_sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
-    velocity_jump hit = largest_jump(&c->scene->obstacles[i].motion);
     if (!(hit.speed > m.max_compression * c0))
         return;
     char path[PATH_SIZE];
@@ -170,8 +173,30 @@ static void check_velocity_jump(checker *c, size_t i)
         10 * m.support_ratio * c->scene->spacing / c0);
 }
 
+/* Maximum number of points of all outlines, so that a scene is placed in seconds. */
+static const size_t MAX_ALL_POINTS = 5000;
+
+static void check_all_points(checker *c)
+{
+    size_t points = 0;
+    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
+        const sph2d_outline *o = &c->scene->obstacles[i].outline;
+        points += o->kind == SPH2D_OUTLINE_POLYLINE  ? o->polyline.count
+                  : o->kind == SPH2D_OUTLINE_POLYGON ? o->polygon.count
+                                                     : 4;
+    }
+    if (points <= MAX_ALL_POINTS)
+        return;
+    char message[100];
+    snprintf(message, sizeof message, "have %zu points in all, more than %zu", points, MAX_ALL_POINTS);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "obstacles", message);
+    sph2d_diagnostic_hint(d, "points nearer to each other than the spacing of %g m change nothing: leave some out",
+                          c->scene->spacing);
+}
+
 void sph2d__check_obstacles(checker *c)
 {
+    check_all_points(c);
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_obstacle(c, i);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)

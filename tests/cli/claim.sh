@@ -4,20 +4,25 @@
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 
-# An obstacle of many points, around which it takes seconds to place particles; with fewer, a part of a second.
+# Obstacles of many points, around which it takes seconds to place many particles; else a part of a second: scene COUNT
+# POINTS GRAVITY
 scene() {
-    awk -v points="$1" -v gravity="$2" 'BEGIN {
+    awk -v count="$1" -v points="$2" -v gravity="$3" 'BEGIN {
         printf "domain: {min: [0, 0], max: [1, 1]}\nspacing: 0.05\nmethod: {name: wcsph}\ngravity: [0, %s]\n", gravity
-        printf "blocks:\n  - box: {min: [0, 0], max: [0.4, 0.2]}\nobstacles:\n  - polyline: ["
-        for (i = 0; i < points; ++i)
-            printf "%s[%.6f, %.6f]", i ? ", " : "", 0.1 + 0.8 * i / points, 0.5 + 0.05 * sin(i * 12 / points)
-        printf "]\nprobes:\n  - {name: energy, kind: energy, every: 0.002}\n"
+        printf "blocks:\n  - box: {min: [0, 0], max: [0.4, 0.2]}\nobstacles:\n"
+        for (k = 0; k < count; ++k) {
+            printf "  - polyline: ["
+            for (i = 0; i < points; ++i)
+                printf "%s[%.6f, %.6f]", i ? ", " : "", 0.1 + 0.8 * i / points, 0.5 + 0.2 * k + 0.05 * sin(i * 12 / points)
+            printf "]\n"
+        }
+        printf "probes:\n  - {name: energy, kind: energy, every: 0.002}\n"
         printf "run: {until: 0.02, snapshots: {per_second: 200}}\n"
     }'
 }
-scene 20000 -9.81 >slow.yaml
-scene 1500 -9.81 >first.yaml
-scene 1500 -1.62 >second.yaml
+scene 2 2000 -9.81 >slow.yaml
+scene 1 400 -9.81 >first.yaml
+scene 1 400 -1.62 >second.yaml
 printf 'scene: first.yaml\nruns: [{set: {}}]\n' >study.yaml
 
 # start ARGUMENTS...: runs the command in the background, as $pid. A shell switches SIGINT off for those.
@@ -40,7 +45,7 @@ ended() {
 
 # While the first prepares: all that write there are refused, and a signal ends it at once.
 for signal in HUP:129 INT:130 TERM:143; do
-    start run slow.yaml -q -o a/b/c
+    start run slow.yaml -s spacing=0.0007 -q -o a/b/c
     await a/b/c
     for force in -q --force; do
         expect 73 "$SPH2D" run first.yaml -q -o a/b/c $force && says "another sph2d is writing to 'a/b/c'"
@@ -57,7 +62,7 @@ done
 
 # Stopped while it prepares to replace a run: that is as it was.
 expect 0 "$SPH2D" run first.yaml -q -o old/run && cp -r old kept
-start run slow.yaml -q -o old/run --force
+start run slow.yaml -s spacing=0.0007 -q -o old/run --force
 sleep 0.5
 expect 73 "$SPH2D" run first.yaml -q -o old/run -f && says 'another sph2d'
 kill -TERM $pid
