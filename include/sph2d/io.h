@@ -126,7 +126,8 @@ SPH2D_API sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot);
 /** One array by group and name, borrowed; NULL when there is none. */
 SPH2D_API const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name);
 
-/** The scene it was written with, read again with its overrides and `more` on top. Errors: as sph2d_scene_file_parse,
+/** The scene it was written with, read again with its overrides and `more` on top, whose first replaces the last
+ *  override if that is one of the same key. Errors: as sph2d_scene_file_parse,
  *  and SPH2D_FORMAT when it holds no scene text. */
 SPH2D_API sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_override *more,
                                             size_t more_count, sph2d_scene_file **file, sph2d_report *report);

@@ -46,6 +46,9 @@ sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_ov
         return SPH2D_FORMAT;
     }
     size_t before = snapshot->override_count;
+    /* A run that is made longer again and again keeps one run.until, as if it had been given at the start. */
+    if (before > 0 && more_count > 0 && strcmp(snapshot->overrides[before - 1].path, more[0].path) == 0)
+        --before;
     sph2d_override *all = calloc(before + more_count + 1, sizeof *all);
     if (!all)
         return SPH2D_NOMEM;

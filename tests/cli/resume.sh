@@ -29,6 +29,12 @@ expect 0 "$SPH2D" run "$TINY" -o longer -q "$DRAW" --set run.until=0.24
 for probe in energy corner often; do
     same longer/$probe.csv steps/$probe.csv
 done
+same longer/snapshot_000006.h5 steps/snapshot_000006.h5
+for until in 0.25 0.26 0.28; do
+    expect 0 "$SPH2D" resume steps -q "$DRAW" --set run.until=$until
+done
+expect 0 "$SPH2D" run "$TINY" -o longest -q "$DRAW" --set run.until=0.28
+same longest/snapshot_000007.h5 steps/snapshot_000007.h5
 
 # The end of a run between two snapshots, without snapshots.
 expect 75 "$SPH2D" run "$TINY" -o bare -q "$DRAW" -s run.until=0.2 -s run.snapshots.per_second=0 --max-wall 0.001s
