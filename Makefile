@@ -155,7 +155,7 @@ EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
+    tests/strangers/*.sh tests/restarts/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -336,6 +336,8 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
 	    --seeds 1..$(if $(SPH2D_TEST_FULL),200,20)
+	$(hush)$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12)
+	$(hush)$(KILLS) $(if $(SPH2D_TEST_FULL),500,10)
 	$(hush)$(if $(GOLDEN),tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)")
 	$(hush)$(BUILD)/tests/check_all
 
@@ -364,6 +366,14 @@ golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that sa
 STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
+
+RESTARTS = tests/restarts/restarts.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/restarts
+test-restarts: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes stopped and resumed, byte for byte; SEEDS=1..200
+	$(hush)$(RESTARTS) "$$(nproc)" $(or $(SEEDS),1..200)
+
+KILLS = tests/restarts/kills.sh $(BUILD)/sph2d $(BUILD)/kills
+test-kills: $(BUILD)/sph2d ## a run killed at random moments: no torn file, the same folder in the end; KILLED=500
+	$(hush)$(KILLS) $(or $(KILLED),500)
 
 strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
 	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
@@ -525,7 +535,7 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-hard bench-instructions bench-variants report report-full report-docs \
-    scene-docs check-headers check-symbols check-install check-lint check-walls format install uninstall dist clean \
-    help FORCE
+    bench-command strangers strangers-dozen test-restarts test-kills test-hard bench-instructions bench-variants report \
+    report-full report-docs scene-docs check-headers check-symbols check-install check-lint check-walls format install \
+    uninstall dist clean help FORCE
 endif

@@ -1,6 +1,6 @@
 #!/bin/bash
-# One folder, several commands: it belongs to the first of them from before it prepares until it ends, and one that fails
-# or is stopped while it prepares leaves no folder that it made.
+# One folder, several commands: it belongs to the first of them from before it prepares until it ends, and one that
+# fails or is stopped while it prepares leaves no folder that it made.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 
