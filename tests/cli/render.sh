@@ -30,6 +30,20 @@ expect 0 "$SPH2D" render points/snapshot_000007.h5 points/snapshot_000002.h5 -o 
 same order/frame_000000.png points/frames/frame_000007.png
 same order/frame_000001.png points/frames/frame_000002.png
 
+# A signal stops it after a frame.
+many=''
+for _ in $(seq 60); do many="$many $(echo points/snapshot_*.h5)"; done
+# shellcheck disable=SC2086
+env --default-signal=INT,TERM,HUP "$SPH2D" render $many -o stopped --progress never >out 2>err &
+pid=$!
+until [ -e stopped/frame_000002.png ]; do sleep 0.02; done
+kill -HUP $pid
+code=0
+wait $pid || code=$?
+[ $code = 129 ] || fail "SIGHUP: ended with $code"
+says 'stopped by SIGHUP after [0-9]* of 660 frames' && absent stopped/frame_000659.png
+[ "$(find stopped -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
+
 # Folders: as run has it, and --force removes frames alone.
 expect 73 "$SPH2D" render $snapshot -o order && says F207
 cp $snapshot order/snapshot_000000.h5
