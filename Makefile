@@ -155,7 +155,7 @@ EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/restarts/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
+    tests/strangers/*.sh tests/restarts/*.sh tests/long/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -375,6 +375,9 @@ KILLS = tests/restarts/kills.sh $(BUILD)/sph2d $(BUILD)/kills
 test-kills: $(BUILD)/sph2d ## a run killed at random moments: no torn file, the same folder in the end; KILLED=500
 	$(hush)$(KILLS) $(or $(KILLED),500)
 
+test-long: $(BUILD)/sph2d ## tanks and streams for a million steps, by every method (20 minutes); STEPS=1000000
+	$(hush)tests/long/long.sh $(BUILD)/sph2d $(BUILD)/long "$$(nproc)" $(or $(STEPS),1000000)
+
 strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
 	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
 
@@ -535,7 +538,7 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-restarts test-kills test-hard bench-instructions bench-variants report \
+    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard bench-instructions bench-variants report \
     report-full report-docs scene-docs check-headers check-symbols check-install check-lint check-walls format install \
     uninstall dist clean help FORCE
 endif
