@@ -3,6 +3,7 @@
  *  `sph2d init NAME`: writes a scene with every key, those of the template with a value, all others commented out, each
  *  with its meaning, unit, range and default from the table of keys. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +15,7 @@
 #include "keys.h"
 #include "message.h"
 #include "parse.h"
+#include "sph2d/io.h"
 #include "templates.h"
 #include "text.h"
 
@@ -184,16 +186,27 @@ static void name_scene(const char *operand, char *name, size_t size)
         snprintf(name, size, "scene");
 }
 
-static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
+/* Makes a file that is not there yet, so that nobody's is overwritten. */
+static int claim_file(const char *path)
 {
-    /* "x" fails if the file exists by now, so that nothing is overwritten */
-    FILE *out = fopen(path, force ? "w" : "wx");
-    if (!out) {
-        bool exists = errno == EEXIST;
-        message_error(exists ? SPH2D_CODE_FILE_EXISTS : SPH2D_CODE_FILE_WRITE,
-                      exists ? "add --force to replace it" : NULL, "cannot write '%s': %s", path, strerror(errno));
-        return CLI_EXIT_CANTCREAT;
+    int made = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (made >= 0) {
+        close(made);
+        return CLI_EXIT_SUCCESS;
     }
+    bool exists = errno == EEXIST;
+    message_error(exists ? SPH2D_CODE_FILE_EXISTS : SPH2D_CODE_FILE_WRITE, exists ? "add --force to replace it" : NULL,
+                  "cannot write '%s': %s", path, strerror(errno));
+    return CLI_EXIT_CANTCREAT;
+}
+
+/* The text of a scene, which the caller frees; NULL when memory is short. */
+static char *compose_scene(const char *path, const scene_template *template, const char *name, size_t *length)
+{
+    char *text = NULL;
+    FILE *out = open_memstream(&text, length);
+    if (!out)
+        return NULL;
     fprintf(out,
             "# %s\n# Check it: sph2d check %s\n# Run it:   sph2d run %s -o out\n"
             "# Units are SI. A line #KEY: is a key that is not used; remove the # to use it.\n",
@@ -201,11 +214,27 @@ static int write_scene(const char *path, const scene_template *template, const c
     writer w = {out, template, name};
     write_struct(&w, sph2d_scene_keys(), "", (margin){0, ""});
     bool failed = ferror(out) != 0;
-    if (fclose(out) != 0 || failed) {
-        message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot write '%s': %s", path, strerror(errno));
+    if (fclose(out) == 0 && !failed)
+        return text;
+    free(text);
+    return NULL;
+}
+
+static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
+{
+    int code = force ? CLI_EXIT_SUCCESS : claim_file(path);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    size_t length = 0;
+    sph2d_report report = {0};
+    char *text = compose_scene(path, template, name, &length);
+    sph2d_status status = text ? sph2d_text_write(path, text, length, &report) : SPH2D_NOMEM;
+    free(text);
+    if (status != SPH2D_OK && !force)
         unlink(path);
-        return CLI_EXIT_IO;
-    }
+    message_report(status, &report, NULL);
+    if (status != SPH2D_OK)
+        return exit_of_status(status);
     message_note("wrote '%s'; next: sph2d check %s", path, path);
     return CLI_EXIT_SUCCESS;
 }

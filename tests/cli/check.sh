@@ -100,6 +100,7 @@ done <templates
 expect 73 "$SPH2D" init dam_break && says F207
 echo mine >dam_break/scene.yaml
 expect 73 "$SPH2D" init dam_break && grep -qx mine dam_break/scene.yaml
+(ulimit -f 1 && ! "$SPH2D" init dam_break --force 2>/dev/null) && grep -qx mine dam_break/scene.yaml
 expect 0 "$SPH2D" init dam_break --force && expect 0 "$SPH2D" check dam_break/scene.yaml
 expect 0 "$SPH2D" init one.yaml -q && silent && expect 0 "$SPH2D" check one.yaml && prints '^scene *one'
 expect 73 "$SPH2D" init one.yaml/two
