@@ -55,6 +55,8 @@ static sph2d_status write_probe(cli_outputs *o, size_t index, sph2d_report *repo
 {
     double values[SPH2D_PROBE_MAX_COLUMNS];
     size_t count = sph2d_sim_probe(o->sim, index, values);
+    if (count == 0)
+        return SPH2D_NOMEM;
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_PROBE + index);
     return sph2d_series_append(o->series[index], sph2d_sim_time(o->sim), values, count, report);
 }

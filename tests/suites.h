@@ -74,6 +74,7 @@
     X(ledger)                                                                                                          \
     X(ledger_pressure)                                                                                                 \
     X(memory)                                                                                                          \
+    X(broken)                                                                                                          \
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \

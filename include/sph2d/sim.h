@@ -90,7 +90,11 @@ SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_si
 SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
 
 /** Advances by one time step. Errors: SPH2D_GUARD when a guard stops the run (the state stays as it is, for a
- *  snapshot), SPH2D_NOMEM. After an error every later call fails the same way. */
+ *  snapshot), SPH2D_NOMEM. After an error every later call fails the same way.
+ *
+ *  After SPH2D_NOMEM the particles are in the middle of the step. All functions can still be called: fields, views,
+ *  counts and sums tell what the particles are now, what depends on neighbours (samples, the number of neighbours,
+ *  the energy of surface tension) is NaN, probes have no values, and there is no state and no snapshot. */
 SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
 
 /** Simulated time [s]. */
@@ -203,7 +207,7 @@ SPH2D_API const char *sph2d_probe_columns(sph2d_probe_kind kind);
 #define SPH2D_PROBE_MAX_COLUMNS 8
 
 /** Evaluates probe `index` of the scene now. Writes the values of its columns and returns how many; 0 for a bad index.
- *  Undefined values (no particle near) are NaN. */
+ *  Undefined values (no particle near) are NaN. 0 also when memory is short, as some kinds need it for a while. */
 SPH2D_API size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_PROBE_MAX_COLUMNS]);
 
 /* ---- errors and speed -------------------------------------------------------------------------------------------- */
@@ -326,13 +330,16 @@ typedef struct sph2d_summary {
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 
 /** Mean density inside the liquid over rest density. Inside are particles with liquid all around within 5 spacings and
- *  no wall within 3; NaN if there are fewer than 20, or memory is short. */
+ *  no wall within 3; NaN if there are fewer than 20. */
 typedef struct sph2d_densities {
     /** Mean of the particles' densities. */
     double reported;
 
     /** Mean number density of the particles times their mass, by a kernel of 3 spacings. */
     double counted;
+
+    /** SPH2D_NOMEM if memory was short, and both are NaN; else SPH2D_OK. */
+    sph2d_status status;
 } sph2d_densities;
 
 /** The densities now. It takes the time of a few steps, and memory meanwhile. */

@@ -44,15 +44,19 @@ static void clear(const sph2d__memory *memory, char *block, size_t size)
 
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size)
 {
-    if (new_count > SIZE_MAX / size)
+    if (new_count > SIZE_MAX / size) {
+        ++memory->failures;
         return false;
+    }
     size_t old_size = old_count * size;
     size_t new_size = new_count * size;
     if (!*block && new_size == 0)
         return true;
     void *fresh = memory->allocator.resize(memory->allocator.user, *block, old_size, new_size);
-    if (!fresh && new_size > 0)
+    if (!fresh && new_size > 0) {
+        ++memory->failures;
         return false;
+    }
     if (new_size > old_size)
         clear(memory, (char *)fresh + old_size, new_size - old_size);
     *block = fresh;

@@ -261,8 +261,10 @@ bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support
     int sorters = sorters_for(team, count);
     if (!reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) ||
         !reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters, memory) ||
-        !reserve_particles(cells, store->capacity, memory))
+        !reserve_particles(cells, store->capacity, memory)) {
+        cells->nx = cells->ny = 0; /* the grid is not filled */
         return false;
+    }
     sort_particles(cells, store, cell_count, sorters, team);
     sph2d__store_reorder(store, cells->order, team);
     return true;

@@ -45,7 +45,7 @@ double sph2d__coverage_area(const sph2d__coverage *coverage);
  *  walls, from below [m]; NaN if that space is too small, or unless gravity points straight down. */
 double sph2d__coverage_level(const sph2d__coverage *coverage, double area);
 
-/** Samples the difference of reported and counted density every few steps. */
-void sph2d__sim_watch_density(sph2d_sim *sim);
+/** Samples the difference of reported and counted density every few steps. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_watch_density(sph2d_sim *sim);
 
 #endif

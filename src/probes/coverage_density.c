@@ -75,15 +75,15 @@ static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned cha
     }
     *inside = particles;
     if (particles < MIN_INSIDE)
-        return (sph2d_densities){NAN, NAN};
-    return (sph2d_densities){reported / (double)particles, counted / (double)nodes};
+        return (sph2d_densities){NAN, NAN, SPH2D_OK};
+    return (sph2d_densities){reported / (double)particles, counted / (double)nodes, SPH2D_OK};
 }
 
 static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside)
 {
     sph2d__memory *memory = c->sim->system.memory;
     size_t nodes = c->nodes_x * c->nodes_y;
-    sph2d_densities found = {NAN, NAN};
+    sph2d_densities found = {NAN, NAN, SPH2D_OK};
     void *marks = sph2d__alloc(memory, nodes, 1);
     if (marks) {
         mark_near_empty(c, marks);
@@ -97,12 +97,15 @@ static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside
 static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside)
 {
     sph2d__coverage c;
-    sph2d_densities found = {NAN, NAN};
+    sph2d_densities found = {NAN, NAN, SPH2D_OK};
+    size_t failures = sim->system.memory->failures;
     *inside = 0;
     if (sph2d__coverage_make(&c, sim)) {
         found = densities_inside(&c, inside);
         sph2d__coverage_free(&c);
     }
+    if (sim->system.memory->failures != failures)
+        found.status = SPH2D_NOMEM;
     return found;
 }
 
@@ -116,13 +119,14 @@ sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
  * comparison: among 20, one bubble is a sixth of the counted density. */
 enum { DENSITY_STEPS = 500, MIN_COMPARED = 100 };
 
-void sph2d__sim_watch_density(sph2d_sim *sim)
+sph2d_status sph2d__sim_watch_density(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     if (r->steps % DENSITY_STEPS != 0)
-        return;
+        return SPH2D_OK;
     size_t inside;
     sph2d_densities now = densities_now(sim, &inside);
     if (inside >= MIN_COMPARED)
         r->density_apart = fmax(r->density_apart, fabs(now.reported - now.counted)); /* fmax ignores NaN */
+    return now.status;
 }

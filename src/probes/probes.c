@@ -19,8 +19,9 @@ const char *sph2d_probe_columns(sph2d_probe_kind kind)
 
 size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_PROBE_MAX_COLUMNS])
 {
-    if (index >= sim->scene.probe_count)
+    if (index >= sim->scene.probe_count || sph2d__sim_is_broken(sim))
         return 0;
     const sph2d_probe *probe = &sim->scene.probes[index];
-    return rows[probe->kind].evaluate(sim, probe, values);
+    size_t failures = sim->system.memory->failures, count = rows[probe->kind].evaluate(sim, probe, values);
+    return sim->system.memory->failures == failures ? count : 0;
 }

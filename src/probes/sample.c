@@ -39,7 +39,7 @@ bool sph2d__sim_around(const sph2d_sim *sim, sph2d_vec2 *at, sph2d__ranges *rang
 {
     const sph2d__cells *cells = &sim->system.fluid_cells;
     const sph2d__period *period = &cells->period;
-    if (sim->system.fluid.count == 0 || sim->stopped == SPH2D_NOMEM) /* which may leave the cells incomplete */
+    if (sim->system.fluid.count == 0 || sph2d__sim_is_broken(sim))
         return false;
     at->x = sph2d__period_wrap(at->x, period->low_x, period->length_x);
     at->y = sph2d__period_wrap(at->y, period->low_y, period->length_y);

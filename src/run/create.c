@@ -164,11 +164,12 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
 
 /** Recomputes the gradients that a step uses from the one before; they follow from positions and densities. The stored
  *  accelerations are kept: they were evaluated with predicted velocities. */
-static void recompute_gradients(sph2d_sim *sim)
+static sph2d_status recompute_gradients(sph2d_sim *sim)
 {
     sph2d__keep_accelerations(&sim->system.fluid);
-    sim->method->evaluate(&sim->system);
+    bool ok = sim->method->evaluate(&sim->system);
     sph2d__keep_accelerations(&sim->system.fluid);
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
 /** Continues from a state, which contains density, pressure and acceleration. */
@@ -180,7 +181,7 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
         return status;
     status = sph2d__sim_update_forcing(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
-        recompute_gradients(sim);
+        status = recompute_gradients(sim);
     return status;
 }
 

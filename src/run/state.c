@@ -55,12 +55,13 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 
 sph2d_state sph2d_sim_state(sph2d_sim *sim)
 {
-    if (!sim->state_arrays) {
+    if (!sim->state_arrays && !sph2d__sim_is_broken(sim)) {
         sim->state_arrays = sph2d__alloc(&sim->memory, STATE_ARRAYS, sizeof(sph2d_array));
         sim->state_capacity = sim->state_arrays ? STATE_ARRAYS : 0;
     }
-    sph2d_state state = {.version = SPH2D_STATE_VERSION, .arrays = sim->state_arrays};
-    if (sim->state_arrays) {
+    sph2d_state state = {.version = SPH2D_STATE_VERSION};
+    if (sim->state_arrays && !sph2d__sim_is_broken(sim)) {
+        state.arrays = sim->state_arrays;
         sph2d__lent lent[STATE_ARRAYS];
         state.array_count = list_arrays(sim, lent);
         for (size_t i = 0; i < state.array_count; ++i)

@@ -118,7 +118,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .limited_by = {r->limited_acoustic, r->limited_force, r->limited_viscous, r->limited_fixed},
         .time_step_min = r->step_min,
         .time_step_max = r->step_max,
-        .neighbours = mean_neighbours(&sim->system),
+        .neighbours = sph2d__sim_is_broken(sim) ? NAN : mean_neighbours(&sim->system),
     };
     sph2d__sim_sum_energy(sim, &out);
     return out;

@@ -58,7 +58,9 @@ void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
         speed2 = v2 > speed2 ? v2 : speed2;
     }
     out->kinetic = m * kinetic;
-    out->potential = total - m * kinetic + sph2d__tension_energy(&sim->system);
+    out->potential = total - m * kinetic;
+    if (sim->system.surface_tension > 0)
+        out->potential += sph2d__sim_is_broken(sim) ? NAN : sph2d__tension_energy(&sim->system);
     out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * elastic, sim->record.energy_elastic) : m * elastic;
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;

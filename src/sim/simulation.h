@@ -49,6 +49,12 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time);
 /** Sets the time interval of the next drift, for moving obstacles [s]. */
 void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
 
+/** Whether a step ran out of memory: it ended in the middle, and the cells may not be those of the particles. */
+static inline bool sph2d__sim_is_broken(const sph2d_sim *sim)
+{
+    return sim->stopped == SPH2D_NOMEM;
+}
+
 /** The scene's parameters that known flows use. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 

@@ -54,7 +54,8 @@ static sph2d_status take_due(runner *r)
         if (!sph2d_sim_output_due(r->sim, SPH2D_OUTPUT_PROBE + i))
             continue;
         double values[SPH2D_PROBE_MAX_COLUMNS] = {0};
-        sph2d_sim_probe(r->sim, i, values);
+        if (sph2d_sim_probe(r->sim, i, values) == 0)
+            return SPH2D_NOMEM;
         sph2d_sim_output_done(r->sim, SPH2D_OUTPUT_PROBE + i);
         if (!sph2d__series_add(&r->record->series[i], sph2d_sim_time(r->sim), values))
             return SPH2D_NOMEM;
@@ -101,7 +102,7 @@ static double of_scale(double energy, const sph2d_summary *summary)
     return summary->energy_scale > 0 ? energy / summary->energy_scale : NAN;
 }
 
-static void take_summary(runner *r)
+static sph2d_status take_summary(runner *r)
 {
     sph2d_study_record *record = r->record;
     sph2d_summary s = sph2d_sim_summary(r->sim);
@@ -126,6 +127,7 @@ static void take_summary(runner *r)
     values[SPH2D_SUMMARY_LEFT] = (double)record->left;
     values[SPH2D_SUMMARY_ITERATIONS] = steps > 0 ? (double)s.iterations / steps : 0;
     snprintf(record->isa, sizeof record->isa, "%s", sph2d_isa_name(sph2d_sim_isa(r->sim)));
+    return inside.status;
 }
 
 /* ---- one run ----------------------------------------------------------------------------------------------------- */
@@ -188,8 +190,8 @@ static sph2d_status go(runner *r, double begun)
         return status;
     status = advance(r);
     pass_on(r);
-    take_summary(r);
-    return status;
+    sph2d_status taken = take_summary(r);
+    return status == SPH2D_OK ? taken : status;
 }
 
 /** Runs a row once. Returns the largest number of threads that shared a step. */
@@ -203,7 +205,8 @@ static int run_once(const sph2d_study_results *results, const sph2d_study_run *r
     sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
     record->repeats = 1;
     if (status != SPH2D_OK) {
-        snprintf(record->reason, sizeof record->reason, "the scene was rejected");
+        snprintf(record->reason, sizeof record->reason, "%s",
+                 status == SPH2D_SCENE ? "the scene was rejected" : sph2d_status_text(status));
     } else {
         r.file = file;
         status = go(&r, begun);
