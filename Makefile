@@ -329,6 +329,9 @@ test: $(BUILD)/tests/strangers $(if $(GOLDEN),$(BUILD)/tests/golden)
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
+	@for f in $$(sed -n '/^SPH2D_API/,/;/p' include/sph2d/*.h | tr '\n' ' ' | tr ';' '\n' | \
+	    sed -n 's/.*\<\(sph2d_[a-z0-9_]*\)([^)]*\*.*/\1/p'); do \
+	    grep -q "$$f(" tests/test_null.c || { echo "tests/test_null.c lacks $$f"; exit 1; }; done
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt

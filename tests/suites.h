@@ -75,6 +75,7 @@
     X(ledger_pressure)                                                                                                 \
     X(memory)                                                                                                          \
     X(broken)                                                                                                          \
+    X(null)                                                                                                            \
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \

@@ -374,7 +374,7 @@ END_TEST
 
 START_TEST(a_scene_that_was_not_made_is_refused)
 {
-    ck_assert_int_eq(sph2d_scene_check(NULL, &report), SPH2D_SCENE);
+    ck_assert_int_eq(sph2d_scene_check(NULL, &report), SPH2D_INVALID);
     for (int k = 0; k < 3; ++k) {
         memset(&scene, k == 0 ? 0 : k == 1 ? 0xff : 0xa5, sizeof scene);
         sph2d_report_clear(&report);

@@ -86,7 +86,7 @@ typedef struct sph2d_method_info {
 /** Row `index` of the table, recommended ones first; NULL after the last. Static storage. */
 SPH2D_API const sph2d_method_info *sph2d_method_row(size_t index);
 
-/** The row of a scene's method; the first one for an invalid value. Never NULL. */
+/** The row of a scene's method; the first one for an invalid value and for NULL. Never NULL. */
 SPH2D_API const sph2d_method_info *sph2d_method_of(const sph2d_method_options *options);
 
 /** Whether it has a feature; all have SPH2D_FEATURE_NONE. */

@@ -593,7 +593,7 @@ SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
 
-/** The table of materials, by sph2d_material; static storage. */
+/** The table of materials, by sph2d_material; static storage. `count` may be NULL. */
 SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
 
 /** A liquid with the density and viscosity of a material, and no surface tension: set that if drops and jets are so
@@ -601,7 +601,7 @@ SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
 SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
 
 /** Reports every error in the structs: ranges, conflicts, positions outside the domain. Overlaps of blocks are found
- *  when particles are placed (sph2d_scene_plan, sph2d_sim_create). Returns SPH2D_OK or SPH2D_SCENE. */
+ *  when particles are placed (sph2d_scene_plan, sph2d_sim_create). Errors: SPH2D_SCENE, SPH2D_INVALID for NULL. */
 SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report);
 
 /** Seconds between outputs [s]; 0 for none. */

@@ -8,7 +8,16 @@
  *      sph2d_report report = {0};
  *      if (sph2d_sim_create(&scene, NULL, &sim, &report) != SPH2D_OK)
  *          for (size_t i = 0; i < report.count; ++i) fprintf(stderr, "%s\n", report.items[i].message);
- */
+ *
+ *  NULL, in all headers: a pointer may be NULL only where its description says so. Elsewhere a function answers NULL
+ *  without reading or writing anything else, by what it returns:
+ *
+ *  - a status: SPH2D_INVALID with a message in the report; a pointer to what it makes is set to NULL;
+ *  - nothing: it does nothing, so that NULL can be destroyed, freed, cleared and completed;
+ *  - a pointer: NULL; a text that it writes: an empty one, and its length 0;
+ *  - a value: false, 0 or a struct of zeros; NaN if it says that this is what is not known.
+ *
+ *  Pointers inside structs follow the same rule if their list has a count above 0. */
 #ifndef SPH2D_STATUS_H
 #define SPH2D_STATUS_H
 

@@ -54,7 +54,7 @@ void sph2d_report_clear(sph2d_report *report)
 sph2d_diagnostic *sph2d_report_add(sph2d_report *report, sph2d_severity severity, sph2d_code code, const char *path,
                                    const char *format, ...)
 {
-    if (!report)
+    if (!report || !format)
         return NULL;
     report->errors += severity == SPH2D_ERROR;
     if (report->count >= SPH2D_REPORT_CAPACITY) {
@@ -76,7 +76,7 @@ sph2d_diagnostic *sph2d_report_add(sph2d_report *report, sph2d_severity severity
 
 void sph2d_diagnostic_hint(sph2d_diagnostic *diagnostic, const char *format, ...)
 {
-    if (!diagnostic)
+    if (!diagnostic || !format)
         return;
     va_list arguments;
     va_start(arguments, format);
@@ -98,10 +98,14 @@ static void append(char *buffer, size_t size, size_t *used, const char *format, 
 
 size_t sph2d_diagnostic_format(const sph2d_diagnostic *diagnostic, char *buffer, size_t size)
 {
-    const sph2d_diagnostic *d = diagnostic;
-    size_t used = 0;
+    if (!buffer)
+        size = 0;
     if (size)
         buffer[0] = '\0';
+    if (!diagnostic)
+        return 0;
+    const sph2d_diagnostic *d = diagnostic;
+    size_t used = 0;
     if (d->file[0]) {
         append(buffer, size, &used, "%s:", d->file);
         if (d->line > 0)

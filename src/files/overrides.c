@@ -122,6 +122,14 @@ static sph2d_status apply(const sph2d_override *override, sph2d__node *root, sph
     return SPH2D_OK;
 }
 
+bool sph2d__overrides_given(const sph2d_override *overrides, size_t count)
+{
+    for (size_t i = 0; overrides && i < count; ++i)
+        if (!overrides[i].path || !overrides[i].value)
+            return false;
+    return overrides || count == 0;
+}
+
 sph2d_status sph2d__overrides_apply(const sph2d_override *overrides, size_t count, sph2d__node *root,
                                     sph2d__faults *faults)
 {

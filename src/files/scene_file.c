@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
 #include "files/overrides.h"
@@ -100,17 +101,22 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     return faults->errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }
 
-/** As sph2d_scene_file_parse(), with or without the files that the scene names. */
+/** As sph2d_scene_file_parse(), with or without the files that the scene names, for a public function. */
 static sph2d_status parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
-                          size_t override_count, bool with_files, sph2d_scene_file **file, sph2d_report *report)
+                          size_t override_count, const char *function, bool with_files, sph2d_scene_file **file,
+                          sph2d_report *report)
 {
     static const sph2d__document_kind kind = {
         "scene", "a scene is a list of `key: value` lines; domain, spacing and blocks are a start", read_scene};
     if (!file)
-        return SPH2D_INVALID;
+        return sph2d__null(report, function, "file");
     *file = NULL;
-    if ((!text && length > 0) || !name || (!overrides && override_count > 0))
-        return SPH2D_INVALID;
+    if (!text && length > 0)
+        return sph2d__null(report, function, "text");
+    if (!name)
+        return sph2d__null(report, function, "name");
+    if (!sph2d__overrides_given(overrides, override_count))
+        return sph2d__null(report, function, "overrides");
     sph2d_scene_file *f = calloc(1, sizeof *f);
     if (!f)
         return SPH2D_NOMEM;
@@ -128,22 +134,22 @@ static sph2d_status parse(const char *text, size_t length, const char *name, con
 sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
                                     size_t override_count, sph2d_scene_file **file, sph2d_report *report)
 {
-    return parse(text, length, name, overrides, override_count, false, file, report);
+    return parse(text, length, name, overrides, override_count, __func__, false, file, report);
 }
 
 sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                    sph2d_scene_file **file, sph2d_report *report)
 {
     if (!file)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "file");
     *file = NULL;
     if (!path)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "path");
     char *text;
     size_t length;
     sph2d_status status = sph2d__document_text(path, &text, &length, report);
     if (status == SPH2D_OK)
-        status = parse(text, length, path, overrides, override_count, true, file, report);
+        status = parse(text, length, path, overrides, override_count, __func__, true, file, report);
     free(text);
     return status;
 }
@@ -160,16 +166,21 @@ void sph2d_scene_file_destroy(sph2d_scene_file *file)
 
 const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file)
 {
+    if (!file)
+        return NULL;
     return &file->scene;
 }
 
 const char *sph2d_scene_file_text(const sph2d_scene_file *file)
 {
+    if (!file)
+        return NULL;
     return file->document.source.text;
 }
 
 const sph2d_override *sph2d_scene_file_overrides(const sph2d_scene_file *file, size_t *count)
 {
-    *count = file->override_count;
-    return file->overrides;
+    if (count)
+        *count = file ? file->override_count : 0;
+    return file ? file->overrides : NULL;
 }

@@ -14,6 +14,7 @@
 
 #include "base/atomic_file.h"
 #include "base/c_locale.h"
+#include "base/null.h"
 #include "sph2d/io.h"
 
 #define TIME_COLUMN "time [s]"
@@ -117,10 +118,12 @@ sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t k
                                sph2d_report *report)
 {
     if (!series)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "series");
     *series = NULL;
-    if (!path || !columns)
-        return SPH2D_INVALID;
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    if (!columns)
+        return sph2d__null(report, __func__, "columns");
     sph2d_series *s = calloc(1, sizeof *s);
     size_t size = sizeof TIME_COLUMN ",\n" + strlen(columns);
     char *header = malloc(size);
@@ -152,8 +155,10 @@ static size_t put_number(char *out, double value, char separator)
 sph2d_status sph2d_series_append(sph2d_series *series, double time, const double *values, size_t count,
                                  sph2d_report *report)
 {
-    if (!series || (!values && count > 0))
-        return SPH2D_INVALID;
+    if (!series)
+        return sph2d__null(report, __func__, "series");
+    if (!values && count > 0)
+        return sph2d__null(report, __func__, "values");
     char *row = count < SIZE_MAX / NUMBER_BYTES - 1 ? malloc((count + 1) * NUMBER_BYTES) : NULL;
     sph2d__c_locale locale;
     if (!row || !sph2d__c_locale_begin(&locale)) {

@@ -3,6 +3,9 @@
  *  Accessors of a snapshot in memory. */
 #include "files/snapshot.h"
 
+#include "base/null.h"
+#include "files/overrides.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,16 +19,22 @@ void sph2d_snapshot_destroy(sph2d_snapshot *snapshot)
 
 sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot)
 {
+    if (!snapshot)
+        return (sph2d_snapshot_info){0};
     return snapshot->info;
 }
 
 sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot)
 {
+    if (!snapshot)
+        return (sph2d_state){0};
     return (sph2d_state){snapshot->state_version, snapshot->arrays, snapshot->array_count};
 }
 
 const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name)
 {
+    if (!snapshot || !name)
+        return NULL;
     for (size_t i = 0; i < snapshot->array_count; ++i)
         if (snapshot->arrays[i].group == group && strcmp(snapshot->arrays[i].name, name) == 0)
             return &snapshot->arrays[i];
@@ -36,8 +45,12 @@ sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_ov
                                   sph2d_scene_file **file, sph2d_report *report)
 {
     if (!file)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "file");
     *file = NULL;
+    if (!snapshot)
+        return sph2d__null(report, __func__, "snapshot");
+    if (!sph2d__overrides_given(more, more_count))
+        return sph2d__null(report, __func__, "more");
     const char *text = snapshot->info.scene_text;
     if (!text) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL,

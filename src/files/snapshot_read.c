@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "files/snapshot.h"
 
 /** Whether this is a complete snapshot of a supported version. */
@@ -87,10 +88,10 @@ static void read_scene(sph2d__h5_reader *r, sph2d_snapshot *s)
 sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report)
 {
     if (!snapshot)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "snapshot");
     *snapshot = NULL;
     if (!path)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "path");
     sph2d_snapshot *s = calloc(1, sizeof *s);
     if (!s)
         return SPH2D_NOMEM;

@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/c_locale.h"
+#include "base/null.h"
 #include "files/snapshot_parts.h"
 #include "files/trailer.h"
 
@@ -72,8 +73,15 @@ static sph2d_status write_file(int fd, sph2d_sim *sim, const sph2d_scene_file *f
 sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
                                   sph2d_report *report)
 {
-    if (!sim || !path || compress > 9)
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    if (compress > 9) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
+                         "the deflate level %u is out of range: must be at most 9", compress);
         return SPH2D_INVALID;
+    }
     sph2d_state state = sph2d_sim_state(sim);
     sph2d__c_locale locale;
     if (!state.arrays || !sph2d__c_locale_begin(&locale))

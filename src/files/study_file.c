@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "files/convert.h"
 #include "files/study_check.h"
 #include "files/study_rows.h"
@@ -78,10 +79,12 @@ sph2d_status sph2d_study_file_parse(const char *text, size_t length, const char 
     static const sph2d__document_kind kind = {
         "study", "a study is a list of `key: value` lines: scene, runs and measures", read_study};
     if (!file)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "file");
     *file = NULL;
-    if ((!text && length > 0) || !name)
-        return SPH2D_INVALID;
+    if (!text && length > 0)
+        return sph2d__null(report, __func__, "text");
+    if (!name)
+        return sph2d__null(report, __func__, "name");
     sph2d_study_file *f = calloc(1, sizeof *f);
     if (!f)
         return SPH2D_NOMEM;
@@ -96,10 +99,10 @@ sph2d_status sph2d_study_file_parse(const char *text, size_t length, const char 
 sph2d_status sph2d_study_file_read(const char *path, sph2d_study_file **file, sph2d_report *report)
 {
     if (!file)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "file");
     *file = NULL;
     if (!path)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "path");
     char *text;
     size_t length;
     sph2d_status status = sph2d__document_text(path, &text, &length, report);
@@ -119,5 +122,7 @@ void sph2d_study_file_destroy(sph2d_study_file *file)
 
 const sph2d_study *sph2d_study_file_study(const sph2d_study_file *file)
 {
+    if (!file)
+        return NULL;
     return &file->study;
 }

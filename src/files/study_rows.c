@@ -50,6 +50,12 @@ static const sph2d_override *last_of(const sph2d_study_run *run, const char *pat
 
 size_t sph2d_study_run_name(const sph2d_study_run *run, const char *but, char *out, size_t size)
 {
+    if (!out)
+        size = 0;
+    if (size > 0)
+        out[0] = '\0';
+    if (!run)
+        return 0;
     bool given = run->given && run->given[0];
     for (size_t i = 0; but && i < run->given_count; ++i)
         given = given && strcmp(run->overrides[i].path, but) != 0;

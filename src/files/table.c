@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/c_locale.h"
+#include "base/null.h"
 #include "base/number.h"
 #include "sph2d/io.h"
 
@@ -264,10 +265,15 @@ sph2d_status sph2d_table_read(const char *path, const sph2d_table_column *column
                               sph2d_table **table, sph2d_report *report)
 {
     if (!table)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "table");
     *table = NULL;
-    if (!path || !columns || column_count == 0)
-        return SPH2D_INVALID;
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    if (!columns || column_count == 0)
+        return sph2d__null(report, __func__, "columns");
+    for (size_t k = 0; k < column_count; ++k)
+        if (!columns[k].name)
+            return sph2d__null(report, __func__, "columns");
     sph2d_table *t = calloc(1, sizeof *t);
     if (!t)
         return SPH2D_NOMEM;
@@ -289,22 +295,28 @@ sph2d_status sph2d_table_read(const char *path, const sph2d_table_column *column
 
 size_t sph2d_table_rows(const sph2d_table *table)
 {
+    if (!table)
+        return 0;
     return table->rows;
 }
 
 bool sph2d_table_has(const sph2d_table *table, size_t column)
 {
+    if (!table)
+        return false;
     return table->known[column];
 }
 
 double sph2d_table_value(const sph2d_table *table, size_t row, size_t column)
 {
+    if (!table)
+        return NAN;
     return table->values[row * table->columns + column];
 }
 
 void sph2d_table_locate(const sph2d_table *table, size_t row, sph2d_diagnostic *diagnostic)
 {
-    if (!diagnostic)
+    if (!table || !diagnostic)
         return;
     snprintf(diagnostic->file, sizeof diagnostic->file, "%s", table->path);
     diagnostic->line = row < table->rows ? table->lines[row] : 0;

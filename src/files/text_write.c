@@ -5,12 +5,15 @@
 #include <stdio.h>
 
 #include "base/atomic_file.h"
+#include "base/null.h"
 #include "sph2d/io.h"
 
 sph2d_status sph2d_text_write(const char *path, const char *text, size_t length, sph2d_report *report)
 {
-    if (!path || (!text && length > 0))
-        return SPH2D_INVALID;
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    if (!text && length > 0)
+        return sph2d__null(report, __func__, "text");
     sph2d__atomic_file file;
     sph2d_status status = sph2d__atomic_begin(&file, path, report);
     if (status != SPH2D_OK)

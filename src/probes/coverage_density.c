@@ -111,6 +111,8 @@ static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside)
 
 sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_densities){NAN, NAN, SPH2D_INVALID};
     size_t inside;
     return densities_now(sim, &inside);
 }

@@ -19,6 +19,8 @@ const char *sph2d_probe_columns(sph2d_probe_kind kind)
 
 size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_PROBE_MAX_COLUMNS])
 {
+    if (!sim || !values)
+        return 0;
     if (index >= sim->scene.probe_count || sph2d__sim_is_broken(sim))
         return 0;
     const sph2d_probe *probe = &sim->scene.probes[index];

@@ -165,7 +165,7 @@ static void fit(surroundings *s, double values[FIELDS])
     }
 }
 
-bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
+static bool sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
 {
     const sph2d__store *f = &sim->system.fluid;
     surroundings s = {.fluid = f, .fields = {f->vx, f->vy, f->pressure, f->density}, .support = sim->system.support};
@@ -177,4 +177,13 @@ bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
         fit(&s, values);
     *out = (sph2d_sample){{values[0], values[1]}, values[2], values[3], s.neighbours};
     return s.neighbours > 0;
+}
+
+bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
+{
+    if (sim && out)
+        return sample(sim, at, out);
+    if (out)
+        *out = (sph2d_sample){{NAN, NAN}, NAN, NAN, 0};
+    return false;
 }

@@ -286,10 +286,14 @@ sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer)
 
 const char *sph2d_renderer_gl(const sph2d_renderer *renderer)
 {
+    if (!renderer)
+        return NULL;
     return renderer->context.name;
 }
 
 const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer)
 {
+    if (!renderer)
+        return NULL;
     return renderer->gl_version;
 }

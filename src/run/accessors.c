@@ -7,6 +7,8 @@
 
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
 {
+    if (!sim)
+        return SPH2D_INVALID;
     if (!isfinite(gravity.x) || !isfinite(gravity.y))
         return SPH2D_INVALID;
     sph2d_summary before, after;
@@ -22,6 +24,8 @@ sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
 
 sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration)
 {
+    if (!sim)
+        return SPH2D_INVALID;
     if (!isfinite(at.x) || !isfinite(at.y) || !isfinite(acceleration) || !isfinite(radius))
         return SPH2D_INVALID;
     if (acceleration != 0 ? !(radius > 0) : !(radius >= 0))
@@ -35,41 +39,57 @@ sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius,
 
 double sph2d_sim_time(const sph2d_sim *sim)
 {
+    if (!sim)
+        return 0;
     return sim->record.time;
 }
 
 uint64_t sph2d_sim_steps(const sph2d_sim *sim)
 {
+    if (!sim)
+        return 0;
     return sim->record.steps;
 }
 
 double sph2d_sim_time_step(const sph2d_sim *sim)
 {
+    if (!sim)
+        return 0;
     return sim->record.next_step;
 }
 
 sph2d_isa sph2d_sim_isa(const sph2d_sim *sim)
 {
+    if (!sim)
+        return SPH2D_ISA_AUTO;
     return sim->system.isa;
 }
 
 int sph2d_sim_threads(const sph2d_sim *sim)
 {
+    if (!sim)
+        return 0;
     return sph2d__team_limit(sim->system.team);
 }
 
 size_t sph2d_sim_memory(const sph2d_sim *sim)
 {
+    if (!sim)
+        return 0;
     return sim->memory.bytes;
 }
 
 const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)
 {
+    if (!sim)
+        return NULL;
     return &sim->scene;
 }
 
 const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim)
 {
+    if (!sim)
+        return NULL;
     return &sim->plan;
 }
 
@@ -80,11 +100,15 @@ static sph2d_view view_of(const sph2d__store *s)
 
 sph2d_view sph2d_sim_fluid(const sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_view){0};
     return view_of(&sim->system.fluid);
 }
 
 sph2d_view sph2d_sim_walls(const sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_view){0};
     sph2d_view view = view_of(&sim->system.walls);
     view.ax = view.ay = NULL;
     return view;

@@ -3,6 +3,7 @@
  *  Creates a simulation, new or from a state, and destroys it. */
 #include <math.h>
 
+#include "base/null.h"
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/copy.h"
@@ -227,7 +228,6 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
 static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
                            sph2d_sim **out, sph2d_report *report)
 {
-    *out = NULL;
     sph2d_sim_options defaults = sph2d_sim_options_default();
     options = options ? options : &defaults;
     sph2d_status status = check_options(options, report);
@@ -257,12 +257,26 @@ static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *op
 sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
                               sph2d_report *report)
 {
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
+    *sim = NULL;
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
     return create(scene, options, NULL, sim, report);
 }
 
 sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
                                sph2d_sim **sim, sph2d_report *report)
 {
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
+    *sim = NULL;
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
+    if (!state)
+        return sph2d__null(report, __func__, "state");
+    if (!state->arrays && state->array_count > 0)
+        return sph2d__null(report, __func__, "state->arrays");
     return create(scene, options, state, sim, report);
 }
 
@@ -311,6 +325,10 @@ sph2d_status sph2d_scene_fits(const sph2d_scene *scene, sph2d_report *report)
 
 sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report)
 {
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
+    if (!plan)
+        return sph2d__null(report, __func__, "plan");
     sph2d_sim *sim = NULL;
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 1; /* more threads would add to the memory */

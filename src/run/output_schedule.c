@@ -19,6 +19,8 @@ static const double REACHED = 1 + 1e-12;
 
 bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output)
 {
+    if (!sim)
+        return false;
     sph2d_rate rate = rate_of(sim, output);
     if (sph2d_rate_interval(rate) <= 0)
         return false;
@@ -27,11 +29,15 @@ bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output)
 
 uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output)
 {
+    if (!sim)
+        return 0;
     return output < SPH2D_OUTPUT_PROBE + sim->scene.probe_count ? sim->output_counts[output] : 0;
 }
 
 void sph2d_sim_output_done(sph2d_sim *sim, size_t output)
 {
+    if (!sim)
+        return;
     if (output < SPH2D_OUTPUT_PROBE + sim->scene.probe_count)
         ++sim->output_counts[output];
 }

@@ -55,6 +55,8 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 
 sph2d_state sph2d_sim_state(sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_state){0};
     if (!sim->state_arrays && !sph2d__sim_is_broken(sim)) {
         sim->state_arrays = sph2d__alloc(&sim->memory, STATE_ARRAYS, sizeof(sph2d_array));
         sim->state_capacity = sim->state_arrays ? STATE_ARRAYS : 0;
@@ -90,7 +92,7 @@ static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_
 {
     for (size_t i = 0; i < l->state->array_count; ++i) {
         const sph2d_array *a = &l->state->arrays[i];
-        if (a->group != wanted->group || strcmp(a->name, wanted->name) != 0)
+        if (a->group != wanted->group || !a->name || strcmp(a->name, wanted->name) != 0)
             continue;
         if (a->type != wanted->type || a->components != wanted->components || a->count != count) {
             refuse(l, wanted->name, "has the wrong type or shape");
@@ -143,7 +145,8 @@ static bool walls_match(loader *l, const sph2d_sim *sim)
 static size_t fluid_count(const sph2d_state *state)
 {
     for (size_t i = 0; i < state->array_count; ++i)
-        if (state->arrays[i].group == SPH2D_GROUP_FLUID && strcmp(state->arrays[i].name, "Coordinates") == 0)
+        if (state->arrays[i].group == SPH2D_GROUP_FLUID && state->arrays[i].name &&
+            strcmp(state->arrays[i].name, "Coordinates") == 0)
             return state->arrays[i].count;
     return 0;
 }

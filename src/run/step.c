@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file step.c
  *  One step: sources and drains, the method's scheme, the clock, the guards. */
+#include "base/null.h"
 #include "probes/coverage.h"
 #include "probes/probes.h"
 #include "run/run.h"
@@ -44,6 +45,8 @@ static sph2d_status apply_sources_and_drains(sph2d_sim *sim)
 
 sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
 {
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
     if (sim->stopped != SPH2D_OK) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
                          "the simulation has stopped and takes no more steps: %s", sph2d_status_text(sim->stopped));

@@ -84,6 +84,8 @@ static double mean_neighbours(const sph2d__system *s)
 
 sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_summary){0};
     const sph2d__record *r = &sim->record;
     double time = r->sampled_time > 0 ? r->sampled_time : 1;
     sph2d_summary out = {
@@ -126,5 +128,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
 
 sph2d_profile sph2d_sim_profile(const sph2d_sim *sim)
 {
+    if (!sim)
+        return (sph2d_profile){0};
     return sim->system.profile.sums;
 }

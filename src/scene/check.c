@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/shape.h"
@@ -247,7 +248,9 @@ static void check_contents(checker *c)
 sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
 {
     checker c = {.scene = scene, .report = report};
-    if (!scene || scene->struct_size != sizeof *scene) {
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
+    if (scene->struct_size != sizeof *scene) {
         sph2d__check_fault(&c, SPH2D_CODE_GENERAL, NULL,
                            "the scene was not made by sph2d_scene_default() of this version");
         return SPH2D_SCENE;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "scene/checker.h"
 #include "sph2d/key.h"
 
@@ -19,6 +20,10 @@ typedef struct checker {
 
 bool sph2d_key_accepts(const sph2d_key *key, double value, char *why, size_t size)
 {
+    if (!key)
+        return false;
+    if (!why)
+        size = 0;
     if ((key->zero_is_unset && value == 0) || (key->nan_is_unset && isnan(value)))
         return true;
     if (isfinite(value) && value >= key->min && value <= key->max && !(key->min_excluded && value == key->min))
@@ -137,6 +142,10 @@ static void check_struct(checker *c, const sph2d_keys *keys, const char *base, c
 
 sph2d_status sph2d_keys_check(const sph2d_keys *keys, const void *owner, sph2d_report *report)
 {
+    if (!keys)
+        return sph2d__null(report, __func__, "keys");
+    if (!owner)
+        return sph2d__null(report, __func__, "owner");
     checker c = {report, false, false};
     check_struct(&c, keys, owner, "");
     return c.broken ? SPH2D_INVALID : c.faulty ? SPH2D_SCENE : SPH2D_OK;

@@ -29,7 +29,8 @@ static const sph2d_material_data materials[] = {
 
 const sph2d_material_data *sph2d_materials(size_t *count)
 {
-    *count = sizeof materials / sizeof *materials;
+    if (count)
+        *count = sizeof materials / sizeof *materials;
     return materials;
 }
 

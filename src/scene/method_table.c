@@ -144,12 +144,14 @@ const sph2d_method_info *sph2d_method_row(size_t index)
 
 const sph2d_method_info *sph2d_method_of(const sph2d_method_options *options)
 {
+    if (!options)
+        return &rows[0].info;
     return &sph2d__method_row_of(options)->info;
 }
 
 bool sph2d_method_has(const sph2d_method_info *method, sph2d_feature feature)
 {
-    return feature == SPH2D_FEATURE_NONE || (method->features >> feature & 1);
+    return method && (feature == SPH2D_FEATURE_NONE || (method->features >> feature & 1));
 }
 
 const char *sph2d_feature_key(sph2d_feature feature)

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/c_locale.h"
+#include "base/null.h"
 #include "sph2d/study_results.h"
 
 /** A text in YAML's quotes. */
@@ -100,9 +101,13 @@ static char *make_text(const char *path, const sph2d_scene *scene, const sph2d_o
 sph2d_status sph2d_study_text_for_scene(const char *path, const sph2d_override *overrides, size_t override_count,
                                         char **text, sph2d_report *report)
 {
+    if (!text)
+        return sph2d__null(report, __func__, "text");
+    *text = NULL;
+    if (!path)
+        return sph2d__null(report, __func__, "path");
     sph2d_scene_file *file;
     size_t first = report ? report->count : 0;
-    *text = NULL;
     sph2d_status status = sph2d_scene_file_read(path, overrides, override_count, &file, report);
     if (status != SPH2D_OK)
         return status;

@@ -17,6 +17,8 @@ size_t sph2d__judge(const sph2d_study *study)
 
 double sph2d_study_row_error(const sph2d_study_results *results, const sph2d_study_row *row)
 {
+    if (!results || !row)
+        return NAN;
     bool has_error = sph2d__row_counts(row) && results->judge < results->study->measure_count;
     return has_error ? row->values[results->judge].error : NAN;
 }
@@ -50,6 +52,8 @@ void sph2d__front_mark(sph2d_study_results *results)
 
 const sph2d_study_row *sph2d_study_cheapest(const sph2d_study_results *results, double target)
 {
+    if (!results)
+        return NULL;
     const sph2d_study_row *cheapest = NULL;
     for (const sph2d_study_row *row = results->rows; row < results->rows + results->row_count; ++row)
         if (sph2d_study_row_error(results, row) <= target && (!cheapest || row->record.cpu < cheapest->record.cpu))
@@ -59,6 +63,8 @@ const sph2d_study_row *sph2d_study_cheapest(const sph2d_study_results *results, 
 
 const sph2d_study_row *sph2d_study_best(const sph2d_study_results *results)
 {
+    if (!results)
+        return NULL;
     const sph2d_study_row *best = NULL;
     for (const sph2d_study_row *row = results->rows; row < results->rows + results->row_count; ++row) {
         double error = sph2d_study_row_error(results, row);

@@ -47,6 +47,8 @@ static void judge_one(const char *row, const sph2d_study_measure *m, const sph2d
 
 void sph2d_study_row_judge(const sph2d_study_results *results, const sph2d_study_row *row, sph2d_report *report)
 {
+    if (!results || !row)
+        return;
     const sph2d_study_row *finest = sph2d__finest(results);
     for (size_t i = 0; sph2d__row_counts(row) && i < results->study->measure_count; ++i) {
         const sph2d_study_measure *m = &results->study->measures[i];

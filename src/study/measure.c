@@ -152,6 +152,8 @@ static bool measure_series(const sph2d_study_results *results, size_t measure, s
 
 sph2d_status sph2d_study_results_measure(sph2d_study_results *results)
 {
+    if (!results)
+        return SPH2D_INVALID;
     const sph2d_study *study = results->study;
     const sph2d_study_row *finest = sph2d__finest(results);
     bool fine = true;

@@ -38,6 +38,8 @@ void sph2d__order_all(sph2d_study_results *results)
 
 double sph2d_study_row_order(const sph2d_study_results *results, const sph2d_study_row *row)
 {
+    if (!results || !row)
+        return NAN;
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (size_t r = 0; r < results->row_count; ++r) {
         double error = sph2d_study_row_error(results, &results->rows[r]);

@@ -52,6 +52,8 @@ bool sph2d__series_add(sph2d_study_series *series, double x, const double *value
 
 void sph2d_study_record_free(sph2d_study_record *record)
 {
+    if (!record)
+        return;
     for (size_t i = 0; i < record->series_count; ++i)
         free(record->series[i].rows);
     free(record->series);
@@ -76,6 +78,10 @@ static void put(writer *w, const void *bytes, size_t count)
 
 size_t sph2d_study_record_pack(const sph2d_study_record *record, void *out, size_t size)
 {
+    if (!record)
+        return 0;
+    if (!out)
+        size = 0;
     writer w = {out, size, sizeof(head)};
     sph2d_study_record copy = *record;
     copy.series = NULL; /* a pointer means nothing there */
@@ -134,6 +140,8 @@ static sph2d_status take_series(reader *r, sph2d_study_record *record)
 
 sph2d_status sph2d_study_record_unpack(sph2d_study_record *record, const void *block, size_t size)
 {
+    if (!record || (!block && size > 0))
+        return SPH2D_INVALID;
     reader r = {block, size};
     head h;
     sph2d_study_record copy;

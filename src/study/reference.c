@@ -8,6 +8,8 @@
 
 bool sph2d_study_has_value(const sph2d_study_measure *m)
 {
+    if (!m)
+        return false;
     bool whole =
         m->source == SPH2D_MEASURE_PROFILE || (m->source == SPH2D_MEASURE_PROBE && m->take == SPH2D_TAKE_DEFAULT);
     return m->expectation != SPH2D_EXPECT_REFERENCE && !(m->expectation == SPH2D_EXPECT_FINEST && whole);
@@ -15,7 +17,7 @@ bool sph2d_study_has_value(const sph2d_study_measure *m)
 
 bool sph2d_study_has_error(const sph2d_study_measure *m)
 {
-    return m->expectation != SPH2D_EXPECT_NOTHING;
+    return m && m->expectation != SPH2D_EXPECT_NOTHING;
 }
 
 /** Whether x lies on the line from 0 to 1; a fault otherwise. */

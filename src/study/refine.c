@@ -44,6 +44,8 @@ bool sph2d__refine_row(sph2d_study_row *row, const sph2d_study_run *base, const 
 
 sph2d_status sph2d_study_results_refine(sph2d_study_results *results, size_t step)
 {
+    if (!results)
+        return SPH2D_INVALID;
     const sph2d_study *study = results->study;
     size_t before = results->row_count;
     sph2d_study_row *grown = realloc(results->rows, (2 * before + 1) * sizeof *grown);

@@ -3,6 +3,7 @@
  *  Prepares a study from its file: references, checks, rows. */
 #include <stdlib.h>
 
+#include "base/null.h"
 #include "study/curve.h"
 #include "study/parts.h"
 
@@ -65,10 +66,12 @@ sph2d_status sph2d_study_results_create(const sph2d_study_file *file, const sph2
                                         sph2d_report *report)
 {
     if (!results)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "results");
     *results = NULL;
-    if (!file || (!overrides && override_count > 0))
-        return SPH2D_INVALID;
+    if (!file)
+        return sph2d__null(report, __func__, "file");
+    if (!overrides && override_count > 0)
+        return sph2d__null(report, __func__, "overrides");
     sph2d_study_results *made = calloc(1, sizeof *made);
     if (!made)
         return SPH2D_NOMEM;

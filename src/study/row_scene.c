@@ -2,6 +2,7 @@
 /** @file row_scene.c
  *  The scene of a row, as structs and as text. */
 #define _XOPEN_SOURCE 700 /* realpath */
+#include "base/null.h"
 #include "study/parts.h"
 
 #include <stdio.h>
@@ -38,9 +39,15 @@ void sph2d__row_locate(const sph2d_study_results *results, const sph2d_study_run
 sph2d_status sph2d_study_run_scene(const sph2d_study_results *results, const sph2d_study_run *run,
                                    sph2d_scene_file **file, sph2d_report *report)
 {
+    if (!file)
+        return sph2d__null(report, __func__, "file");
+    *file = NULL;
+    if (!results)
+        return sph2d__null(report, __func__, "results");
+    if (!run)
+        return sph2d__null(report, __func__, "run");
     size_t own = run->override_count, count = own + results->override_count, first = report ? report->count : 0;
     sph2d_override *overrides = malloc((count + 1) * sizeof *overrides);
-    *file = NULL;
     if (!overrides)
         return SPH2D_NOMEM;
     for (size_t i = 0; i < count; ++i)
@@ -80,8 +87,10 @@ static char *particles_path(const char *scene, const char *file)
 sph2d_status sph2d_study_run_scene_text(const sph2d_study_results *results, const sph2d_study_run *run, char **text,
                                         sph2d_report *report)
 {
-    sph2d_scene_file *file;
+    if (!text)
+        return sph2d__null(report, __func__, "text");
     *text = NULL;
+    sph2d_scene_file *file;
     sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
     if (status != SPH2D_OK)
         return status;

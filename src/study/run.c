@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/null.h"
 #include "study/parts.h"
 
 typedef struct runner {
@@ -246,6 +247,10 @@ static void merge(sph2d_study_record *kept, const sph2d_study_record *more)
 sph2d_status sph2d_study_row_run(const sph2d_study_results *results, sph2d_study_row *row,
                                  const sph2d_study_run_options *options, sph2d_report *report)
 {
+    if (!results)
+        return sph2d__null(report, __func__, "results");
+    if (!row)
+        return sph2d__null(report, __func__, "row");
     static const sph2d_study_run_options plain = {0};
     options = options ? options : &plain;
     sph2d_study_record *record = &row->record;

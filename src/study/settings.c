@@ -54,6 +54,8 @@ bool sph2d__same_settings(const sph2d_study_run *a, const sph2d_study_run *b, co
 
 double sph2d_study_row_along(const sph2d_study_results *results, const sph2d_study_row *row)
 {
+    if (!results || !row)
+        return NAN;
     const char *along = results->study->along, *value = sph2d__setting(&row->run, along);
     if (strcmp(along, "spacing") == 0)
         return row->record.spacing;
@@ -62,5 +64,7 @@ double sph2d_study_row_along(const sph2d_study_results *results, const sph2d_stu
 
 bool sph2d_study_rows_belong(const sph2d_study_results *results, const sph2d_study_row *a, const sph2d_study_row *b)
 {
+    if (!results || !a || !b)
+        return false;
     return sph2d__same_settings(&a->run, &b->run, results->study->along, false);
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/null.h"
 #include "study/hash.h"
 #include "study/parts.h"
 
@@ -14,6 +15,12 @@ enum { MOST_BYTES = 256 << 20 };
 sph2d_status sph2d_study_row_key(const sph2d_study_results *results, sph2d_study_row *row, const char *program,
                                  sph2d_report *report)
 {
+    if (!results)
+        return sph2d__null(report, __func__, "results");
+    if (!row)
+        return sph2d__null(report, __func__, "row");
+    if (!program)
+        return sph2d__null(report, __func__, "program");
     static const char format[] = "%s\nparticles from a file: %016" PRIx64 "\n%s";
     sph2d_scene_file *file;
     sph2d_status status = sph2d_study_run_scene(results, &row->run, &file, report);
@@ -64,7 +71,7 @@ static char *read_file(const char *path, size_t *size)
 
 bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *row, const char *folder)
 {
-    if (!row->key)
+    if (!results || !row || !folder || !row->key)
         return false;
     size_t size = 0, length = strlen(row->key);
     char *path = path_of(row->key, folder), *bytes = read_file(path, &size);
@@ -81,8 +88,12 @@ bool sph2d_study_row_find(const sph2d_study_results *results, sph2d_study_row *r
 
 sph2d_status sph2d_study_row_keep(const sph2d_study_row *row, const char *folder, sph2d_report *report)
 {
+    if (!row)
+        return sph2d__null(report, __func__, "row");
+    if (!folder)
+        return sph2d__null(report, __func__, "folder");
     if (!row->key)
-        return SPH2D_INVALID;
+        return sph2d__null(report, __func__, "row->key");
     size_t length = strlen(row->key), size = length + sph2d_study_record_pack(&row->record, NULL, 0);
     char *path = path_of(row->key, folder), *bytes = malloc(size);
     sph2d_status status = SPH2D_NOMEM;
