@@ -16,6 +16,14 @@
 
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
 {
+    bool short_of_memory = errno == ENOMEM;
+    errno = 0;
+    if (short_of_memory && r->status != SPH2D_NOMEM) {
+        sph2d_report_add(r->report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory while reading '%s'", r->path);
+        r->status = SPH2D_NOMEM;
+    }
+    if (r->status == SPH2D_NOMEM) /* what seems wrong with the file may follow from that */
+        return NULL;
     if (r->status == SPH2D_OK)
         r->status = SPH2D_FORMAT;
     char message[sizeof((sph2d_diagnostic *)0)->message];
@@ -74,6 +82,7 @@ static void check_file(sph2d__h5_reader *r, int fd)
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)
 {
     *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
+    errno = 0; /* HDF5 has no status for a lack of memory, but leaves malloc's errno */
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* do not block on a pipe without a writer */
     if (fd < 0) {
         fail(r, "open", errno);

@@ -3,6 +3,7 @@
  *  Attributes and datasets of a file that may be damaged. */
 #include "files/h5_read.h"
 
+#include <errno.h>
 #include <string.h>
 
 /** Maximum compression ratio: deflate reaches about a thousand, so more is damage. */
@@ -40,9 +41,13 @@ static bool has_dataset(const sph2d__h5_reader *r, const char *group, const char
     return found;
 }
 
-bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *name)
+bool sph2d__h5_has(sph2d__h5_reader *r, const char *group, const char *name)
 {
-    return has_attribute(r, group, name) || has_dataset(r, group, name);
+    errno = 0;
+    bool found = has_attribute(r, group, name) || has_dataset(r, group, name);
+    if (!found && errno == ENOMEM)
+        refuse_item(r, name, "cannot be looked for");
+    return found;
 }
 
 /** Opens a dataset; negative if it is none. */

@@ -24,7 +24,8 @@ typedef struct sph2d__h5_reader {
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report);
 void sph2d__h5_reader_close(sph2d__h5_reader *r);
 
-/** Reports an error in the file's content. Returns the diagnostic, for a hint, or NULL. */
+/** Reports an error in the file's content, or, if that is why it seems wrong, that memory was short. Returns the
+ *  diagnostic, for a hint, or NULL. */
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -38,8 +39,8 @@ typedef struct sph2d__h5_item {
     size_t bytes;    /**< of one value in the file */
 } sph2d__h5_item;
 
-/** Whether a group has an attribute or dataset of a name. */
-bool sph2d__h5_has(const sph2d__h5_reader *r, const char *group, const char *name);
+/** Whether a group has an attribute or dataset of a name. That this is not known, for want of memory, is reported. */
+bool sph2d__h5_has(sph2d__h5_reader *r, const char *group, const char *name);
 /** Opens an item and gets its shape; false, with a report, if it is missing or damaged. Close it with item_close. */
 bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item);
 void sph2d__h5_item_close(sph2d__h5_item *item);

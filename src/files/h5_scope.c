@@ -11,12 +11,15 @@
 #define NUMBER(x) #x
 #define DOTTED(a, b, c) NUMBER(a) "." NUMBER(b) "." NUMBER(c)
 
-void sph2d__h5_scope_begin(sph2d__h5_scope *scope)
+bool sph2d__h5_scope_begin(sph2d__h5_scope *scope)
 {
+    if (H5open() < 0)
+        return false;
     scope->print = NULL;
     scope->data = NULL;
     H5Eget_auto2(H5E_DEFAULT, &scope->print, &scope->data);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    return true;
 }
 
 void sph2d__h5_scope_end(const sph2d__h5_scope *scope)

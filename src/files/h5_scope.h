@@ -5,6 +5,7 @@
 #define SPH2D_FILES_H5_SCOPE_H
 
 #include <hdf5.h>
+#include <stdbool.h>
 
 /** The calling program's settings. */
 typedef struct sph2d__h5_scope {
@@ -12,7 +13,8 @@ typedef struct sph2d__h5_scope {
     void *data;
 } sph2d__h5_scope;
 
-void sph2d__h5_scope_begin(sph2d__h5_scope *scope);
+/** False, with nothing to end, when HDF5 cannot be started: memory is short. */
+bool sph2d__h5_scope_begin(sph2d__h5_scope *scope);
 void sph2d__h5_scope_end(const sph2d__h5_scope *scope);
 
 /** HDF5's message about the failure of the last HDF5 call. */

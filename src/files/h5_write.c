@@ -3,6 +3,7 @@
  *  Wrappers of the HDF5 calls that snapshots need, with sticky errors. */
 #include "files/h5_write.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,6 +28,7 @@ void sph2d__h5_check(sph2d__h5_writer *w, bool ok, const char *what)
         sph2d__report_errno(w->report, SPH2D_CODE_FILE_WRITE, "write", w->path, w->sink.error);
         return;
     }
+    w->short_of_memory = errno == ENOMEM;
     char cause[200];
     sph2d__h5_cause(cause, sizeof cause);
     sph2d_report_add(w->report, SPH2D_ERROR, SPH2D_CODE_FILE_WRITE, NULL, "cannot write '%s': %s: %s", w->path, what,
@@ -56,6 +58,7 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
                             .group_properties = H5Pcreate(H5P_GROUP_CREATE),
                             .compress = compress,
                             .ok = true};
+    errno = 0; /* HDF5 has no status for a lack of memory, but leaves malloc's errno */
     hid_t creation = H5Pcreate(H5P_FILE_CREATE);
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     bool ok = access >= 0 && set_object(creation) && set_object(w->group_properties);
@@ -64,8 +67,10 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
     ok = ok && (w->driver = sph2d__h5_sink_driver(access, &w->sink)) >= 0;
     ok = ok && (w->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, access)) >= 0;
     sph2d__h5_check(w, ok, "creating it");
-    H5Pclose(creation);
-    H5Pclose(access);
+    if (creation >= 0)
+        H5Pclose(creation);
+    if (access >= 0)
+        H5Pclose(access);
 }
 
 sph2d_status sph2d__h5_writer_close(sph2d__h5_writer *w)

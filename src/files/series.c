@@ -57,13 +57,15 @@ static sph2d_status refuse(const char *path, const char *what, sph2d_report *rep
     return SPH2D_FORMAT;
 }
 
-/** Finds the end of the header and `rows` rows. *wrong is an error message, or NULL. */
+/** Finds the end of the header and `rows` rows. *wrong is an error message, or NULL; errno is ENOMEM if memory was
+ *  short. */
 static off_t find_end(FILE *stream, const char *header, uint64_t rows, const char **wrong)
 {
     char *line = NULL;
     size_t size = 0;
     off_t end = 0;
     *wrong = NULL;
+    errno = 0;
     for (uint64_t i = 0; i <= rows && !*wrong; ++i) {
         ssize_t length = getline(&line, &size, stream);
         if (i == 0 && (length < 0 || strcmp(line, header) != 0))
@@ -93,8 +95,10 @@ static sph2d_status continue_series(sph2d_series *s, const char *header, uint64_
     }
     const char *wrong;
     off_t end = find_end(stream, header, rows, &wrong);
-    bool unreadable = ferror(stream);
+    bool unreadable = ferror(stream), short_of_memory = wrong && errno == ENOMEM;
     fclose(stream);
+    if (short_of_memory)
+        return SPH2D_NOMEM;
     if (unreadable)
         return failed("read", s->path, SPH2D_IO, report);
     if (wrong)
@@ -109,9 +113,12 @@ static sph2d_status start(sph2d_series *s, const char *header, sph2d_report *rep
     s->fd = open(s->path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
     if (s->fd < 0)
         return failed("create", s->path, SPH2D_CANTCREAT, report);
-    if (!write_all(s->fd, header, strlen(header)))
-        return failed("write", s->path, SPH2D_IO, report);
-    return SPH2D_OK;
+    if (write_all(s->fd, header, strlen(header)))
+        return SPH2D_OK;
+    sph2d_status status = failed("write", s->path, SPH2D_IO, report);
+    if (ftruncate(s->fd, 0) == 0) /* a file, not a device */
+        unlink(s->path);
+    return status;
 }
 
 sph2d_status sph2d_series_open(const char *path, const char *columns, uint64_t keep_rows, sph2d_series **series,

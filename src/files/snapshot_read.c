@@ -97,7 +97,10 @@ sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sp
         return SPH2D_NOMEM;
     sph2d__h5_scope scope;
     sph2d__h5_reader r;
-    sph2d__h5_scope_begin(&scope);
+    if (!sph2d__h5_scope_begin(&scope)) {
+        free(s);
+        return SPH2D_NOMEM;
+    }
     sph2d__h5_reader_open(&r, path, &s->pool, report);
     if (r.status == SPH2D_OK && is_readable(&r, s)) {
         read_metadata(&r, s);

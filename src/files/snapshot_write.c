@@ -54,7 +54,10 @@ static sph2d_status write_file(int fd, sph2d_sim *sim, const sph2d_scene_file *f
 {
     sph2d__h5_scope scope;
     sph2d__h5_writer w;
-    sph2d__h5_scope_begin(&scope);
+    if (!sph2d__h5_scope_begin(&scope)) {
+        close(fd);
+        return SPH2D_NOMEM;
+    }
     sph2d__h5_writer_open(&w, fd, compress, path, report);
     put_everything(&w, sim, file, state);
     sph2d_status status = sph2d__h5_writer_close(&w);

@@ -4,6 +4,7 @@
  *  reported with all other errors, nothing recurses, and aliases cannot expand without bound. */
 #include "files/yaml.h"
 
+#include <errno.h>
 #include <libfyaml.h>
 #include <string.h>
 
@@ -22,7 +23,8 @@ typedef struct builder {
     sph2d__place key_place;
     size_t last; /**< start of the last event: the place of values without text */
     size_t nodes;
-    bool ended; /**< a document is complete */
+    bool ended;    /**< a document is complete */
+    bool finished; /**< the text has come to its end */
     sph2d_status status;
 } builder;
 
@@ -157,6 +159,9 @@ static void handle_event(builder *b, struct fy_event *event)
     case FYET_DOCUMENT_END:
         b->ended = true;
         break;
+    case FYET_STREAM_END:
+        b->finished = true;
+        break;
     case FYET_MAPPING_START:
         refuse_properties(b, event->mapping_start.anchor, event->mapping_start.tag);
         open_collection(b, SPH2D__NODE_MAPPING, event->mapping_start.mapping_start, offset);
@@ -201,14 +206,22 @@ static void report_syntax(builder *b, struct fy_diag *diag)
         stop(b, b->last, "not well-formed YAML");
 }
 
+/** Parses to the end. Where memory is short libfyaml gives an empty text, or calls it a fault of the file; but malloc's
+ *  errno tells. */
 static void run_parser(builder *b, struct fy_parser *parser, struct fy_diag *diag)
 {
     struct fy_event *event;
     while (b->status == SPH2D_OK && (event = fy_parser_parse(parser))) {
         handle_event(b, event);
         fy_parser_event_free(parser, event);
+        if (errno == ENOMEM)
+            b->status = SPH2D_NOMEM;
     }
-    if (b->status == SPH2D_OK && fy_parser_get_stream_error(parser))
+    if (b->status != SPH2D_OK || (b->finished && !fy_parser_get_stream_error(parser)))
+        return;
+    if (errno == ENOMEM || !fy_parser_get_stream_error(parser))
+        b->status = SPH2D_NOMEM;
+    else
         report_syntax(b, diag);
 }
 
@@ -219,6 +232,7 @@ sph2d_status sph2d__yaml_parse(const sph2d__source *source, sph2d__faults *fault
     if (!sph2d__text_check(source, faults) || !check_mark_count(&b))
         return SPH2D_SCENE;
     b.status = SPH2D_NOMEM;
+    errno = 0;
     struct fy_diag_cfg diag_config;
     fy_diag_cfg_default(&diag_config);
     diag_config.fp = NULL;
