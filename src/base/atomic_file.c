@@ -13,16 +13,40 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/** What to do about an error; NULL if that is not known. */
+static const char *hint_of(int error)
+{
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        return "make room there, or choose another folder; a file that is complete is replaced only by a complete one";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return "choose a folder and files that you may use";
+    case ENOENT:
+        return "its folder may have been removed or renamed";
+    default:
+        return NULL;
+    }
+}
+
 void sph2d__report_errno(sph2d_report *report, sph2d_code code, const char *what, const char *path, int error)
 {
     /* strerror_l is the one form that is safe in threads and has a single signature */
     locale_t locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    sph2d_diagnostic *d;
     if (locale == (locale_t)0) {
-        sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': error %d", what, path, error);
-        return;
+        d = sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': error %d", what, path, error);
+    } else {
+        d = sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': %s", what, path,
+                             strerror_l(error, locale));
+        freelocale(locale);
     }
-    sph2d_report_add(report, SPH2D_ERROR, code, NULL, "cannot %s '%s': %s", what, path, strerror_l(error, locale));
-    freelocale(locale);
+    const char *hint = code == SPH2D_CODE_FILE_WRITE ? hint_of(error) : NULL;
+    if (hint)
+        sph2d_diagnostic_hint(d, "%s", hint);
 }
 
 /** The length of the folder part of a path with its slash; 0 when there is none. */

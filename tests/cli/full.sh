@@ -37,7 +37,7 @@ code=0
     exec "$SPH2D" run "$TINY" -o full --no-frames -q -s spacing=0.02
 ) 2>err || code=$?
 [ $code = 74 ] || fail "a full disk ended with $code"
-says 'F206.*full/'
+says 'F206.*full/' && says 'hint: make room there'
 present full/snapshot_000002.h5
 [ "$(find full -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left'
 for snapshot in full/*.h5; do
@@ -45,3 +45,33 @@ for snapshot in full/*.h5; do
 done
 # With room again it goes on.
 expect 0 "$SPH2D" resume full -q --no-frames && same folder full
+
+# The same on a small disk, where that can be mounted.
+mkdir disk
+if mount -t tmpfs -o size=$(((2 * small + large) / 1024))k none disk 2>err; then
+    expect 74 "$SPH2D" run "$TINY" -o disk/run --no-frames --progress never -s spacing=0.02
+    says 'F206.*No space left' && says "'sph2d resume disk/run' continues"
+    [ "$(find disk/run -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left on a full disk'
+    for snapshot in disk/run/*.h5; do
+        expect 0 "$SPH2D" info "$snapshot"
+    done
+    cp -r disk/run moved
+    umount disk
+    expect 0 "$SPH2D" resume moved -q --no-frames && same folder moved
+fi
+
+# A folder that goes away in the middle: the run ends and says so.
+"$SPH2D" run "$TINY" -o gone --no-frames -q -s spacing=0.02 -s run.until=1000 2>err &
+pid=$!
+tries=0
+until [ -e gone/snapshot_000001.h5 ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
+    sleep 0.02
+done
+mv gone went
+code=0
+wait $pid || code=$?
+[ $code = 73 ] || [ $code = 74 ] || fail "a folder that went away: ended with $code"
+says "F206.*'gone/" && says 'hint: its folder may have been removed'
+expect 0 "$SPH2D" resume went -q --no-frames -s run.until=0.4 && silent
