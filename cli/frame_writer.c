@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "threads.h"
+
 #ifdef SPH2D_NO_RENDER
 
 sph2d_status frame_writer_create(const frame_style *style, const cli_options *options, frame_writer **out,
@@ -77,6 +79,7 @@ sph2d_status frame_writer_create(const frame_style *style, const cli_options *op
     render.style = style->frames.style;
     render.gl = options->gl;
     render.shader_dir = options->shader_dir;
+    threads_check_mesa();
     sph2d_status status = sph2d_renderer_create(&render, &w->renderer, report);
     if (status != SPH2D_OK) {
         free(w);

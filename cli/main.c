@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "breakdown.h"
 #include "command.h"
 #include "exit.h"
 #include "help.h"
@@ -52,16 +53,15 @@ static void unknown_command(const char *word)
 static int run_command(const cli_command *command, int argc, char **argv)
 {
     cli_options options;
-    int code = CLI_EXIT_USAGE;
-    if (options_parse(&options, command->name, command->bit, argc, argv)) {
-        code = CLI_EXIT_SUCCESS;
-        if (options.help)
-            help_print_command(command);
-        else if (options.version)
-            help_print_version(options.json);
-        else
-            code = command->run(&options);
-    }
+    int code = CLI_EXIT_SUCCESS;
+    if (!options_parse(&options, command->name, command->bit, argc, argv))
+        code = options.short_of_memory ? CLI_EXIT_SOFTWARE : CLI_EXIT_USAGE;
+    else if (options.help)
+        help_print_command(command);
+    else if (options.version)
+        help_print_version(options.json);
+    else
+        code = command->run(&options);
     options_free(&options);
     return code;
 }
@@ -87,15 +87,20 @@ static int run_without_command(int argc, char **argv)
     return code;
 }
 
+static int run(int argc, char **argv)
+{
+    if (argc < 2 || argv[1][0] == '-')
+        return run_without_command(argc, argv);
+    const cli_command *command = command_find(argv[1]);
+    if (command)
+        return run_command(command, argc - 1, argv + 1);
+    unknown_command(argv[1]);
+    return CLI_EXIT_USAGE;
+}
+
 int main(int argc, char **argv)
 {
+    breakdown_watch();
     open_standard_streams();
-    if (argc < 2 || argv[1][0] == '-')
-        return close_output(run_without_command(argc, argv));
-    const cli_command *command = command_find(argv[1]);
-    if (!command) {
-        unknown_command(argv[1]);
-        return close_output(CLI_EXIT_USAGE);
-    }
-    return close_output(run_command(command, argc - 1, argv + 1));
+    return breakdown_leave(close_output(run(argc, argv)));
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "breakdown.h"
 #include "json.h"
 #include "text.h"
 
@@ -31,6 +32,7 @@ void message_setup(const cli_options *options)
 {
     const char *no_color = getenv("NO_COLOR");
     style.json = options->json;
+    breakdown_use_json(options->json);
     style.quiet = options->quiet;
     style.verbose = options->verbose;
     style.color = !options->no_color && (!no_color || no_color[0] == '\0') && message_terminal();

@@ -151,6 +151,7 @@ static bool add_override(cli_options *options, const char *name, char *pair)
     sph2d_override *grown = realloc(options->overrides, (options->override_count + 1) * sizeof *grown);
     if (!grown) {
         message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
+        options->short_of_memory = true;
         return false;
     }
     *equals = '\0';

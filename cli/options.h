@@ -17,6 +17,7 @@ typedef struct cli_options {
     char *const *operands; /**< arguments that are not options: scenes, folders, snapshots */
     size_t operand_count;
     bool help, version;
+    bool short_of_memory; /**< why they could not be read, if not for what they say */
 
     bool quiet, json, no_color;
     int verbose;

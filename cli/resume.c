@@ -23,13 +23,15 @@ static int compare_descending(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* The numbers of all snapshots in the folder, the highest first; the caller frees them. */
-static uint64_t *list_snapshots(const char *path, size_t *count)
+/* The numbers of all snapshots in the folder, the highest first; the caller frees them. SPH2D_NOMEM goes to *status. */
+static uint64_t *list_snapshots(const char *path, size_t *count, sph2d_status *status)
 {
     *count = 0;
     DIR *listing = opendir(path);
-    if (!listing)
+    if (!listing) {
+        *status = errno == ENOMEM ? SPH2D_NOMEM : SPH2D_OK;
         return NULL;
+    }
     uint64_t *numbers = NULL;
     uint64_t number;
     const struct dirent *entry;
@@ -38,8 +40,10 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
             continue;
         if ((*count & (*count + 1)) == 0) { /* full: 0, 1, 3, 7, ... */
             uint64_t *grown = realloc(numbers, (2 * *count + 1) * sizeof *grown);
-            if (!grown)
+            if (!grown) {
+                *status = SPH2D_NOMEM;
                 break;
+            }
             numbers = grown;
         }
         numbers[(*count)++] = number;
@@ -50,11 +54,15 @@ static uint64_t *list_snapshots(const char *path, size_t *count)
     return numbers;
 }
 
-/* Reads one snapshot; errors are reported as warnings, since an older one may be usable. */
-static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
+/* Reads one snapshot; errors are reported as warnings, since an older one may be usable. But a lack of memory, which
+ * goes to *status, says nothing about the file. */
+static sph2d_snapshot *try_snapshot(cli_session *s, const char *path, sph2d_status *status)
 {
     sph2d_snapshot *snapshot = NULL;
-    if (!path || sph2d_snapshot_read(path, &snapshot, &s->report) == SPH2D_OK)
+    sph2d_status read = path ? sph2d_snapshot_read(path, &snapshot, &s->report) : SPH2D_NOMEM;
+    if (read == SPH2D_NOMEM)
+        *status = read;
+    if (read == SPH2D_OK || read == SPH2D_NOMEM)
         return snapshot;
     for (size_t i = 0; i < s->report.count; ++i)
         s->report.items[i].severity = SPH2D_WARNING;
@@ -65,20 +73,25 @@ static sph2d_snapshot *try_snapshot(cli_session *s, const char *path)
 }
 
 /* The numbers of a run's snapshots increase with its steps, so the last valid one is the newest; a checkpoint is newer
- * if it has more steps. */
-static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved)
+ * if it has more steps. NULL if there is none, or memory was short: then *status is SPH2D_NOMEM. */
+static sph2d_snapshot *newest_snapshot(cli_session *s, saved_in *saved, sph2d_status *status)
 {
     size_t count;
-    uint64_t *numbers = list_snapshots(s->folder.path, &count);
+    *status = SPH2D_OK;
+    uint64_t *numbers = list_snapshots(s->folder.path, &count, status);
     sph2d_snapshot *newest = NULL;
-    for (size_t i = 0; i < count && !newest; ++i)
-        newest = try_snapshot(s, folder_file(&s->folder, "snapshot_%06" PRIu64 ".h5", numbers[i]));
+    for (size_t i = 0; i < count && !newest && *status == SPH2D_OK; ++i)
+        newest = try_snapshot(s, folder_file(&s->folder, "snapshot_%06" PRIu64 ".h5", numbers[i]), status);
     free(numbers);
     *saved = SAVED_IN_SNAPSHOT;
     const char *path = folder_file(&s->folder, "checkpoint.h5");
-    if (!path || access(path, F_OK) != 0)
+    if (*status == SPH2D_OK && path && access(path, F_OK) != 0)
         return newest;
-    sph2d_snapshot *checkpoint = try_snapshot(s, path);
+    sph2d_snapshot *checkpoint = *status == SPH2D_OK ? try_snapshot(s, path, status) : NULL;
+    if (*status != SPH2D_OK) {
+        sph2d_snapshot_destroy(newest);
+        return NULL;
+    }
     if (!checkpoint)
         return newest;
     if (newest && sph2d_snapshot_get_info(newest).steps >= sph2d_snapshot_get_info(checkpoint).steps) {
@@ -163,8 +176,10 @@ int command_resume(const cli_options *options)
     saved_in saved = SAVED_NOWHERE;
     code = folder_reopen(&session.folder, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS) {
-        snapshot = newest_snapshot(&session, &saved);
-        if (!snapshot) {
+        sph2d_status status;
+        snapshot = newest_snapshot(&session, &saved, &status);
+        code = session_report(&session, status);
+        if (!snapshot && code == CLI_EXIT_SUCCESS) {
             message_error(SPH2D_CODE_FILE_OPEN,
                           "a run writes snapshots if its scene has run.snapshots, and a checkpoint when it is stopped",
                           "no complete snapshot in '%s'", session.folder.path);

@@ -117,6 +117,10 @@ int session_run(cli_session *s, saved_in saved)
         if (result.end == LOOP_SIGNAL || result.end == LOOP_MAX_WALL)
             message_note("stopped by %s at t = %g s; 'sph2d resume %s' continues", end_name(&result),
                          sph2d_sim_time(s->sim), s->folder.path);
+        if (result.end == LOOP_FAILED && outputs.saved != SAVED_NOWHERE)
+            message_note("what was written before is complete; when there is room or memory again, 'sph2d resume %s' "
+                         "continues",
+                         s->folder.path);
         if (result.end == LOOP_GUARD)
             message_note("state saved to '%s/guard.h5'", s->folder.path);
         summary_print(s->sim, &result, end_name(&result), &s->threads, s->options);

@@ -4,6 +4,7 @@
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "threads.h"
 
+#include <pthread.h>
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,6 +66,37 @@ int threads_for_frames(const cli_options *options, size_t frames)
     else
         threads_choose(options);
     return count > 1 ? count : 1;
+}
+
+static void *wait_for_gate(void *gate)
+{
+    pthread_mutex_lock(gate);
+    pthread_mutex_unlock(gate);
+    return NULL;
+}
+
+/* Whether so many threads can exist at the same time, beside those that do. */
+static bool can_start(int count)
+{
+    pthread_t started[THREADS_MAX];
+    pthread_mutex_t gate = PTHREAD_MUTEX_INITIALIZER;
+    int n = 0;
+    pthread_mutex_lock(&gate);
+    while (n < count && n < THREADS_MAX && pthread_create(&started[n], NULL, wait_for_gate, &gate) == 0)
+        ++n;
+    pthread_mutex_unlock(&gate);
+    for (int k = 0; k < n; ++k)
+        pthread_join(started[k], NULL);
+    return n >= count || n == THREADS_MAX;
+}
+
+void threads_check_mesa(void)
+{
+    enum { OTHERS = 4 }; /* its caches and queues have threads, too */
+    const char *text = getenv("LP_NUM_THREADS");
+    int count = text ? atoi(text) : affinity_threads();
+    if (count > 0 && !can_start(count + OTHERS))
+        setenv("LP_NUM_THREADS", "0", 1);
 }
 
 char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice)

@@ -20,6 +20,10 @@ thread_choice threads_choose(const cli_options *options);
 /** The number of threads that draw `frames` frames in parallel; the software renderer then uses one thread for each. */
 int threads_for_frames(const cli_options *options, size_t frames);
 
+/** Where the threads of Mesa's renderer cannot be started, it draws in the calling thread: it would wait for them for
+ *  ever. To be called before drawing is prepared. */
+void threads_check_mesa(void);
+
 /** "2 threads (--threads)", for the number that is in use. Returns `out`. */
 char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice);
 
