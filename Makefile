@@ -155,7 +155,8 @@ EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/restarts/*.sh tests/long/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh examples/*.sh))
+    tests/strangers/*.sh tests/restarts/*.sh tests/long/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh \
+    tests/faults/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -179,6 +180,7 @@ TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 GOLDEN_OBJ := $(call objects,$(GOLDEN_SRC))
+FAULTS_OBJ := $(call objects,tests/faults/library.c)
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
@@ -211,7 +213,7 @@ $(IO_OBJ): PART = $(IO_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ): PART = -Iinclude
+$(BENCH_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
@@ -267,6 +269,10 @@ $(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsp
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/faults_shim.so: tests/faults/shim.c
+	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -shared -fPIC -o $@ $<
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
@@ -313,7 +319,7 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) \
-    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(EXAMPLE_OBJ))
+    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -322,10 +328,13 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 
 # The same bits are those of the usual build; others (a compiler's own wide vectors, another libm) may round otherwise.
 GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
+# Calls are made to fail by the names that glibc has for them; sanitizers have their own.
+FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix $(BUILD)/tests/faults_,shim.so library)))
+test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/tests/strangers $(if $(GOLDEN),$(BUILD)/tests/golden)
+test: $(BUILD)/tests/strangers $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
@@ -383,6 +392,9 @@ test-long: $(BUILD)/sph2d ## tanks and streams for a million steps, by every met
 
 strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
 	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
+
+test-faults: $(BUILD)/sph2d $(FAULTS) ## every allocation, write, sync, rename fails once (10 minutes; FULL=1: hours)
+	$(hush)tests/faults/faults.sh $(BUILD)/sph2d $(FAULTS) $(BUILD)/faults "$$(nproc)"
 
 test-hard: $(BUILD)/sph2d ## scenes that nobody tuned, by every method, against their bounds (7 minutes)
 	$(hush)tests/hard/hard.sh $(BUILD)/sph2d $(BUILD)/hard "$$(nproc)"
@@ -467,9 +479,10 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(STUDY_SRC) \
+    tests/faults/library.c \
     $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
-    tests/bench/variants/*.h tests/strangers/*.h))
+    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -541,7 +554,7 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard bench-instructions bench-variants report \
-    report-full report-docs scene-docs check-headers check-symbols check-install check-lint check-walls format install \
-    uninstall dist clean help FORCE
+    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard bench-instructions \
+    bench-variants report report-full report-docs scene-docs check-headers check-symbols check-install check-lint \
+    check-walls format install uninstall dist test-faults clean help FORCE
 endif

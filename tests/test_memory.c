@@ -146,7 +146,8 @@ static bool live(size_t fail_at, const sph2d_state *from)
         size_t arrays = sph2d_sim_state(sim).array_count;
         failed = failed || (fail_at > 0 && count.calls >= fail_at);
         ck_assert_msg((arrays > 0) == !failed, "call %zu: %zu arrays", fail_at, arrays);
-        ck_assert((sph2d_sim_state(sim).array_count > 0) == !before); /* there is memory again, but half a step is none */
+        /* There is memory again, but half a step is no state. */
+        ck_assert((sph2d_sim_state(sim).array_count > 0) == !before);
         /* After a step without memory there is no way on; a state without memory is no matter. */
         for (int n = 0; failed && n < 3; ++n)
             ck_assert_int_eq(sph2d_sim_step(sim, NULL), status);
