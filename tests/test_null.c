@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_null.c
  *  What public functions answer to NULL, by the rule of sph2d/status.h: every function that takes a pointer, with NULL
- *  for each that must not be. `make test` checks that none is missing here. */
+ *  for each that must not be; test_null_render.c has those that draw. `make test` checks that none is missing. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,9 +10,6 @@
 
 #include "snapshot_fixture.h"
 #include "sph2d/flow.h"
-#ifndef SPH2D_NO_RENDER
-#include "sph2d/render.h"
-#endif
 #include "sph2d/study_results.h"
 
 static sph2d_report report;
@@ -279,30 +276,6 @@ START_TEST(studies)
 }
 END_TEST
 
-#ifndef SPH2D_NO_RENDER
-START_TEST(renderers)
-{
-    sph2d_renderer *renderer = ELSEWHERE(sph2d_renderer);
-    sph2d_render_options options = sph2d_render_options_default();
-    sph2d_picture picture = {.view = {{0, 0}, {1, 1}}, .radius = 0.1};
-    REFUSED("options", sph2d_renderer_create(NULL, &renderer, &report));
-    ck_assert_ptr_null(renderer);
-    REFUSED("renderer", sph2d_renderer_create(&options, NULL, &report));
-    REFUSED("renderer", sph2d_renderer_draw(NULL, &picture, &report));
-    REFUSED("picture", sph2d_renderer_write_png(NULL, "x.png", &report));
-    sph2d_renderer_destroy(NULL);
-    NOTHING(sph2d_renderer_pixels(NULL));
-    NOTHING(sph2d_renderer_gl(NULL) || sph2d_renderer_gl_version(NULL));
-    ZEROS(sph2d_frame_times, sph2d_renderer_times(NULL));
-    if (sph2d_renderer_create(&options, &renderer, NULL) == SPH2D_OK) {
-        REFUSED("picture", sph2d_renderer_draw(renderer, NULL, &report));
-        REFUSED("path", sph2d_renderer_write_png(renderer, NULL, &report));
-        sph2d_renderer_destroy(renderer);
-    }
-}
-END_TEST
-#endif
-
 static void clear_report(void)
 {
     sph2d_report_clear(&report);
@@ -318,9 +291,6 @@ Suite *suite_null(void)
     tcase_add_test(tests, tables_and_reports);
     tcase_add_test(tests, files);
     tcase_add_test(tests, studies);
-#ifndef SPH2D_NO_RENDER
-    tcase_add_test(tests, renderers);
-#endif
     suite_add_tcase(suite, tests);
     return suite;
 }

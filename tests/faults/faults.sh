@@ -19,7 +19,7 @@ ulimit -c 0
 mkdir "$REFERENCE" && : >"$CODES"
 cd "$here"
 
-cases=(library run resume check info study)
+cases=(library run run_over resume check info study)
 ! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render)
 [ $# = 0 ] || cases=("$@")
 
@@ -42,7 +42,7 @@ stride() {
     if [ -n "${FULL:-}" ]; then
         echo 1
     else
-        case $1 in library) echo 1 ;; run_frames | render) echo 997 ;; check | info | study) echo 7 ;; *) echo 23 ;; esac
+        case $1 in library) echo 1 ;; run_frames | render) echo 997 ;; check | info | study) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
     fi
 }
 
