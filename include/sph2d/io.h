@@ -10,7 +10,9 @@
  *      sph2d_scene_file_destroy(file);
  *
  *  A file under its final name is always complete: files are written under another name, synced and renamed. HDF5 is
- *  not thread-safe, so only one thread at a time may be in this library. */
+ *  not thread-safe, so only one thread at a time may be in this library. This library returns SPH2D_NOMEM when memory is
+ *  short, but HDF5 and libfyaml, which it calls, do not survive each of their own failed allocations: they may end the
+ *  process, with all files whole. */
 #ifndef SPH2D_IO_H
 #define SPH2D_IO_H
 

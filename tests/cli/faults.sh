@@ -3,7 +3,8 @@
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 : "${SPH2D_FAULTS:=$SPH2D_ROOT/build/tests}"
-[ -e "$SPH2D_FAULTS/faults_shim.so" ] && [ -e "$SPH2D_FAULTS/faults_library" ] || exit 77
+[ -e "$SPH2D_FAULTS/faults_shim.so" ] || exit 77
+[ -e "$SPH2D_FAULTS/faults_library" ] || exit 77
 
 # Where the library does not work, as in a build with sanitizers, it counts nothing.
 LD_PRELOAD=$SPH2D_FAULTS/faults_shim.so FAULTS_COUNT=count "$SPH2D" --version >out 2>err || true
@@ -32,6 +33,7 @@ broken_by() {
     expect 0 "$SPH2D" info "by_$signal/snapshot_000001.h5"
 }
 broken_by SEGV
-grep -q 'sph2d: error: the command broke down (SIGSEGV)' said && grep -q 'resume' said || fail 'no last sentence'
+grep -q 'sph2d: error: the command broke down (SIGSEGV)' said || fail 'no last sentence'
+grep -q "hint: .*'sph2d resume'" said || fail 'no word of how to go on'
 broken_by ABRT --json
 grep -q '^{"severity": "error", .*(SIGABRT).*}$' said || fail 'the last sentence is not JSON'

@@ -58,7 +58,7 @@ for case in "${cases[@]}"; do
         for ((k = 1; k <= count; k += step)); do
             echo "$case $kind:$k"
             # One that fails for good fails first at the same call; of allocations fewer are tried so.
-            [ $kind = alloc ] && ((k / step % 5)) || echo "$case $kind:$k+"
+            if [ $kind != alloc ] || ((k / step % 5 == 0)); then echo "$case $kind:$k+"; fi
         done
     done
 done >"$folder/faults"

@@ -14,7 +14,6 @@ scene=$here/scene.yaml study=$here/study.yaml
 work=$(mktemp -d "${TMPDIR:-/tmp}/sph2d-fault.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-out=$work/out
 
 wrong() {
     printf '%s %s: %s (ended with %s)\n' "$case" "$fault" "$*" "$code"
@@ -36,7 +35,7 @@ run_command() {
     esac
     code=0
     # Not for the programs that the command calls: gnuplot would count its own.
-    timeout -k 2 30 env PATH= LD_PRELOAD="$SHIM" FAULTS="$fault" "$@" >printed 2>err </dev/null || code=$?
+    timeout -k 2 30 env PATH='' LD_PRELOAD="$SHIM" FAULTS="$fault" "$@" >printed 2>err </dev/null || code=$?
 }
 
 prepare() {
