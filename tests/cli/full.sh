@@ -49,6 +49,7 @@ expect 0 "$SPH2D" resume full -q --no-frames && same folder full
 # The same on a small disk, where that can be mounted.
 mkdir disk
 if mount -t tmpfs -o size=$(((2 * small + large) / 1024))k none disk 2>err; then
+    trap 'umount disk 2>/dev/null || true' EXIT
     expect 74 "$SPH2D" run "$TINY" -o disk/run --no-frames --progress never -s spacing=0.02
     says 'F206.*No space left' && says "'sph2d resume disk/run' continues"
     [ "$(find disk/run -name '.*.tmp.*' | wc -l)" = 0 ] || fail 'temporary files are left on a full disk'
