@@ -10,6 +10,7 @@
 #include "exit.h"
 #include "json.h"
 #include "message.h"
+#include "snapshot.h"
 #include "text.h"
 
 static const char *const group_names[] = {"fluid", "wall", "run"};
@@ -158,12 +159,13 @@ int command_info(const cli_options *options)
         message_usage("info", "a snapshot must be given");
         return CLI_EXIT_USAGE;
     }
+    snapshot_note(options);
     int code = CLI_EXIT_SUCCESS;
     for (size_t i = 0; i < options->operand_count; ++i) {
         const char *path = options->operands[i];
         sph2d_report report = {0};
         sph2d_snapshot *snapshot = NULL;
-        sph2d_status status = sph2d_snapshot_read(path, &snapshot, &report);
+        sph2d_status status = snapshot_read(options, path, &snapshot, &report);
         message_report(status, &report, NULL);
         /* Reads all files; the exit code is that of the first error. */
         if (code == CLI_EXIT_SUCCESS)

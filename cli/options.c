@@ -22,6 +22,7 @@ enum {
     OPTION_ISA,
     OPTION_MAX_WALL,
     OPTION_NO_FRAMES,
+    OPTION_NO_CHECKSUM,
     OPTION_GL,
     OPTION_SHADER_DIR,
     OPTION_SIZE,
@@ -63,6 +64,8 @@ static const option_row rows[] = {
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME, "stop after TIME (90s, 45m, 3h) with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
     {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "print the time of each phase of the steps"},
+    {OPTION_NO_CHECKSUM, "no-checksum", NULL, CLI_RESUME | CLI_RENDER | CLI_INFO,
+     "read snapshots that another program has changed"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, each in its own process; default 1"},
     {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "repeat rows of less than 10 s; the shortest time counts"},
     {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "name the cheapest row within this error: 1%, 0.01"},
@@ -262,6 +265,9 @@ static bool set_flag(cli_options *options, int id)
         return true;
     case OPTION_NO_FRAMES:
         options->no_frames = true;
+        return true;
+    case OPTION_NO_CHECKSUM:
+        options->no_checksum = true;
         return true;
     case OPTION_ALL:
         options->all = true;

@@ -30,7 +30,7 @@ typedef struct cli_options {
     bool percent;  /**< given in per cent */
     sph2d_isa isa;
     double max_wall; /**< [s] */
-    bool no_frames, dry_run, all, profile;
+    bool no_frames, no_checksum, dry_run, all, profile;
     sph2d_override *overrides; /**< owned; freed by options_free */
     size_t override_count;
 

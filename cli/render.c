@@ -11,6 +11,7 @@
 #include "message.h"
 #include "progress.h"
 #include "signals.h"
+#include "snapshot.h"
 #include "threads.h"
 
 /* The frame style of a snapshot, with the options of the command line. */
@@ -110,7 +111,7 @@ static bool read_next(worker *w, frame_job *out)
     if (s->code != CLI_EXIT_SUCCESS || s->next == s->options->operand_count)
         return false;
     ++s->next;
-    sph2d_status status = sph2d_snapshot_read(s->options->operands[out->index], &out->snapshot, &w->report);
+    sph2d_status status = snapshot_read(s->options, s->options->operands[out->index], &out->snapshot, &w->report);
     if (status == SPH2D_OK)
         warn_disorder(s, sph2d_snapshot_get_info(out->snapshot).time, out->index);
     else
@@ -232,6 +233,7 @@ int command_render(const cli_options *options)
     s.code = folder_claim(&s.folder, options->output, options->force, NULL);
     if (s.code != CLI_EXIT_SUCCESS)
         return s.code;
+    snapshot_note(options);
     int workers = threads_for_frames(options, options->operand_count - 1);
     s.progress = progress_begin(options, 0, (double)options->operand_count);
     draw_all(&s, workers);

@@ -13,6 +13,7 @@
 #include "message.h"
 #include "session.h"
 #include "signals.h"
+#include "snapshot.h"
 #include "summary.h"
 
 /* ---- the newest snapshot ----------------------------------------------------------------------------------------- */
@@ -59,7 +60,7 @@ static uint64_t *list_snapshots(const char *path, size_t *count, sph2d_status *s
 static sph2d_snapshot *try_snapshot(cli_session *s, const char *path, sph2d_status *status)
 {
     sph2d_snapshot *snapshot = NULL;
-    sph2d_status read = path ? sph2d_snapshot_read(path, &snapshot, &s->report) : SPH2D_NOMEM;
+    sph2d_status read = path ? snapshot_read(s->options, path, &snapshot, &s->report) : SPH2D_NOMEM;
     if (read == SPH2D_NOMEM)
         *status = read;
     if (read == SPH2D_OK || read == SPH2D_NOMEM)
@@ -170,6 +171,7 @@ int command_resume(const cli_options *options)
     int code = check_usage(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
+    snapshot_note(options);
     cli_session session;
     session_begin(&session, options);
     sph2d_snapshot *snapshot = NULL;

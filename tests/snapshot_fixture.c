@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file snapshot_fixture.c
  *  A small simulation with something of everything, and files. */
-#include "snapshot_fixture.h"
-
-#include <hdf5.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "snapshot_fixture.h"
 
 static const char scene_text[] = "name: small\n"
                                  "domain: {min: [0, 0], max: [1, 1]}\n"
@@ -82,6 +84,28 @@ void store_file(const char *path, const void *bytes, size_t size)
     ck_assert_ptr_nonnull(stream);
     ck_assert_uint_eq(fwrite(bytes, 1, size, stream), size);
     ck_assert_int_eq(fclose(stream), 0);
+}
+
+hid_t open_for_change(const char *path)
+{
+    hid_t file = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT);
+    ck_assert_int_ge(file, 0);
+    return file;
+}
+
+void close_and_seal(hid_t file, const char *path)
+{
+    ck_assert_int_ge(H5Fclose(file), 0);
+    size_t size;
+    unsigned char *bytes = load_file(path, &size), *sealed = calloc(1, size + 16);
+    memcpy(sealed, bytes, size);
+    memcpy(sealed + size, "SPH2Dxxh", 8);
+    uint64_t sum = XXH64(bytes, size, 0);
+    for (size_t i = 0; i < 8; ++i)
+        sealed[size + 8 + i] = (unsigned char)(sum >> 8 * i);
+    store_file(path, sealed, size + 16);
+    free(sealed);
+    free(bytes);
 }
 
 void expect_refusal(const char *path, sph2d_status status, sph2d_code code, const char *message)

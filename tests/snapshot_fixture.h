@@ -4,6 +4,8 @@
 #ifndef SPH2D_TESTS_SNAPSHOT_FIXTURE_H
 #define SPH2D_TESTS_SNAPSHOT_FIXTURE_H
 
+#include <hdf5.h>
+
 #include "common.h"
 #include "sph2d/io.h"
 
@@ -31,7 +33,12 @@ void expect_refusal(const char *path, sph2d_status status, sph2d_code code, cons
 void *load_file(const char *path, size_t *size);
 void store_file(const char *path, const void *bytes, size_t size);
 
-/** The tests of files that are refused. */
+/** Opens a snapshot for changes by HDF5. The other closes it and gives it a checksum, as anyone can. */
+hid_t open_for_change(const char *path);
+void close_and_seal(hid_t file, const char *path);
+
+/** The tests of files that are refused, and of those refused for how or where they keep their data. */
 TCase *snapshot_refusals(void);
+TCase *snapshot_storage(void);
 
 #endif

@@ -348,6 +348,7 @@ Suite *suite_snapshot(void)
     tcase_add_test(back, the_layout_is_what_other_programs_expect);
     suite_add_tcase(suite, back);
     suite_add_tcase(suite, snapshot_refusals());
+    suite_add_tcase(suite, snapshot_storage());
     TCase *unwritable = tcase_create("unwritable");
     tcase_add_checked_fixture(unwritable, snapshot_set_up, snapshot_tear_down);
     tcase_add_test(unwritable, places_that_take_no_file);

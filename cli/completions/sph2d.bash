@@ -29,10 +29,11 @@ _sph2d() {
     local drawing='--gl --shader-dir --threads'
     case ${COMP_WORDS[1]} in
     run) options+=" $drawing --output --force --set --dry-run --isa --max-wall --no-frames --profile --progress" ;;
-    resume) options+=" $drawing --set --max-wall --no-frames --profile --progress" ;;
-    render) options+=" $drawing --output --force --size --style --radius --color --range --progress" ;;
+    resume) options+=" $drawing --set --max-wall --no-frames --no-checksum --profile --progress" ;;
+    render) options+=" $drawing --output --force --no-checksum --size --style --radius --color --range --progress" ;;
     check) options+=" $drawing --set --isa --preview" ;;
     study) options+=' --output --force --set --threads --jobs --isa --repeat --target --all --progress' ;;
+    info) options+=' --no-checksum' ;;
     init) options+=' --force --template' ;;
     esac
     if [[ $word == -* ]]; then

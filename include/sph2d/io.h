@@ -112,9 +112,13 @@ typedef struct sph2d_snapshot_info {
     sph2d_frames frames;
 } sph2d_snapshot_info;
 
-/** Reads a snapshot. Errors: SPH2D_NOINPUT, SPH2D_FORMAT (not HDF5, incomplete, a field missing or misshapen, another
- *  version), SPH2D_NOMEM. The caller owns *snapshot (NULL after a failure). */
+/** Reads a snapshot. Errors: SPH2D_NOINPUT, SPH2D_FORMAT (not HDF5, its checksum missing or wrong, incomplete, a field
+ *  missing or misshapen, another version), SPH2D_NOMEM. The caller owns *snapshot (NULL after a failure). */
 SPH2D_API sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report);
+
+/** The same for a file that another program has changed: its checksum is not checked and may be missing. HDF5 is not
+ *  robust against files that are damaged in other ways, so the file must come from a source that is trusted. */
+SPH2D_API sph2d_status sph2d_snapshot_read_unchecked(const char *path, sph2d_snapshot **snapshot, sph2d_report *report);
 
 /** Frees a snapshot; NULL is fine. */
 SPH2D_API void sph2d_snapshot_destroy(sph2d_snapshot *snapshot);

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
-#include "files/h5_read.h"
+#include "files/h5_limits.h"
 #include "files/text.h"
 #include "files/trailer.h"
 
@@ -45,8 +45,24 @@ static void fail(sph2d__h5_reader *r, const char *what, int error)
     r->status = SPH2D_NOINPUT;
 }
 
+static void check_trailer(sph2d__h5_reader *r, int fd)
+{
+    sph2d__trailer trailer = sph2d__trailer_check(fd);
+    if (trailer == SPH2D__TRAILER_UNREADABLE)
+        fail(r, "read", errno);
+    else if (trailer == SPH2D__TRAILER_INVALID)
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged: its checksum does not match");
+    else if (trailer == SPH2D__TRAILER_NONE)
+        sph2d_diagnostic_hint(
+            sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE,
+                             "the checksum at the end of the file is missing: it is cut short, or another program has "
+                             "changed it, or it is no snapshot of sph2d"),
+            "if it was changed on purpose, give it a new checksum, or read it with --no-checksum "
+            "(sph2d_snapshot_read_unchecked)");
+}
+
 /** Checks an open file before HDF5 reads it: type, size, HDF5 signature, checksum trailer. */
-static void check_file(sph2d__h5_reader *r, int fd)
+static void check_file(sph2d__h5_reader *r, int fd, bool checked)
 {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     struct stat info;
@@ -64,22 +80,16 @@ static void check_file(sph2d__h5_reader *r, int fd)
     }
     unsigned char start[sizeof signature];
     ssize_t got = pread(fd, start, sizeof start, 0);
-    if (got == (ssize_t)sizeof start && memcmp(start, signature, sizeof start) == 0) {
-        sph2d__trailer seal = sph2d__trailer_check(fd);
-        if (seal == SPH2D__TRAILER_UNREADABLE)
-            fail(r, "read", errno);
-        else if (seal == SPH2D__TRAILER_INVALID)
-            sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged: its checksum does not match");
-        else
-            r->file_bytes = (uint64_t)info.st_size;
-    } else if (got < 0) {
+    if (got < 0)
         fail(r, "read", errno);
-    } else {
+    else if (got != (ssize_t)sizeof start || memcmp(start, signature, sizeof start) != 0)
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_KIND, "this is not an HDF5 file%s", got == 0 ? ": it is empty" : "");
-    }
+    else if (checked)
+        check_trailer(r, fd);
+    r->file_bytes = (uint64_t)info.st_size;
 }
 
-void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report)
+void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, bool checked, sph2d__pool *pool, sph2d_report *report)
 {
     *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
     errno = 0; /* HDF5 has no status for a lack of memory, but leaves malloc's errno */
@@ -88,7 +98,7 @@ void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *p
         fail(r, "open", errno);
         return;
     }
-    check_file(r, fd);
+    check_file(r, fd, checked);
     close(fd);
     if (r->status != SPH2D_OK)
         return;
@@ -103,6 +113,8 @@ void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *p
         char cause[160];
         sph2d__h5_cause(cause, sizeof cause);
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged or cut short: %s", cause);
+    } else {
+        sph2d__h5_check_links(r);
     }
     if (access >= 0)
         H5Pclose(access);

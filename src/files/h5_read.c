@@ -6,10 +6,7 @@
 #include <errno.h>
 #include <string.h>
 
-/** Maximum compression ratio: deflate reaches about a thousand, so more is damage. */
-enum { MAX_RATIO = 1100 };
-/** Maximum bytes in a chunk; this program writes 512 KiB. HDF5 allocates a chunk before it reads it. */
-enum { MAX_CHUNK_BYTES = 64 << 20 };
+#include "files/h5_limits.h"
 
 static sph2d_diagnostic *refuse_item(sph2d__h5_reader *r, const char *name, const char *what)
 {
@@ -60,41 +57,28 @@ static hid_t open_dataset(const sph2d__h5_reader *r, const char *group, const ch
     return id;
 }
 
-/** Whether a chunked dataset of `bytes` is plausible for the bytes stored, and its chunks are not too large. */
-static bool chunks_fit(const sph2d__h5_item *item, hid_t properties, uint64_t bytes, uint64_t stored)
+/** Gets type and shape of an item; false, with a report, if they are damaged. */
+static bool get_shape(sph2d__h5_reader *r, sph2d__h5_item *item, const char *name)
 {
-    hsize_t chunk[2] = {1, 1};
-    if (H5Pget_chunk(properties, 2, chunk) != item->rank)
+    item->type = item->is_attribute ? H5Aget_type(item->id) : H5Dget_type(item->id);
+    item->space = item->is_attribute ? H5Aget_space(item->id) : H5Dget_space(item->id);
+    if (item->type < 0 || item->space < 0)
+        return read_failed(r, name);
+    item->rank = H5Sget_simple_extent_ndims(item->space);
+    hsize_t sizes[2] = {1, 1};
+    if (item->rank < 0 || item->rank > 2 || H5Sget_simple_extent_type(item->space) == H5S_NULL ||
+        H5Sget_simple_extent_dims(item->space, sizes, NULL) < 0) {
+        refuse_item(r, name, "has the wrong shape");
         return false;
-    if (chunk[0] == 0 || chunk[1] == 0 || chunk[0] > MAX_CHUNK_BYTES || chunk[1] > MAX_CHUNK_BYTES)
+    }
+    if (!sph2d__h5_usual_type(item->type)) {
+        refuse_item(r, name, "has the wrong type");
         return false;
-    return chunk[0] * chunk[1] <= MAX_CHUNK_BYTES / item->bytes && bytes / MAX_RATIO <= stored;
-}
-
-/** Whether an item's values can fit in the file. */
-static bool fits(const sph2d__h5_reader *r, const sph2d__h5_item *item)
-{
-    uint64_t rows = item->sizes[0], columns = item->sizes[1];
-    if (item->bytes == 0 || (columns > 0 && rows > UINT64_MAX / columns / item->bytes))
-        return false;
-    uint64_t bytes = rows * columns * item->bytes;
-    if (bytes == 0)
-        return true;
-    if (item->is_attribute)
-        return bytes <= r->file_bytes;
-    hid_t properties = H5Dget_create_plist(item->id);
-    if (properties < 0)
-        return false;
-    uint64_t stored = H5Dget_storage_size(item->id);
-    H5D_layout_t layout = H5Pget_layout(properties);
-    bool ok = stored > 0 && stored <= r->file_bytes;
-    if (layout == H5D_CHUNKED)
-        ok = ok && chunks_fit(item, properties, bytes, stored);
-    else
-        ok = ok && (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) && bytes <= stored &&
-             H5Pget_external_count(properties) == 0;
-    H5Pclose(properties);
-    return ok;
+    }
+    item->bytes = H5Tget_size(item->type);
+    item->sizes[0] = sizes[0];
+    item->sizes[1] = sizes[1];
+    return sph2d__h5_check_size(r, item, name);
 }
 
 bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *name, sph2d__h5_item *item)
@@ -108,25 +92,12 @@ bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *nam
     }
     item->id = item->is_attribute ? H5Aopen_by_name(r->file, group, name, H5P_DEFAULT, H5P_DEFAULT)
                                   : open_dataset(r, group, name);
-    if (item->id >= 0) {
-        item->type = item->is_attribute ? H5Aget_type(item->id) : H5Dget_type(item->id);
-        item->space = item->is_attribute ? H5Aget_space(item->id) : H5Dget_space(item->id);
-    }
-    item->rank = item->space >= 0 ? H5Sget_simple_extent_ndims(item->space) : -1;
-    hsize_t sizes[2] = {1, 1};
-    bool ok = item->type >= 0 && item->rank >= 0 && item->rank <= 2 &&
-              H5Sget_simple_extent_dims(item->space, sizes, NULL) >= 0;
-    item->bytes = ok ? H5Tget_size(item->type) : 0;
-    item->sizes[0] = sizes[0];
-    item->sizes[1] = sizes[1];
-    if (ok && H5Sget_simple_extent_type(item->space) != H5S_NULL && fits(r, item))
-        return true;
-    if (item->id < 0)
-        read_failed(r, name);
-    else
-        refuse_item(r, name, item->rank > 2 ? "has the wrong shape" : "is damaged: it is larger than the file");
-    sph2d__h5_item_close(item);
-    return false;
+    bool ok = item->id >= 0
+                  ? (item->is_attribute || sph2d__h5_check_storage(r, item->id, name)) && get_shape(r, item, name)
+                  : read_failed(r, name);
+    if (!ok)
+        sph2d__h5_item_close(item);
+    return ok;
 }
 
 void sph2d__h5_item_close(sph2d__h5_item *item)

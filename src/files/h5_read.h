@@ -17,11 +17,14 @@ typedef struct sph2d__h5_reader {
     sph2d__pool *pool; /**< owns all that is read */
     hid_t file;
     uint64_t file_bytes;
-    sph2d_status status; /**< SPH2D_OK until the first error; reading goes on, to report all errors */
+    uint64_t taken_bytes; /**< of the file, by datasets */
+    sph2d_status status;  /**< SPH2D_OK until the first error; reading goes on, to report all errors */
 } sph2d__h5_reader;
 
-/** Opens a file. The result is in r->status. End it with sph2d__h5_reader_close in any case. */
-void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, sph2d__pool *pool, sph2d_report *report);
+/** Opens a file; `checked`: only if its checksum matches. The result is in r->status. End it with
+ *  sph2d__h5_reader_close in any case. */
+void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, bool checked, sph2d__pool *pool,
+                           sph2d_report *report);
 void sph2d__h5_reader_close(sph2d__h5_reader *r);
 
 /** Reports an error in the file's content, or, if that is why it seems wrong, that memory was short. Returns the

@@ -85,7 +85,7 @@ static void read_scene(sph2d__h5_reader *r, sph2d_snapshot *s)
     s->override_count = paths;
 }
 
-sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report)
+static sph2d_status read_snapshot(const char *path, bool checked, sph2d_snapshot **snapshot, sph2d_report *report)
 {
     if (!snapshot)
         return sph2d__null(report, __func__, "snapshot");
@@ -101,7 +101,7 @@ sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sp
         free(s);
         return SPH2D_NOMEM;
     }
-    sph2d__h5_reader_open(&r, path, &s->pool, report);
+    sph2d__h5_reader_open(&r, path, checked, &s->pool, report);
     if (r.status == SPH2D_OK && is_readable(&r, s)) {
         read_metadata(&r, s);
         read_scene(&r, s);
@@ -121,4 +121,14 @@ sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sp
     s->scene_source = source;
     *snapshot = s;
     return SPH2D_OK;
+}
+
+sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report)
+{
+    return read_snapshot(path, true, snapshot, report);
+}
+
+sph2d_status sph2d_snapshot_read_unchecked(const char *path, sph2d_snapshot **snapshot, sph2d_report *report)
+{
+    return read_snapshot(path, false, snapshot, report);
 }

@@ -4,7 +4,7 @@
  *  before the letters, so that other programs can verify it, too.
  *
  *  HDF5 ignores bytes after its data, truncates them when it changes a file, and is not robust against damaged files.
- *  The trailer detects damage before HDF5 reads the file; a file changed on purpose has no trailer and is accepted. */
+ *  The trailer detects damage before HDF5 reads the file; a file without one was cut short or changed. */
 #ifndef SPH2D_FILES_TRAILER_H
 #define SPH2D_FILES_TRAILER_H
 

@@ -35,3 +35,18 @@ for size in 100 800 3000 8000; do
 done
 # One bad file does not hide the others.
 expect 65 "$SPH2D" info cut.h5 folder/snapshot_000001.h5 && prints '^scene *tiny'
+
+# A file without its checksum is read when that is asked for, and the command says so.
+head -c -16 folder/snapshot_000001.h5 >bare.h5
+expect 65 "$SPH2D" info bare.h5 && says F203 && says '--no-checksum' && empty
+expect 0 "$SPH2D" info bare.h5 --no-checksum && prints '^scene *tiny' && says 'checksums .* not checked'
+expect 0 "$SPH2D" info bare.h5 --no-checksum --quiet && silent
+cp -r folder altered && rm altered/*.h5
+head -c -16 folder/snapshot_000009.h5 >altered/snapshot_000009.h5
+expect 66 "$SPH2D" resume altered && says 'checksum .* is missing' && says 'no complete snapshot'
+expect 0 "$SPH2D" resume altered --no-checksum --no-frames && says 'checksums .* not checked'
+same altered/snapshot_000010.h5 folder/snapshot_000010.h5
+if can_draw; then
+    expect 65 "$SPH2D" render bare.h5 -o drawn && absent drawn
+    expect 0 "$SPH2D" render bare.h5 -o drawn --no-checksum && present drawn/frame_000000.png
+fi

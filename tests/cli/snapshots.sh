@@ -88,7 +88,7 @@ for name in sorted(tables - found):
     print(f"in no snapshot: {name}")
 sys.exit(bool(found - named or tables - found))
 END
-sed -n '/^```python$/,/^```$/{//!p}' "$page" >program.py
+sed -n '/^```python$/,/^```$/{//!p; /^```$/q}' "$page" >program.py # the first
 expect 0 "$python" "$SPH2D_ROOT/examples/read_snapshot.py" fitted/snapshot_000001.h5 && prints '^Coordinates '
 rm out && mv fitted out && "$python" program.py >printed
 grep -q 's, 400 particles, front at 0\.' printed || fail 'the program of the page prints something else'
