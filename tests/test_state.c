@@ -375,6 +375,22 @@ START_TEST(places_must_be_near_and_in_order)
 }
 END_TEST
 
+/* They are indices when the walls are sorted. */
+START_TEST(numbers_of_walls_must_be_theirs)
+{
+    test_state state = sound_state();
+    uint64_t *ids = test_state_counts(&state, SPH2D_GROUP_WALL, "ParticleIDs"), good = ids[1];
+    const uint64_t bad[] = {ids[0], good + 1, 1 << 20, UINT64_MAX};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        ids[1] = bad[i];
+        ck_assert_msg(refused(&state), "%llu", (unsigned long long)bad[i]);
+    }
+    ids[1] = good;
+    ck_assert(!refused(&state));
+    test_state_free(&state);
+}
+END_TEST
+
 START_TEST(a_state_of_another_scene_is_refused)
 {
     test_state state = sound_state();
@@ -421,6 +437,7 @@ Suite *suite_state(void)
     tcase_add_loop_test(tests, numbers_of_the_run_must_be_in_range, 0, RANGES);
     tcase_add_test(tests, densities_must_be_positive);
     tcase_add_test(tests, places_must_be_near_and_in_order);
+    tcase_add_test(tests, numbers_of_walls_must_be_theirs);
     tcase_add_test(tests, a_state_of_another_scene_is_refused);
     tcase_add_test(tests, a_wrong_scene_is_told_apart);
     suite_add_tcase(suite, tests);

@@ -126,20 +126,25 @@ static void copy_values(loader *l, const sph2d_array *from, void *to, unsigned c
     }
 }
 
+/** Walls follow from the scene and the time. Their numbers are indices when they are sorted (sim/forcing.c). */
 static bool walls_match(loader *l, const sph2d_sim *sim)
 {
     const sph2d__store *walls = &sim->system.walls;
-    const sph2d_array wanted = {.group = SPH2D_GROUP_WALL, .name = "Coordinates", .type = SPH2D_F64, .components = 2};
-    const sph2d_array *a = find_array(l, &wanted, walls->count);
-    if (!a)
+    const sph2d_array wanted[] = {
+        {.group = SPH2D_GROUP_WALL, .name = "Coordinates", .type = SPH2D_F64, .components = 2},
+        {.group = SPH2D_GROUP_WALL, .name = "ParticleIDs", .type = SPH2D_U64, .components = 1}};
+    const sph2d_array *places = find_array(l, &wanted[0], walls->count);
+    const sph2d_array *ids = find_array(l, &wanted[1], walls->count);
+    if (!places || !ids)
         return false;
-    const double *x = a->data[0], *y = a->data[1];
-    for (size_t i = 0; i < walls->count; ++i)
-        if (x[i * a->stride] != walls->x[i] || y[i * a->stride] != walls->y[i]) {
+    const double *x = places->data[0], *y = places->data[1];
+    const uint64_t *id = ids->data[0];
+    for (size_t i = 0; l->ok && i < walls->count; ++i)
+        if (x[i * places->stride] != walls->x[i] || y[i * places->stride] != walls->y[i])
             refuse(l, "Coordinates", "of the walls are not those of the scene");
-            return false;
-        }
-    return true;
+        else if (id[i * ids->stride] != walls->id[i])
+            refuse(l, "ParticleIDs", "of the walls are not those of the scene");
+    return l->ok;
 }
 
 static size_t fluid_count(const sph2d_state *state)
