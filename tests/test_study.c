@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "common.h"
@@ -301,6 +303,21 @@ START_TEST(each_fault_of_a_reference_has_its_place)
 }
 END_TEST
 
+/* The time to find a column must not grow faster than the line: this took half a minute. */
+START_TEST(lines_of_many_cells_are_read)
+{
+    enum { CELLS = 60000 };
+    static char text[2 * CELLS + 20];
+    memset(text, ',', sizeof text - 1);
+    memcpy(text + CELLS, "t,a\n", 4);
+    memcpy(text + 2 * CELLS + 4, "1,2\n", 4);
+    clock_t start = clock();
+    ck_assert_int_eq(read_points(text, 2 * CELLS + 8, false), SPH2D_OK);
+    ck_assert(points.count == 1 && points.x[0] == 1 && points.y[0] == 2);
+    ck_assert_int_lt(clock() - start, CLOCKS_PER_SEC);
+}
+END_TEST
+
 START_TEST(what_is_no_table_is_refused)
 {
     static char garbage[100000] = {0};
@@ -309,6 +326,11 @@ START_TEST(what_is_no_table_is_refused)
     memset(garbage, ',', sizeof garbage);
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);
+    ck_assert_int_eq(mkfifo("pipe.csv", 0644), 0); /* and nobody writes it */
+    alarm(20);
+    ck_assert_int_eq(make_points("pipe.csv", false, &report), SPH2D_FORMAT);
+    ck_assert_msg(strstr(report.items[2].message, "it is empty") != NULL, "%s", test_report_text(&report));
+    alarm(0);
     ck_assert_int_eq(make_points("missing.csv", false, &report), SPH2D_NOINPUT);
     ck_assert_int_eq(make_points(".", false, &report), SPH2D_NOINPUT);
     ck_assert_int_eq(make_points(".", false, NULL), SPH2D_NOINPUT);
@@ -329,6 +351,7 @@ Suite *suite_study(void)
     tcase_add_checked_fixture(references, set_up_folder, tear_down_folder);
     tcase_add_test(references, references_are_tables_with_comments_units_and_gaps);
     tcase_add_loop_test(references, each_fault_of_a_reference_has_its_place, 0, sizeof unsound / sizeof unsound[0]);
+    tcase_add_test(references, lines_of_many_cells_are_read);
     tcase_add_test(references, what_is_no_table_is_refused);
     suite_add_tcase(suite, references);
     return suite;

@@ -322,6 +322,24 @@ START_TEST(more_rows_are_refused_however_many_they_are)
 }
 END_TEST
 
+START_TEST(more_measures_than_columns_are_refused)
+{
+    enum { SIZE = 40000 };
+    static char text[SIZE];
+    for (int over = 0; over < 2; ++over) {
+        size_t used = (size_t)snprintf(text, SIZE, "scene: s.yaml\nmeasures:\n");
+        for (int i = 0; i < SPH2D_STUDY_MOST_MEASURES + over; ++i)
+            used += (size_t)snprintf(text + used, SIZE - used, "- {name: %d, summary: iterations}\n", i);
+        ck_assert_uint_lt(used + 1, SIZE);
+        sph2d_report_clear(&report);
+        sph2d_status status = sph2d_study_file_parse(text, used, "s.yaml", &file, &report);
+        ck_assert_msg(status == (over ? SPH2D_SCENE : SPH2D_OK), "%s", test_report_text(&report));
+    }
+    ck_assert_int_eq(report.items[0].code, SPH2D_CODE_TOO_MANY);
+    ck_assert_ptr_nonnull(strstr(report.items[0].message, "more than 1000 measures"));
+}
+END_TEST
+
 /* ---- what is taken ----------------------------------------------------------------------------------------------- */
 
 START_TEST(the_finest_run_may_be_what_is_expected)
@@ -373,6 +391,7 @@ Suite *suite_study_rows(void)
     tcase_add_test(rows, places_of_overrides_are_found_in_the_file);
     tcase_add_test(rows, each_override_of_a_row_is_found_where_it_was_read);
     tcase_add_test(rows, ten_thousand_rows_are_not_too_many);
+    tcase_add_test(rows, more_measures_than_columns_are_refused);
     tcase_add_test(rows, more_rows_are_refused_however_many_they_are);
     tcase_add_test(rows, the_finest_run_may_be_what_is_expected);
     tcase_add_test(rows, judge_target_and_repeat_arrive);

@@ -247,13 +247,25 @@ static void check_along(checker *c, const sph2d_study *study)
                               "give a key that 'vary' or 'set' has, or leave it out for spacing");
 }
 
+/** Names are compared with each other, and every measure is a column. */
+static bool check_counts(checker *c, const sph2d_study *study)
+{
+    if (study->measure_count > SPH2D_STUDY_MOST_MEASURES)
+        fault(c, SPH2D_CODE_TOO_MANY, "measures", "there are more than %d measures", SPH2D_STUDY_MOST_MEASURES);
+    if (study->refinement_count > SPH2D_STUDY_MOST_MEASURES)
+        fault(c, SPH2D_CODE_TOO_MANY, "refine", "there are more than %d refinements", SPH2D_STUDY_MOST_MEASURES);
+    return study->measure_count <= SPH2D_STUDY_MOST_MEASURES && study->refinement_count <= SPH2D_STUDY_MOST_MEASURES;
+}
+
 void sph2d__study_check(const sph2d_study *study, const sph2d__document *document, sph2d__faults *faults)
 {
     const sph2d__node *root = document->root;
+    checker c = {root, faults, ""};
+    if (!check_counts(&c, study))
+        return;
     sph2d_report ranges = {0};
     sph2d_keys_check(sph2d_study_keys(), study, &ranges);
     sph2d__document_pass(document, &ranges, faults, NULL);
-    checker c = {root, faults, ""};
     check_vary(&c, study);
     check_target(&c, study);
     check_judge(&c, study);

@@ -2,10 +2,12 @@
 /** @file table.c
  *  Reads columns of numbers from any CSV file. */
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/c_locale.h"
 #include "base/null.h"
@@ -106,6 +108,17 @@ static bool next_line(reader *r, sph2d_status *status)
     return false;
 }
 
+/** The cell at `*at`, which becomes the start of the next one, NULL after the last. */
+static cell take_cell(const char **at)
+{
+    const char *text = *at + strspn(*at, " \t");
+    size_t length = strcspn(text, ",");
+    *at = text[length] == ',' ? text + length + 1 : NULL;
+    while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+        --length;
+    return (cell){text, length};
+}
+
 /** Cell `index` of the line; its text is NULL if there is none. */
 static cell find_cell(const reader *r, size_t index)
 {
@@ -114,13 +127,7 @@ static cell find_cell(const reader *r, size_t index)
         text = strchr(text, ',');
         text = text ? text + 1 : NULL;
     }
-    if (!text)
-        return (cell){NULL, 0};
-    text += strspn(text, " \t");
-    size_t length = strcspn(text, ",");
-    while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
-        --length;
-    return (cell){text, length};
+    return text ? take_cell(&text) : (cell){NULL, 0};
 }
 
 /** Whether a heading is `name`, with or without its unit: "a" for "a [m]". */
@@ -149,9 +156,9 @@ static bool has_unit(const reader *r, cell heading, const sph2d_table_column *co
 static bool find_column(reader *r, size_t column)
 {
     char list[160] = "";
-    const char *name = r->columns[column].name;
-    cell heading;
-    for (size_t index = 0; (heading = find_cell(r, index)).text; ++index) {
+    const char *name = r->columns[column].name, *at = r->line;
+    for (size_t index = 0; at; ++index) {
+        cell heading = take_cell(&at);
         if (is_named(heading, name)) {
             r->places[column] = index;
             r->table->known[column] = true;
@@ -246,9 +253,21 @@ static sph2d_status read_rows(reader *r)
 
 /* ---- the interface ----------------------------------------------------------------------------------------------- */
 
+/** A pipe that nobody writes is empty, instead of waiting for ever: a scene or a study may name any file. */
+static FILE *open_file(const char *path)
+{
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0)
+        return NULL;
+    FILE *in = fcntl(fd, F_SETFL, 0) == 0 ? fdopen(fd, "r") : NULL;
+    if (!in)
+        close(fd);
+    return in;
+}
+
 static sph2d_status read_file(reader *r)
 {
-    r->in = fopen(r->table->path, "re");
+    r->in = open_file(r->table->path);
     if (!r->in)
         return fault_of_file(r, "open");
     sph2d__c_locale locale;
