@@ -29,10 +29,11 @@ static void external_link(hid_t f)
     ck_assert_int_ge(H5Lcreate_external("pipe", "/PartType1", f, "/PartType1", H5P_DEFAULT, H5P_DEFAULT), 0);
 }
 
-/** Where the reader would not look. */
-static void external_link_aside(hid_t f)
+static void external_dataset(hid_t f)
 {
-    ck_assert_int_ge(H5Lcreate_external("pipe", "/a", f, "/VTKHDF/FieldData/Other", H5P_DEFAULT, H5P_DEFAULT), 0);
+    ck_assert_int_eq(mkfifo("pipe", 0644), 0);
+    H5Ldelete(f, "/Scene/Text", H5P_DEFAULT);
+    ck_assert_int_ge(H5Lcreate_external("pipe", "/Scene/Text", f, "/Scene/Text", H5P_DEFAULT, H5P_DEFAULT), 0);
 }
 
 static hid_t lead_nowhere(const char *name, hid_t group, const void *data, size_t size, hid_t access, hid_t transfer)
@@ -50,18 +51,9 @@ static void link_of_its_own(hid_t f)
 {
     const H5L_class_t kind = {.version = H5L_LINK_CLASS_T_VERS, .id = (H5L_type_t)200, .trav_func = lead_nowhere};
     ck_assert_int_ge(H5Lregister(&kind), 0);
-    ck_assert_int_ge(H5Lcreate_ud(f, "/Other", (H5L_type_t)200, "data", 4, H5P_DEFAULT, H5P_DEFAULT), 0);
+    H5Ldelete(f, DENSITIES, H5P_DEFAULT);
+    ck_assert_int_ge(H5Lcreate_ud(f, DENSITIES, (H5L_type_t)200, "data", 4, H5P_DEFAULT, H5P_DEFAULT), 0);
     ck_assert_int_ge(H5Lunregister((H5L_type_t)200), 0);
-}
-
-static void deep_groups(hid_t f)
-{
-    hid_t properties = H5Pcreate(H5P_LINK_CREATE);
-    H5Pset_create_intermediate_group(properties, 1);
-    hid_t g = H5Gcreate2(f, "/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a", properties, H5P_DEFAULT, H5P_DEFAULT);
-    ck_assert_int_ge(g, 0);
-    H5Gclose(g);
-    H5Pclose(properties);
 }
 
 /** A group that has itself as a member has an end all the same. */
@@ -69,15 +61,6 @@ static void group_in_itself(hid_t f)
 {
     ck_assert_int_ge(H5Lcreate_hard(f, "/PartType0", f, "/PartType0/Again", H5P_DEFAULT, H5P_DEFAULT), 0);
     H5Ldelete(f, DENSITIES, H5P_DEFAULT);
-}
-
-static void many_links(hid_t f)
-{
-    char name[32];
-    for (int i = 0; i <= 10000; ++i) {
-        snprintf(name, sizeof name, "/PartType1/%d", i);
-        ck_assert_int_ge(H5Lcreate_hard(f, DENSITIES, f, name, H5P_DEFAULT, H5P_DEFAULT), 0);
-    }
 }
 
 /* ---- datasets ---------------------------------------------------------------------------------------------------- */
@@ -232,13 +215,11 @@ static const struct {
     const char *message, *hint;
     void (*change)(hid_t f);
 } changes[] = {
-    {"'/PartType0/Densities' is a soft link", "hard links only", soft_link},
+    {"'Densities' is a soft link", "hard links only", soft_link},
     {"'/PartType1' is an external link", "hard links only", external_link},
-    {"'/VTKHDF/FieldData/Other' is an external link", "hard links only", external_link_aside},
-    {"'/Other' is a link of a kind of its own", "hard links only", link_of_its_own},
-    {"groups inside each other at more than 16 levels", "", deep_groups},
+    {"'Text' is an external link", "hard links only", external_dataset},
+    {"'Densities' is a link of a kind of its own", "hard links only", link_of_its_own},
     {"'/PartType0/Densities' is missing", "", group_in_itself},
-    {"more than 10000 links", "", many_links},
     {"'Densities' has its values in other files", "put the values themselves", external_storage},
     {"'Densities' is a virtual dataset", "put the values themselves", virtual_dataset},
     {"'Densities' has filters that are not accepted", "with deflate", checksum_filter},
@@ -268,6 +249,20 @@ START_TEST(data_from_elsewhere_are_refused)
 }
 END_TEST
 
+/** A link that the reader has no use for leads nowhere. */
+START_TEST(other_links_are_not_followed)
+{
+    write_snapshot("a.h5", 0);
+    hid_t f = open_for_change("a.h5");
+    ck_assert_int_eq(mkfifo("pipe", 0644), 0);
+    ck_assert_int_ge(H5Lcreate_external("pipe", "/a", f, "/VTKHDF/Other", H5P_DEFAULT, H5P_DEFAULT), 0);
+    close_and_seal(f, "a.h5");
+    alarm(20);
+    sph2d_snapshot_destroy(read_snapshot("a.h5"));
+    alarm(0);
+}
+END_TEST
+
 /** What h5py, h5repack or this program may store: chunks without a filter, with deflate, and with shuffle before it. */
 START_TEST(usual_storage_is_read)
 {
@@ -289,6 +284,7 @@ TCase *snapshot_storage(void)
     TCase *storage = tcase_create("storage");
     tcase_add_checked_fixture(storage, snapshot_set_up, snapshot_tear_down);
     tcase_add_loop_test(storage, data_from_elsewhere_are_refused, 0, sizeof changes / sizeof changes[0]);
+    tcase_add_test(storage, other_links_are_not_followed);
     tcase_add_loop_test(storage, usual_storage_is_read, 0, 3);
     return storage;
 }

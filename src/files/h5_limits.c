@@ -3,8 +3,6 @@
  *  The limits of what is read, for files whose makers are unknown: a checksum can be renewed by anyone. */
 #include "files/h5_limits.h"
 
-#include <string.h>
-
 /** Maximum compression ratio of deflate: 258 bytes by two bits. */
 enum { MAX_RATIO = 1032 };
 /** Maximum bytes in a chunk; this program writes 512 KiB. HDF5 allocates a chunk before it reads it, and for deflate as
@@ -12,54 +10,21 @@ enum { MAX_RATIO = 1032 };
 enum { MAX_CHUNK_BYTES = 1 << 20 };
 /** A stored chunk is no larger than its values, but some compressors add a little to what cannot be compressed. */
 enum { CHUNK_MARGIN = 1024 };
-/** Maximum number of links, of which a snapshot has about 150, and of groups inside each other; there are 3. */
-enum { MAX_LINKS = 10000, MAX_DEPTH = 16 };
-
 /* ---- links ------------------------------------------------------------------------------------------------------- */
 
-typedef struct link_walk {
-    sph2d__h5_reader *r;
-    size_t count;
-} link_walk;
-
-static void refuse_link(sph2d__h5_reader *r, const char *name, const char *kind)
+bool sph2d__h5_check_link(sph2d__h5_reader *r, hid_t at, const char *name)
 {
+    H5L_info_t link;
+    if (H5Lexists(at, name, H5P_DEFAULT) <= 0 || H5Lget_info(at, name, &link, H5P_DEFAULT) < 0 ||
+        link.type == H5L_TYPE_HARD)
+        return true;
+    const char *kind = link.type == H5L_TYPE_SOFT       ? "a soft link"
+                       : link.type == H5L_TYPE_EXTERNAL ? "an external link"
+                                                        : "a link of a kind of its own";
     sph2d_diagnostic_hint(
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'/%.100s' is %s, which may lead out of the file", name, kind),
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' is %s, which may lead out of the file", name, kind),
         "a snapshot has hard links only: put the group or dataset itself in its place");
-}
-
-static herr_t check_link(hid_t group, const char *name, const H5L_info_t *link, void *data)
-{
-    (void)group;
-    link_walk *walk = data;
-    unsigned depth = 0;
-    for (const char *c = name; *c != '\0'; ++c)
-        depth += *c == '/';
-    if (link->type != H5L_TYPE_HARD)
-        refuse_link(walk->r, name,
-                    link->type == H5L_TYPE_SOFT       ? "a soft link"
-                    : link->type == H5L_TYPE_EXTERNAL ? "an external link"
-                                                      : "a link of a kind of its own");
-    else if (depth >= MAX_DEPTH)
-        sph2d__h5_refuse(walk->r, SPH2D_CODE_FILE_FIELD,
-                         "the file is damaged: it has groups inside each other at more "
-                         "than %d levels",
-                         MAX_DEPTH);
-    else if (++walk->count > MAX_LINKS)
-        sph2d__h5_refuse(walk->r, SPH2D_CODE_FILE_FIELD, "the file is damaged: it has more than %d links", MAX_LINKS);
-    return walk->r->status == SPH2D_OK ? 0 : 1;
-}
-
-bool sph2d__h5_check_links(sph2d__h5_reader *r)
-{
-    link_walk walk = {.r = r};
-    if (H5Lvisit(r->file, H5_INDEX_NAME, H5_ITER_NATIVE, check_link, &walk) < 0 && r->status == SPH2D_OK) {
-        char cause[120];
-        sph2d__h5_cause(cause, sizeof cause);
-        sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged: its groups cannot be read: %s", cause);
-    }
-    return r->status == SPH2D_OK;
+    return false;
 }
 
 /* ---- storage ----------------------------------------------------------------------------------------------------- */

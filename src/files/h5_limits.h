@@ -7,8 +7,9 @@
 
 #include "files/h5_read.h"
 
-/** Checks all links of the file: hard links only, and not too many or too deep. False with a report. */
-bool sph2d__h5_check_links(sph2d__h5_reader *r);
+/** Checks that a link is a hard one, or is not there; to be called before it is followed. False with a report. The links
+ *  of a file are not listed: HDF5 1.10 frees what it never allocated if a group says that it has more than it has. */
+bool sph2d__h5_check_link(sph2d__h5_reader *r, hid_t at, const char *name);
 
 /** Checks where and how a dataset is stored; to be called before its type and space are asked for, since a virtual
  *  dataset opens other files then. False with a report. */

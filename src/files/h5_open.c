@@ -10,7 +10,8 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
-#include "files/h5_limits.h"
+#include "files/h5_read.h"
+#include "files/h5_source.h"
 #include "files/text.h"
 #include "files/trailer.h"
 
@@ -91,30 +92,25 @@ static void check_file(sph2d__h5_reader *r, int fd, bool checked)
 
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, bool checked, sph2d__pool *pool, sph2d_report *report)
 {
-    *r = (sph2d__h5_reader){.path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID};
+    *r = (sph2d__h5_reader){
+        .path = path, .report = report, .pool = pool, .file = H5I_INVALID_HID, .driver = H5I_INVALID_HID};
     errno = 0; /* HDF5 has no status for a lack of memory, but leaves malloc's errno */
-    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* do not block on a pipe without a writer */
-    if (fd < 0) {
+    r->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* do not block on a pipe without a writer */
+    if (r->fd < 0) {
         fail(r, "open", errno);
         return;
     }
-    check_file(r, fd, checked);
-    close(fd);
+    check_file(r, r->fd, checked);
     if (r->status != SPH2D_OK)
         return;
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    bool ok = access >= 0 && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
-#if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 12, 0))
-    /* snapshots never change once they are renamed, and some file systems do not support locks */
-    ok = ok && H5Pset_file_locking(access, false, true) >= 0;
-#endif
+    bool ok = access >= 0 && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0 &&
+              (r->driver = sph2d__h5_source_driver(access, r->fd, r->file_bytes)) >= 0;
     r->file = ok ? H5Fopen(path, H5F_ACC_RDONLY, access) : H5I_INVALID_HID;
     if (r->file < 0) {
         char cause[160];
         sph2d__h5_cause(cause, sizeof cause);
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_INCOMPLETE, "the file is damaged or cut short: %s", cause);
-    } else {
-        sph2d__h5_check_links(r);
     }
     if (access >= 0)
         H5Pclose(access);
@@ -124,5 +120,10 @@ void sph2d__h5_reader_close(sph2d__h5_reader *r)
 {
     if (r->file >= 0)
         H5Fclose(r->file);
-    r->file = H5I_INVALID_HID;
+    if (r->driver >= 0)
+        H5FDunregister(r->driver);
+    if (r->fd >= 0)
+        close(r->fd);
+    r->file = r->driver = H5I_INVALID_HID;
+    r->fd = -1;
 }

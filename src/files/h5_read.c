@@ -47,14 +47,28 @@ bool sph2d__h5_has(sph2d__h5_reader *r, const char *group, const char *name)
     return found;
 }
 
-/** Opens a dataset; negative if it is none. */
-static hid_t open_dataset(const sph2d__h5_reader *r, const char *group, const char *name)
+bool sph2d__h5_check_group(sph2d__h5_reader *r, const char *group)
+{
+    return sph2d__h5_check_link(r, r->file, group);
+}
+
+/** Opens a dataset. False, with a report, if it is none. */
+static bool open_dataset(sph2d__h5_reader *r, const char *group, const char *name, hid_t *id)
 {
     hid_t at = H5Gopen2(r->file, group, H5P_DEFAULT);
-    hid_t id = at >= 0 ? H5Dopen2(at, name, H5P_DEFAULT) : H5I_INVALID_HID;
+    bool here = at < 0 || sph2d__h5_check_link(r, at, name);
+    *id = at >= 0 && here ? H5Dopen2(at, name, H5P_DEFAULT) : H5I_INVALID_HID;
     if (at >= 0)
         H5Gclose(at);
-    return id;
+    if (here && *id < 0)
+        read_failed(r, name);
+    return *id >= 0 && sph2d__h5_check_storage(r, *id, name);
+}
+
+static bool open_attribute(sph2d__h5_reader *r, const char *group, const char *name, hid_t *id)
+{
+    *id = H5Aopen_by_name(r->file, group, name, H5P_DEFAULT, H5P_DEFAULT);
+    return *id >= 0 || read_failed(r, name);
 }
 
 /** Gets type and shape of an item; false, with a report, if they are damaged. */
@@ -90,11 +104,8 @@ bool sph2d__h5_item_open(sph2d__h5_reader *r, const char *group, const char *nam
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.60s/%.60s' is missing", strcmp(group, "/") ? group : "", name);
         return false;
     }
-    item->id = item->is_attribute ? H5Aopen_by_name(r->file, group, name, H5P_DEFAULT, H5P_DEFAULT)
-                                  : open_dataset(r, group, name);
-    bool ok = item->id >= 0
-                  ? (item->is_attribute || sph2d__h5_check_storage(r, item->id, name)) && get_shape(r, item, name)
-                  : read_failed(r, name);
+    bool ok = item->is_attribute ? open_attribute(r, group, name, &item->id) : open_dataset(r, group, name, &item->id);
+    ok = ok && get_shape(r, item, name);
     if (!ok)
         sph2d__h5_item_close(item);
     return ok;

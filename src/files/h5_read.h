@@ -15,6 +15,8 @@ typedef struct sph2d__h5_reader {
     const char *path;
     sph2d_report *report;
     sph2d__pool *pool; /**< owns all that is read */
+    int fd;
+    hid_t driver;
     hid_t file;
     uint64_t file_bytes;
     uint64_t taken_bytes; /**< of the file, by datasets */
@@ -26,6 +28,10 @@ typedef struct sph2d__h5_reader {
 void sph2d__h5_reader_open(sph2d__h5_reader *r, const char *path, bool checked, sph2d__pool *pool,
                            sph2d_report *report);
 void sph2d__h5_reader_close(sph2d__h5_reader *r);
+
+/** Checks that a group, if the file has it, can be opened without leaving the file. For each group, before others of
+ *  these functions get its name. False, with a report, otherwise. */
+bool sph2d__h5_check_group(sph2d__h5_reader *r, const char *group);
 
 /** Reports an error in the file's content, or, if that is why it seems wrong, that memory was short. Returns the
  *  diagnostic, for a hint, or NULL. */

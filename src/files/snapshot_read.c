@@ -9,6 +9,18 @@
 #include "base/null.h"
 #include "files/snapshot.h"
 
+/** Whether none of the groups is elsewhere. */
+static bool groups_are_here(sph2d__h5_reader *r)
+{
+    static const char *const groups[] = {SPH2D__GROUP_HEADER, SPH2D__GROUP_CODE,  SPH2D__GROUP_PARAMETERS,
+                                         SPH2D__GROUP_SCENE,  SPH2D__GROUP_FLUID, SPH2D__GROUP_WALLS,
+                                         SPH2D__GROUP_STATE};
+    bool here = true;
+    for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i)
+        here = sph2d__h5_check_group(r, groups[i]) && here;
+    return here;
+}
+
 /** Whether this is a complete snapshot of a supported version. */
 static bool is_readable(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
@@ -102,7 +114,7 @@ static sph2d_status read_snapshot(const char *path, bool checked, sph2d_snapshot
         return SPH2D_NOMEM;
     }
     sph2d__h5_reader_open(&r, path, checked, &s->pool, report);
-    if (r.status == SPH2D_OK && is_readable(&r, s)) {
+    if (r.status == SPH2D_OK && groups_are_here(&r) && is_readable(&r, s)) {
         read_metadata(&r, s);
         read_scene(&r, s);
         sph2d__snapshot_get_arrays(&r, s);
