@@ -26,7 +26,7 @@ PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize report report-full,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz report report-full,$(MAKECMDGOALS))),)
 
 define install_packages
 missing() {
@@ -151,12 +151,16 @@ STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 # Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 GOLDEN_SRC := tests/golden/golden.c
+# What takes any bytes, and what gives them to it.
+FUZZ_NAMES := scene study particles reference snapshot
+FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
+FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/long/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh \
-    tests/faults/*.sh examples/*.sh))
+    tests/faults/*.sh tests/fuzz/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -181,6 +185,8 @@ BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 GOLDEN_OBJ := $(call objects,$(GOLDEN_SRC))
 FAULTS_OBJ := $(call objects,tests/faults/library.c)
+FUZZ_OBJ := $(call objects,$(FUZZ_SRC))
+FUZZ_DRIVER_OBJ := $(call objects,$(filter-out $(FUZZ_NAMES:%=tests/fuzz/%.c),$(FUZZ_SRC)))
 VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
     $(foreach i,$(ISAS),$(patsubst %.c,$(OBJ)/%.$(i).o,$(filter %_rows.c,$(VARIANTS_SRC))))
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
@@ -215,6 +221,7 @@ $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
 $(BENCH_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
+$(FUZZ_OBJ): PART = $(CORE_FLAGS) $(call pc_cflags,libxxhash)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
@@ -273,6 +280,9 @@ $(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/lib
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faults_shim.so: tests/faults/shim.c
 	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -shared -fPIC -o $@ $<
+$(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/libsph2d-study.a $(BUILD)/libsph2d-io.a \
+    $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
@@ -319,7 +329,7 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) \
-    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(EXAMPLE_OBJ))
+    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -334,7 +344,7 @@ test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/tests/strangers $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
+test: $(BUILD)/tests/strangers $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
@@ -346,6 +356,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
 	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
+	$(hush)tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
 	    --seeds 1..$(if $(SPH2D_TEST_FULL),200,20)
 	$(hush)$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12)
@@ -355,6 +366,14 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
+
+FUZZ_SECONDS ?= 1800
+test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of five readers
+	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined fuzz-run
+
+fuzz-run: $(BUILD)/sph2d $(FUZZ_BIN)
+	$(hush)tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found --seconds $(FUZZ_SECONDS) \
+	    --seed "$$(date +%s)" --limit 10
 
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh
@@ -478,11 +497,10 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(IO_SRC) $(STUDY_SRC) \
-    tests/faults/library.c \
-    $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) $(IO_SRC) \
+    $(STUDY_SRC) tests/faults/library.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
-    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c))
+    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/fuzz/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -554,7 +572,7 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard bench-instructions \
-    bench-variants report report-full report-docs scene-docs check-headers check-symbols check-install check-lint \
-    check-walls format install uninstall dist test-faults clean help FORCE
+    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard test-fuzz fuzz-run \
+    bench-instructions bench-variants report report-full report-docs scene-docs check-headers check-symbols \
+    check-install check-lint check-walls format install uninstall dist test-faults clean help FORCE
 endif
