@@ -164,7 +164,7 @@ typedef struct sph2d_study {
 enum {
     SPH2D_STUDY_MOST_RUNS = 10000,
     SPH2D_STUDY_MOST_MEASURES = 1000, /**< and refinements */
-    SPH2D_STUDY_REPEATED = 10 /**< [s] of stepping */
+    SPH2D_STUDY_REPEATED = 10         /**< [s] of stepping */
 };
 
 /** A study that was read, with everything it points to. */
