@@ -42,7 +42,7 @@ static void start(void)
     source = sph2d_source_default();
     source.at = (sph2d_vec2){1.6, 1.6};
     source.width = 4 * DX;
-    source.speed = 10;
+    source.speed = 6;
     obstacle = sph2d_obstacle_default();
     obstacle.outline.kind = SPH2D_OUTLINE_BOX;
     obstacle.outline.box = (sph2d_box){{1, 0}, {1.3, 0.3}};

@@ -232,9 +232,8 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
     sph2d_scene scene = test_open_scene(DX, 0, 0, 2, 1);
     if (_i == 1) {
         scene.method = sph2d_scene_default().method;
-        scene.method.name = SPH2D_METHOD_MULLER;
         scene.method.name = SPH2D_METHOD_WCSPH;
-        scene.method.sound_speed = 10;
+        scene.method.sound_speed = 40;
     }
     sph2d_block particle = test_particle(DX, 0.5, 0.5, 0, 0);
     sph2d_obstacle obstacle = sph2d_obstacle_default();
