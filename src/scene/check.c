@@ -225,6 +225,26 @@ static void check_probe(checker *c, size_t i)
         check_gauge(c, probe, i);
 }
 
+/* Maximum number of items of a list, so that a scene is checked in seconds: many are compared with each other. */
+enum { MAX_ITEMS = 1000 };
+
+static void check_lists(checker *c)
+{
+    const sph2d_scene *s = c->scene;
+    const struct {
+        const char *path;
+        size_t count;
+    } lists[] = {{"blocks", s->block_count}, {"sources", s->source_count},
+                 {"drains", s->drain_count}, {"obstacles", s->obstacle_count},
+                 {"probes", s->probe_count}, {"interactions", s->interaction_count}};
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; ++k) {
+        char message[80];
+        snprintf(message, sizeof message, "has %zu items, more than %d", lists[k].count, MAX_ITEMS);
+        if (lists[k].count > MAX_ITEMS)
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, lists[k].path, message);
+    }
+}
+
 static void check_contents(checker *c)
 {
     const sph2d_scene *scene = c->scene;
@@ -255,6 +275,9 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
                            "the scene was not made by sph2d_scene_default() of this version");
         return SPH2D_SCENE;
     }
+    check_lists(&c);
+    if (c.errors > 0)
+        return SPH2D_SCENE;
     sph2d__check_ranges(&c);
     if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c) ||
         !check_spacing(&c))

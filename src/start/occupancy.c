@@ -10,16 +10,28 @@
  * behind the surface, so that the lattice continues in them. */
 static const double CLEARANCE = 0.7, CLEARANCE_OF_LAYERS = 0.49;
 
+static bool is_in_disc(sph2d_vec2 center, double radius, sph2d_vec2 p)
+{
+    double x = fabs(p.x - center.x), y = fabs(p.y - center.y);
+    return x < radius && y < radius && hypot(x, y) < radius;
+}
+
+/** Whether a position is farther than a distance from the box around a segment: most are. */
+static bool is_far(const sph2d__segment *s, double distance, sph2d_vec2 p)
+{
+    return p.x < fmin(s->a.x, s->b.x) - distance || p.x > fmax(s->a.x, s->b.x) + distance ||
+           p.y < fmin(s->a.y, s->b.y) - distance || p.y > fmax(s->a.y, s->b.y) + distance;
+}
+
 /** Whether a position is within a distance of an outline. */
 static bool is_near(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
 {
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
-        return hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) <
-               outline->circle.radius + distance;
+        return is_in_disc(outline->circle.center, outline->circle.radius + distance, p);
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
-        if (sph2d__segment_distance(&s, p) < distance)
+        if (!is_far(&s, distance, p) && sph2d__segment_distance(&s, p) < distance)
             return true;
     }
     return false;

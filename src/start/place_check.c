@@ -37,18 +37,27 @@ bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report)
  * boundary particle [spacings] is in the wall or starts compressed against it. */
 static const double MIN_DISTANCE = 0.6;
 
+/** The first block before block `index` that contains a position; `index` for none. */
+static size_t block_around(const sph2d_sim *sim, size_t index, sph2d_vec2 position)
+{
+    size_t other = 0;
+    while (other < index && !sph2d__shape_contains(&sim->scene.blocks[other].shape, position))
+        ++other;
+    return other;
+}
+
 /** An earlier block that overlaps block `index`, whose particles start at `first`; `index` for none. */
 static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph2d_vec2 *position)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const sph2d_block *blocks = sim->scene.blocks;
-    for (size_t other = 0; other < index; ++other)
-        for (size_t i = 0; i < f->count; ++i) {
-            *position = (sph2d_vec2){f->x[i], f->y[i]};
-            if (sph2d__shape_contains(&blocks[other].shape, *position) &&
-                (i >= first || sph2d__shape_contains(&blocks[index].shape, *position)))
-                return other;
-        }
+    for (size_t i = 0; i < f->count; ++i) {
+        *position = (sph2d_vec2){f->x[i], f->y[i]};
+        if (i < first && !sph2d__shape_contains(&sim->scene.blocks[index].shape, *position))
+            continue;
+        size_t other = block_around(sim, index, *position);
+        if (other < index)
+            return other;
+    }
     return index;
 }
 
