@@ -13,13 +13,13 @@ typedef struct sph2d__period {
     double length_x, length_y;
 } sph2d__period;
 
-/** A coordinate brought into [low, low + length). Finite values only. */
+/** A coordinate brought into [low, low + length); NaN if it is not finite, which must not become a place. */
 static inline double sph2d__period_wrap(double x, double low, double length)
 {
     if (!(length > 0) || (x >= low && x < low + length))
         return x;
     double wrapped = x - length * floor((x - low) / length);
-    return wrapped >= low && wrapped < low + length ? wrapped : low; /* by rounding it may be an end or beyond */
+    return wrapped < low || wrapped >= low + length ? low : wrapped; /* by rounding it may be an end or beyond */
 }
 
 /** Whether a position is within the period, in each periodic direction. */
