@@ -192,6 +192,33 @@ START_TEST(a_warning_does_not_refuse)
 }
 END_TEST
 
+/** Liquid as deep as 1 m compresses itself by 16 % where sound has 8 m/s, by less than 10 % where it has 12; without a
+ *  sound speed there is nothing to warn of. */
+START_TEST(a_sound_speed_too_low_for_the_depth_is_warned_of)
+{
+    sph2d_scene deep = sph2d_scene_default();
+    sph2d_block column = sph2d_block_default();
+    column.shape.kind = SPH2D_SHAPE_BOX;
+    column.shape.box = (sph2d_box){{0, 0}, {0.5, 1}};
+    deep.domain = (sph2d_box){{0, 0}, {1, 1.5}};
+    deep.spacing = 0.05;
+    deep.blocks = &column;
+    deep.block_count = 1;
+    const struct {
+        double sound_speed;
+        size_t warnings;
+    } cases[] = {{8, 1}, {12, 0}, {0, 0}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        deep.method.sound_speed = cases[k].sound_speed;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&deep, &report), SPH2D_OK);
+        ck_assert_uint_eq(report.count, cases[k].warnings);
+        if (report.count > 0)
+            ck_assert_str_eq(report.items[0].path, "method.sound_speed");
+    }
+}
+END_TEST
+
 /** A wall that has 0.5 m/s at once compresses liquid by 5 % where sound has 10 m/s, five times what is wanted; one of
  *  0.09 m/s does not, nor one where pressure knows no sound, and a swing that starts at rest has no jump. */
 START_TEST(a_blow_of_a_wall_is_warned_of)
@@ -402,6 +429,7 @@ Suite *suite_scene_check(void)
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_test(tests, the_sound_scene_is_sound);
     tcase_add_test(tests, a_warning_does_not_refuse);
+    tcase_add_test(tests, a_sound_speed_too_low_for_the_depth_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);

@@ -190,6 +190,32 @@ static void check_block_spacings(sph2d__checker *c)
     }
 }
 
+/* Compression at rest beyond which a sound speed that is given is hardly meant, twice that of muller by default. With
+ * the sound speed for a depth of 0.1 m a column of 10 m was compressed by 57 % (wcsph) and 490 % (muller) at its foot,
+ * without a word. */
+static const double MAX_HEAD_COMPRESSION = 0.1;
+
+/** Warns of a sound speed that is too low for the depth and speed of the liquid. */
+static void check_sound_speed(sph2d__checker *c)
+{
+    sph2d_method_options left_out = c->scene->method;
+    if (c->errors > 0 ||
+        !(left_out.sound_speed > 0 || left_out.stiffness > 0)) /* what is derived needs a valid scene */
+        return;
+    sph2d__derived derived = sph2d__scene_derive(c->scene);
+    double compression = derived.head / (derived.sound_speed * derived.sound_speed);
+    if (!(compression > MAX_HEAD_COMPRESSION))
+        return;
+    sph2d_scene scene = *c->scene;
+    scene.method.sound_speed = scene.method.stiffness = 0;
+    const char *key = left_out.sound_speed > 0 ? "method.sound_speed" : "method.stiffness";
+    sph2d_diagnostic *d = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, key,
+                                           "this liquid can compress itself by %.0f %%, at a sound speed of %.3g m/s",
+                                           100 * compression, derived.sound_speed);
+    sph2d_diagnostic_hint(d, "leave it out: c0 is then %.3g m/s; methods constraint and pcisph keep to max_compression",
+                          sph2d__scene_derive(&scene).sound_speed);
+}
+
 /** Reports a wall form that the method does not have. */
 static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form)
 {
@@ -256,6 +282,7 @@ void sph2d__check_method(sph2d__checker *c)
     check_support(c);
     check_fitted_support(c);
     check_block_spacings(c);
+    check_sound_speed(c);
     check_walls(c);
     check_filled_domain(c);
     sph2d_boundary b = c->scene->boundary;
