@@ -55,7 +55,8 @@ typedef struct studied_case {
     const char *id, *what, *where;
 } studied_case;
 
-extern const case_list degenerate_cases, invariance_cases, tension_cases, wall_cases, stiffness_cases, violent_cases;
+extern const case_list degenerate_cases, place_cases, invariance_cases, tension_cases, wall_cases, stiffness_cases,
+    violent_cases;
 extern const studied_case studied_cases[];
 extern const size_t studied_case_count;
 

@@ -229,7 +229,8 @@ static void print_studied(const options *o)
 
 static size_t choose(const options *o, row **rows)
 {
-    const case_list *const letters[] = {&degenerate_cases, &invariance_cases, &stiffness_cases};
+    const case_list *const letters[] = {&degenerate_cases, &place_cases,     &invariance_cases, &tension_cases,
+                                        &wall_cases,       &stiffness_cases, &violent_cases};
     size_t count = 0;
     *rows = NULL;
     for (size_t l = 0; l < sizeof letters / sizeof *letters; ++l)
