@@ -67,7 +67,7 @@ void tell_only(outcome *o, const char *measure, double value);
 /** The same with a part of the name that varies. */
 void tell_of(outcome *o, const char *measure, const char *which, double value, double bound);
 
-// ---- scenes ----------------------------------------------------------------------------------------------------------
+// ---- scenes ---------------------------------------------------------------------------------------------------------
 
 /** A scene and its simulation. */
 typedef struct stage {
@@ -104,7 +104,7 @@ const char *stage_error(const stage *s);
 /** Whether the report has this code. */
 bool stage_reports(const stage *s, sph2d_code code);
 
-// ---- particles -------------------------------------------------------------------------------------------------------
+// ---- particles ------------------------------------------------------------------------------------------------------
 
 /** Fluid particles in the order of their numbers. */
 typedef struct cloud {

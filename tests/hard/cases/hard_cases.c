@@ -60,7 +60,7 @@ static _Noreturn void give_up(const char *what, const char *whom)
     exit(2);
 }
 
-// ---- in the process of a case ------------------------------------------------------------------------------------------
+// ---- in the process of a case ---------------------------------------------------------------------------------------
 
 void tell(outcome *o, const char *name, double value, double bound)
 {
@@ -111,7 +111,7 @@ static void start(row *r)
     exit(fclose(r->file) == 0 ? 0 : 3);
 }
 
-// ---- verdicts ----------------------------------------------------------------------------------------------------------
+// ---- verdicts -------------------------------------------------------------------------------------------------------
 
 static void read_known(const char *path)
 {
@@ -183,7 +183,7 @@ static const char *verdict_of(const row *r)
     return "MISSED"; // nothing was judged
 }
 
-// ---- tables ------------------------------------------------------------------------------------------------------------
+// ---- tables ---------------------------------------------------------------------------------------------------------
 
 static void print_row(const options *o, const row *r)
 {
@@ -225,7 +225,7 @@ static void print_studied(const options *o)
     }
 }
 
-// ---- all of them -------------------------------------------------------------------------------------------------------
+// ---- all of them ----------------------------------------------------------------------------------------------------
 
 static size_t choose(const options *o, row **rows)
 {

@@ -14,7 +14,7 @@ enum { SIDE = 20, COUNT = SIDE * SIDE };
 
 static const double dx = 0.05;
 
-// ---- B1 ----------------------------------------------------------------------------------------------------------------
+// ---- B1 -------------------------------------------------------------------------------------------------------------
 
 typedef struct momenta {
     double x, y, angular, size, angular_size;
@@ -72,7 +72,7 @@ static void momentum(outcome *o)
     random_cloud(o, "sound_speed: 10", "defaults", o->method != WCSPH);
 }
 
-// ---- the flow of B2 to B4, B7 ------------------------------------------------------------------------------------------
+// ---- the flow of B2 to B4, B7 ---------------------------------------------------------------------------------------
 
 /** A turn by `angle`, or a mirror image, and a boost along x. */
 typedef struct frame {
@@ -214,7 +214,7 @@ static void shuffled(outcome *o)
     compare(o, "apart / m", (frame){.shuffled = true}, "sound_speed: 20", 100, 1e-12);
 }
 
-// ---- B5, B6 ------------------------------------------------------------------------------------------------------------
+// ---- B5, B6 ---------------------------------------------------------------------------------------------------------
 
 /** Liquid without viscosity in a periodic box of 1 m, with waves of 0.01 c0 in it. */
 static bool open_gas(stage *s, outcome *o, const char *options, sph2d_particle *p)
@@ -294,7 +294,7 @@ static void reversed(outcome *o)
     free(q);
 }
 
-// ---- B7 ----------------------------------------------------------------------------------------------------------------
+// ---- B7 -------------------------------------------------------------------------------------------------------------
 
 static double order_of(outcome *o, const char *options)
 {

@@ -28,7 +28,7 @@ static double rise_of(const sph2d_sim *sim)
     return s.energy_rise / s.energy_scale;
 }
 
-// ---- E1, E2 ------------------------------------------------------------------------------------------------------------
+// ---- E1, E2 ---------------------------------------------------------------------------------------------------------
 
 /** A fixed step of so many parts of the limit of stability, c0 dt/H = 0.88; by solvers, of their own step. */
 static void sweep(outcome *o)
@@ -76,7 +76,7 @@ static void stiff(outcome *o)
     stage_close(&s);
 }
 
-// ---- E3, E4 ------------------------------------------------------------------------------------------------------------
+// ---- E3, E4 ---------------------------------------------------------------------------------------------------------
 
 static void honey(outcome *o)
 {
@@ -121,7 +121,7 @@ static void without_viscosity(outcome *o)
     stage_close(&s);
 }
 
-// ---- E6 ----------------------------------------------------------------------------------------------------------------
+// ---- E6 -------------------------------------------------------------------------------------------------------------
 
 /** The column, or channel, in other units: lengths, accelerations and densities are multiplied. Lengths as of 1 m. */
 static cloud scaled(outcome *o, double length, double gravity, double density, double disturbed)
@@ -177,7 +177,7 @@ static void units(outcome *o)
     cloud_free(&near);
 }
 
-// ---- E7 ----------------------------------------------------------------------------------------------------------------
+// ---- E7 -------------------------------------------------------------------------------------------------------------
 
 static double gain_over_work(const sph2d_summary *s)
 {
@@ -228,7 +228,7 @@ static void thrown_about(outcome *o)
     stage_close(&s);
 }
 
-// ---- E8 to E10 ---------------------------------------------------------------------------------------------------------
+// ---- E8 to E10 ------------------------------------------------------------------------------------------------------
 
 /** Whether a run of 200 steps ends, or a guard stops it, with finite numbers. */
 static void survive(outcome *o, const char *options, bool asks_too_much)

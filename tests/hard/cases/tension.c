@@ -32,7 +32,7 @@ static bool open_box(stage *s, outcome *o, const char *options, double density, 
     return true;
 }
 
-// ---- C4 ----------------------------------------------------------------------------------------------------------------
+// ---- C4 -------------------------------------------------------------------------------------------------------------
 
 /** Steps until two particles are nearer than 0.8 dx, of 1e4; the least distance then or at last, over dx. */
 static unsigned long torn_after(outcome *o, const char *options, double *least)
@@ -67,7 +67,7 @@ static void tension(outcome *o)
     tell_only(o, "without control: steps until 0.8 dx, or 1e4", (double)steps);
 }
 
-// ---- C5 ----------------------------------------------------------------------------------------------------------------
+// ---- C5 -------------------------------------------------------------------------------------------------------------
 
 static double paired(outcome *o, const char *options)
 {
@@ -103,7 +103,7 @@ static void pairing(outcome *o)
     }
 }
 
-// ---- C6 ----------------------------------------------------------------------------------------------------------------
+// ---- C6 -------------------------------------------------------------------------------------------------------------
 
 static void disordered(outcome *o)
 {
