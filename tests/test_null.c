@@ -65,6 +65,8 @@ START_TEST(simulations)
     REFUSED("scene", sph2d_scene_plan(NULL, &plan, &report));
     REFUSED("plan", sph2d_scene_plan(scene, NULL, &report));
     REFUSED("scene", sph2d_scene_check(NULL, &report));
+    REFUSED("scene", sph2d_scene_fits(NULL, &report));
+    NOTHING(sph2d_scene_particles(NULL) != 0);
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
     REFUSED_SILENTLY(sph2d_sim_set_pointer(NULL, at, 1, 1));
@@ -163,6 +165,9 @@ START_TEST(files)
     REFUSED("path", sph2d_snapshot_read(NULL, &snapshot, &report));
     ck_assert_ptr_null(snapshot);
     REFUSED("snapshot", sph2d_snapshot_read("x.h5", NULL, &report));
+    REFUSED("path", sph2d_snapshot_read_unchecked(NULL, &snapshot, &report));
+    ck_assert_ptr_null(snapshot);
+    REFUSED("snapshot", sph2d_snapshot_read_unchecked("x.h5", NULL, &report));
     snapshot = read_snapshot("x.h5");
     file = ELSEWHERE(sph2d_scene_file);
     REFUSED("snapshot", sph2d_snapshot_scene(NULL, NULL, 0, &file, &report));
