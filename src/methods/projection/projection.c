@@ -20,11 +20,14 @@ static size_t usual_pairs(const sph2d__system *s)
     return (size_t)(1.5 * SPH2D__PI * ratio * ratio) + 8;
 }
 
-/** Puts the particle that shorter lists end with where no kernel reaches: behind the last one of a store. */
+/** Puts the particle that shorter lists end with where no kernel reaches: behind the last one of a store. So are the
+ *  other lanes of its slice: what a store left there can be anything, and a value that is not finite would spread by
+ *  sums over rows. */
 static void put_far(const sph2d__store *store, double *x, double *y)
 {
-    if (store->capacity > 0)
-        x[store->count] = y[store->count] = 1e30;
+    size_t end = store->count + SPH2D__WIDEST - store->count % SPH2D__WIDEST;
+    for (size_t i = store->count; i < end && store->capacity > 0; ++i)
+        x[i] = y[i] = 1e30;
 }
 
 /** Gathers for the slab; its largest is 1 when there was not room enough. */
@@ -97,14 +100,25 @@ static void push_nothing(sph2d__store *f)
         f->push[f->count] = 0;
 }
 
+/** The same of directions, before they are read. */
+static void lead_nothing(sph2d__system *s)
+{
+    sph2d__store *stores[] = {&s->fluid, &s->walls};
+    for (int k = 0; k < 2; ++k)
+        if (stores[k]->direction && stores[k]->capacity > 0)
+            stores[k]->direction[stores[k]->count] = 0;
+}
+
 void sph2d__projection_apply_transpose(sph2d__system *s)
 {
+    lead_nothing(s);
     sph2d__over_fluid(s, spread_slab, NULL);
     push_nothing(&s->fluid);
 }
 
 void sph2d__projection_remaining_motion(sph2d__system *s, double keep, double fall)
 {
+    lead_nothing(s);
     sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
     push_nothing(&s->fluid);
 }
