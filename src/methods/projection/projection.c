@@ -30,6 +30,13 @@ static void put_far(const sph2d__store *store, double *x, double *y)
         x[i] = y[i] = 1e30;
 }
 
+/** That particle stands still: a gradient of zero times what is no number is none. */
+static void stand_still(const sph2d__store *f)
+{
+    if (f->capacity > 0)
+        f->vx[f->count] = f->vy[f->count] = 0;
+}
+
 /** Gathers for the slab; its largest is 1 when there was not room enough. */
 static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
@@ -44,6 +51,7 @@ bool sph2d__projection_gather(sph2d__system *s)
     size_t each = usual_pairs(s);
     put_far(&s->fluid, s->fluid.x, s->fluid.y);
     put_far(&s->walls, s->walls.x, s->walls.y);
+    stand_still(&s->fluid);
     for (;; each = 2 * s->neighbours.each) {
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
             (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
