@@ -50,16 +50,17 @@ static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle 
 
 sph2d__occupancy sph2d__sim_occupancy(const sph2d_sim *sim, sph2d_vec2 p, double factor)
 {
-    const sph2d_scene *scene = &sim->scene;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     int across = period->length_x > 0, along = period->length_y > 0;
     sph2d__occupancy occupancy = SPH2D__FREE;
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        for (int image_x = -across; image_x <= across; ++image_x)
-            for (int image_y = -along; image_y <= along; ++image_y) {
-                sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
-                sph2d__occupancy other = occupancy_by(sim, &scene->obstacles[i], factor, image);
+    for (int image_x = -across; image_x <= across; ++image_x)
+        for (int image_y = -along; image_y <= along; ++image_y) {
+            sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
+            sph2d__solid_list near = sph2d__solids_near(&sim->solids, image);
+            for (size_t k = 0; k < near.count; ++k) {
+                sph2d__occupancy other = occupancy_by(sim, &sim->scene.obstacles[near.obstacle[k]], factor, image);
                 occupancy = other > occupancy ? other : occupancy;
             }
+        }
     return occupancy;
 }

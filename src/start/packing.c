@@ -121,6 +121,7 @@ bool sph2d__pack(sph2d_sim *sim, sph2d__region *region, sph2d__packing *packing)
         choose(&p, 0, 0, side_for(region), &points);
     const size_t n = p.count;
     void *vectors[4], *numbers[3], *start = sph2d__alloc(memory, buckets, sizeof *p.start);
+    void *missing = sph2d__alloc(memory, cells, sizeof *p.missing);
     for (int k = 0; k < 4; ++k)
         vectors[k] = sph2d__alloc(memory, n + 1, sizeof(sph2d_vec2));
     for (int k = 0; k < 3; ++k)
@@ -133,8 +134,9 @@ bool sph2d__pack(sph2d_sim *sim, sph2d__region *region, sph2d__packing *packing)
     p.order = numbers[1];
     p.first = numbers[2];
     p.start = start;
-    bool ok = p.chosen && p.near_edge && p.at && p.velocity && p.gradient && p.old && p.mover && p.order && p.first &&
-              p.start && set_positions(&p);
+    p.missing = missing;
+    bool ok = p.missing && p.chosen && p.near_edge && p.at && p.velocity && p.gradient && p.old && p.mover && p.order &&
+              p.first && p.start && set_positions(&p);
     if (ok) {
         sph2d__packing_find_missing(&p);
         ok = sph2d__packing_relax(&p, &packing->residual);
@@ -142,6 +144,7 @@ bool sph2d__pack(sph2d_sim *sim, sph2d__region *region, sph2d__packing *packing)
     void *neighbour = p.neighbour;
     sph2d__release(memory, &neighbour, p.neighbour_capacity, sizeof *p.neighbour);
     sph2d__release(memory, &start, buckets, sizeof *p.start);
+    sph2d__release(memory, &missing, cells, sizeof *p.missing);
     for (int k = ok ? 1 : 0; k < 4; ++k)
         sph2d__release(memory, &vectors[k], n + 1, sizeof(sph2d_vec2));
     for (int k = 0; k < 3; ++k)

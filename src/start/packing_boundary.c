@@ -88,6 +88,24 @@ void sph2d__packing_dilate(const sph2d__packing_state *p, unsigned char *marks, 
     dilate_lines(p, marks, reach, true);
 }
 
+/** The missing area of a cell acts at its centroid, so that the area beyond an edge is as coarse as the liquid. If every
+ *  quarter acted by itself, nearly an integral, the force on the first row would differ by the error of the midpoint
+ *  rule, 1/24 of its slope, and the row would be 0.04 spacings too far inside. */
+static sph2d__missing missing_of(const sph2d__packing_state *p, size_t cell)
+{
+    sph2d_vec2 m = {0, 0};
+    double missing = 0;
+    for (int q = 0; q < 4; ++q) {
+        double part = p->region->quarters[4 * cell + (size_t)q];
+        sph2d_vec2 centre = quarter_centre(p, cell, q);
+        missing += part;
+        m.x += part * centre.x;
+        m.y += part * centre.y;
+    }
+    return missing > 0 ? (sph2d__missing){{m.x / missing, m.y / missing}, missing / SPH2D__REGION_POINTS}
+                       : (sph2d__missing){0};
+}
+
 void sph2d__packing_find_missing(sph2d__packing_state *p)
 {
     size_t cells = sph2d__packing_cell_count(p);
@@ -101,13 +119,11 @@ void sph2d__packing_find_missing(sph2d__packing_state *p)
             quarters[q] = (unsigned char)missing;
             p->near_edge[cell] |= quarters[q] > 0;
         }
+        p->missing[cell] = missing_of(p, cell);
     }
     sph2d__packing_dilate(p, p->near_edge, (size_t)ceil(p->support / p->size) + 1);
 }
 
-/** The missing area of each cell acts at its centroid, so that the area beyond an edge is as coarse as the liquid. If
- *  every quarter acted by itself, nearly an integral, the force on the first row would differ by the error of the
- *  midpoint rule, 1/24 of its slope, and the row would be 0.04 spacings too far inside. */
 void sph2d__packing_add_missing(const sph2d__packing_state *p, sph2d_vec2 at, sph2d_vec2 *sum)
 {
     const sph2d__region *r = p->region;
@@ -119,19 +135,9 @@ void sph2d__packing_add_missing(const sph2d__packing_state *p, sph2d_vec2 at, sp
     size_t j0 = (size_t)fmax(floor(c.y - reach), 0), j1 = (size_t)fmin(floor(c.y + reach), (double)r->ny - 1);
     for (size_t j = j0; j <= j1; ++j)
         for (size_t i = i0; i <= i1; ++i) {
-            size_t cell = j * r->nx + i;
-            sph2d_vec2 m = {0, 0};
-            double missing = 0;
-            for (int q = 0; q < 4; ++q) {
-                double part = r->quarters[4 * cell + (size_t)q];
-                sph2d_vec2 centre = quarter_centre(p, cell, q);
-                missing += part;
-                m.x += part * centre.x;
-                m.y += part * centre.y;
-            }
-            if (missing > 0)
-                sph2d__packing_add_area(p, at.x - m.x / missing, at.y - m.y / missing, missing / SPH2D__REGION_POINTS,
-                                        sum);
+            const sph2d__missing *m = &p->missing[j * r->nx + i];
+            if (m->part > 0)
+                sph2d__packing_add_area(p, at.x - m->at.x, at.y - m->at.y, m->part, sum);
         }
 }
 

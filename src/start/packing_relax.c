@@ -59,6 +59,7 @@ static bool add_neighbour(sph2d__packing_state *p, size_t used, uint32_t j)
 static bool find_neighbours(sph2d__packing_state *p)
 {
     size_t used = 0;
+    const double reach2 = p->bucket * p->bucket;
     fill_buckets(p);
     memcpy(p->old, p->at, p->count * sizeof *p->at);
     for (size_t m = 0; m < p->movers; ++m) {
@@ -71,7 +72,8 @@ static bool find_neighbours(sph2d__packing_state *p)
             size_t to = p->start[b * p->bx + (x + 1 < p->bx ? x + 1 : x) + 1];
             for (size_t k = from; k < to; ++k) {
                 uint32_t j = p->order[k];
-                if (j == i || hypot(p->at[i].x - p->at[j].x, p->at[i].y - p->at[j].y) > p->bucket)
+                const double dx = p->at[i].x - p->at[j].x, dy = p->at[i].y - p->at[j].y;
+                if (j == i || dx * dx + dy * dy > reach2)
                     continue;
                 if (!add_neighbour(p, used++, j))
                     return false;

@@ -13,6 +13,12 @@ enum { SPH2D__PACKING_SLOPES = 2048 };
 /* The skin of the neighbour lists [spacings]: they are rebuilt when two particles may have approached by as much. */
 static const double SPH2D__PACKING_SKIN = 0.5;
 
+/** The missing area of a cell, and its centroid. */
+typedef struct sph2d__missing {
+    sph2d_vec2 at;
+    double part; /**< of a particle's area */
+} sph2d__missing;
+
 /** The state of a packing. */
 typedef struct sph2d__packing_state {
     sph2d_sim *sim;
@@ -26,6 +32,7 @@ typedef struct sph2d__packing_state {
         *old;                 /**< of every particle: position, last step, gradient, position in the neighbour lists */
     uint32_t *mover;          /**< indices of particles that move */
     unsigned char *near_edge; /**< cells near ones that are not full */
+    sph2d__missing *missing;  /**< of each cell */
     unsigned char *chosen;    /**< cells that get a particle */
     uint32_t *start, *order;  /**< buckets of the particles: by rows, H + skin wide */
     uint32_t *first, *neighbour; /**< neighbours of each mover */
@@ -64,11 +71,11 @@ static inline void sph2d__packing_add_area(const sph2d__packing_state *p, double
 /** Dilates marks of cells, 1, by a number of cells. */
 void sph2d__packing_dilate(const sph2d__packing_state *state, unsigned char *marks, size_t reach);
 
-/** Replaces the covered points of each quarter cell by the missing ones that no boundary particle represents, and marks
- *  the cells near these. */
+/** Replaces the covered points of each quarter cell by the missing ones that no boundary particle represents, sums these
+ *  in `missing`, and marks the cells near them. */
 void sph2d__packing_find_missing(sph2d__packing_state *state);
 
-/** Adds the missing points around a position, and its boundary particles, to its concentration gradient. */
+/** Adds the missing areas around a position, and its boundary particles, to its concentration gradient. */
 void sph2d__packing_add_missing(const sph2d__packing_state *state, sph2d_vec2 at, sph2d_vec2 *sum);
 void sph2d__packing_add_walls(const sph2d__packing_state *state, sph2d_vec2 at, sph2d_vec2 *sum);
 

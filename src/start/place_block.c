@@ -296,8 +296,7 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
     b->area = sph2d__shape_area(&b->block->shape);
     double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
     sph2d_vec2 corner = {l->first.x - b->spacing / 2, l->first.y - b->spacing / 2};
-    bool ok = !solids ||
-              sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
+    bool ok = !solids || sph2d__region_make(&region, sim, &b->block->shape, corner, b->spacing, (int)margin);
     if (ok && solids)
         b->area = sph2d__region_area(&region);
     bool rings = b->block->arrangement == SPH2D_ARRANGEMENT_RINGS && b->occupied[SPH2D__NEAR_LAYERS] == 0;
@@ -306,8 +305,7 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
     done = done || !ok || b->area < MIN_PACKED * b->spacing * b->spacing || place_stretched(sim, b);
     done = done || fits(sim, b) || place_shifted(sim, b, l);
     if (!done && b->occupied[SPH2D__NEAR_LINE] == 0) {
-        ok = solids ||
-             sph2d__region_make(&region, &sim->scene, &b->block->shape, corner, b->spacing, (int)margin, &sim->memory);
+        ok = solids || sph2d__region_make(&region, sim, &b->block->shape, corner, b->spacing, (int)margin);
         ok = ok && place_packed(sim, b, &region);
     }
     if (region.quarters)

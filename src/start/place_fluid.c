@@ -62,6 +62,8 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_scene *scene = &sim->scene;
     sph2d__store *fluid = &sim->system.fluid;
+    if (!sph2d__solids_build(&sim->solids, scene, &sim->arena, &sim->memory))
+        return SPH2D_NOMEM;
     for (size_t i = 0; i < scene->block_count; ++i) {
         size_t first = fluid->count;
         sph2d_status status = sph2d__sim_place_block(sim, i, report);

@@ -22,21 +22,19 @@ static sph2d_vec2 point_of(unsigned k)
 
 bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
 {
-    const sph2d_scene *scene = r->scene;
+    const sph2d_scene *scene = &r->sim->scene;
     if (!sph2d__shape_contains(r->shape, p))
         return false;
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
-            continue;
-        for (int image_x = -across; image_x <= across; ++image_x)
-            for (int image_y = -along; image_y <= along; ++image_y) {
-                sph2d_vec2 image = {p.x + image_x * length_x, p.y + image_y * length_y};
-                if (sph2d__outline_encloses(&scene->obstacles[i].outline, image))
+    for (int image_x = -across; image_x <= across; ++image_x)
+        for (int image_y = -along; image_y <= along; ++image_y) {
+            sph2d_vec2 image = {p.x + image_x * length_x, p.y + image_y * length_y};
+            sph2d__solid_list near = sph2d__solids_near(&r->sim->solids, image);
+            for (size_t k = 0; k < near.count; ++k)
+                if (sph2d__outline_encloses(&scene->obstacles[near.obstacle[k]].outline, image))
                     return false;
-            }
-    }
+        }
     return true;
 }
 
@@ -90,7 +88,7 @@ static void mark_outline(sph2d__region *r, const sph2d_outline *outline, double 
 
 static void mark_edges(sph2d__region *r)
 {
-    const sph2d_scene *scene = r->scene;
+    const sph2d_scene *scene = &r->sim->scene;
     sph2d_outline edge = edge_of(r->shape);
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
@@ -199,10 +197,10 @@ static sph2d_box bounds_in_cells(const sph2d__region *r)
     return b;
 }
 
-bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
-                        double size, int margin, sph2d__memory *memory)
+bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape, sph2d_vec2 corner, double size,
+                        int margin)
 {
-    *region = (sph2d__region){.scene = scene, .shape = shape, .axis = {1, 0}, .origin = corner, .size = size};
+    *region = (sph2d__region){.sim = sim, .shape = shape, .axis = {1, 0}, .origin = corner, .size = size};
     if (shape->kind == SPH2D_SHAPE_POLYGON) {
         sph2d__segment side = longest_side(shape->polygon);
         double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
@@ -215,7 +213,7 @@ bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const s
     region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
     region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
     region->origin = sph2d__region_position(region, i, j);
-    region->quarters = sph2d__alloc(memory, region->nx * region->ny, 4);
+    region->quarters = sph2d__alloc(&sim->memory, region->nx * region->ny, 4);
     if (!region->quarters)
         return false;
     mark_edges(region);

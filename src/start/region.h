@@ -4,14 +4,14 @@
 #ifndef SPH2D_START_REGION_H
 #define SPH2D_START_REGION_H
 
-#include "base/memory.h"
 #include "scene/shape.h"
+#include "sim/simulation.h"
 
 /** Sample points of a cell, and of a quarter of it. */
 enum { SPH2D__REGION_POINTS = 256, SPH2D__QUARTER_POINTS = SPH2D__REGION_POINTS / 4 };
 
 typedef struct sph2d__region {
-    const sph2d_scene *scene;
+    const sph2d_sim *sim;
     const sph2d_shape *shape;
     sph2d_vec2 axis;   /**< direction of the rows, of length 1 */
     sph2d_vec2 origin; /**< corner of the first cell */
@@ -24,8 +24,8 @@ typedef struct sph2d__region {
 /** Samples the area on a grid with cells of a size and a corner at `corner`, over the shape and `margin` cells around
  *  it. For a polygon the grid is parallel to the longest side instead, and shifted so that most of the sides lie on
  *  grid lines. The caller frees it. False when memory is short. */
-bool sph2d__region_make(sph2d__region *region, const sph2d_scene *scene, const sph2d_shape *shape, sph2d_vec2 corner,
-                        double size, int margin, sph2d__memory *memory);
+bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape, sph2d_vec2 corner, double size,
+                        int margin);
 
 /** Conversion of a position to cells from the first cell's corner, and back. */
 static inline sph2d_vec2 sph2d__region_in_cells(const sph2d__region *r, sph2d_vec2 p)
