@@ -97,14 +97,21 @@ static int draw_preview(checked *c)
 /* ---- large scenes ------------------------------------------------------------------------------------------------ */
 
 /* A check takes a second or two and less than a gigabyte: of more particles than this a coarser scene is checked, and
- * its numbers are extrapolated. */
-static const double MOST_PARTICLES = 1e5;
+ * its numbers are extrapolated. Placing liquid around obstacles takes longer: so many halve the number. Where no
+ * coarser scene can be made, up to TRIED times as many particles are tried. */
+static const double MOST_PARTICLES = 1e5, HALVING_OBSTACLES = 250, TRIED = 10;
+
+static double most_particles(const sph2d_scene *scene)
+{
+    return MOST_PARTICLES / (1 + (double)scene->obstacle_count / HALVING_OBSTACLES);
+}
 
 /* The factor of the spacing; 1 for scenes of single particles, which have no coarser form. */
 static double choose_coarsening(const sph2d_scene *scene)
 {
+    const double most = most_particles(scene);
     double k = 1;
-    for (double many = sph2d_scene_particles(scene); many > MOST_PARTICLES && scene->particles.count == 0; k *= 1.1) {
+    for (double many = sph2d_scene_particles(scene); many > most && scene->particles.count == 0; k *= 1.1) {
         sph2d_scene coarse = *scene;
         sph2d_block *blocks = coarse_scene(&coarse, k);
         if (!blocks)
@@ -150,7 +157,15 @@ static sph2d_status create_affordable(checked *c)
     sph2d_report_clear(&twice);
     if (status != SPH2D_OK)
         return sph2d_scene_fits(c->scene, &c->report);
-    return create_coarse(c) ? SPH2D_OK : create(c, c->scene, &c->report);
+    if (create_coarse(c))
+        return SPH2D_OK;
+    const double many = sph2d_scene_particles(c->scene);
+    if (many <= TRIED * most_particles(c->scene))
+        return create(c, c->scene, &c->report);
+    message_note("its start was not tried: it has about %.2g particles, too many for a check, and no coarser form of "
+                 "it can be made",
+                 many);
+    return SPH2D_OK;
 }
 
 /* From the coarse scene's numbers to those of the scene: areas by k^2, lengths and steps by k. */
@@ -242,6 +257,23 @@ static void print_table(const checked *c)
                  text_seconds(cpu, c->cpu), threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
+/* All that is known of a scene whose start was not tried. */
+static void print_untried(const checked *c)
+{
+    const double particles = sph2d_scene_particles(c->scene);
+    if (c->options->json) {
+        cli_json line = json_begin(stdout);
+        json_text(&line, "scene", c->scene->name);
+        json_count(&line, "particles", (uint64_t)particles);
+        json_number(&line, "until", c->scene->run.until);
+        json_end(&line);
+    } else if (!c->options->quiet) {
+        text_row("scene", "%s: no errors", c->scene->name);
+        print_active(c->scene);
+        text_row("particles", "about %.2g", particles);
+    }
+}
+
 static void print_object(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
@@ -288,9 +320,27 @@ static int prepare(checked *c)
     frame_style style = frame_style_of_scene(c->scene);
     sph2d_status style_status = frame_style_check(&style, &c->report);
     status = create_affordable(c);
-    if (status == SPH2D_OK)
+    if (status == SPH2D_OK && c->sim)
         c->plan = *sph2d_sim_plan(c->sim);
     return report_status(c, status != SPH2D_OK ? status : style_status);
+}
+
+static int try_start(checked *c)
+{
+    int code = CLI_EXIT_SUCCESS;
+    if (c->options->preview)
+        code = draw_preview(c);
+    if (code == CLI_EXIT_SUCCESS)
+        code = measure(c);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    estimate(c);
+    extrapolate(c);
+    if (c->options->json)
+        print_object(c);
+    else if (!c->options->quiet)
+        print_table(c);
+    return code;
 }
 
 int command_check(const cli_options *options)
@@ -301,18 +351,10 @@ int command_check(const cli_options *options)
     }
     checked c = {.options = options, .threads = threads_choose(options), .coarsening = 1};
     int code = prepare(&c);
-    if (code == CLI_EXIT_SUCCESS && options->preview)
-        code = draw_preview(&c);
-    if (code == CLI_EXIT_SUCCESS)
-        code = measure(&c);
-    if (code == CLI_EXIT_SUCCESS)
-        estimate(&c);
-    if (code == CLI_EXIT_SUCCESS)
-        extrapolate(&c);
-    if (code == CLI_EXIT_SUCCESS && options->json)
-        print_object(&c);
-    else if (code == CLI_EXIT_SUCCESS && !options->quiet)
-        print_table(&c);
+    if (code == CLI_EXIT_SUCCESS && c.sim)
+        code = try_start(&c);
+    else if (code == CLI_EXIT_SUCCESS)
+        print_untried(&c);
     sph2d_sim_destroy(c.sim);
     free(c.coarse_blocks);
     sph2d_scene_file_destroy(c.file);

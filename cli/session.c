@@ -3,6 +3,8 @@
  *  The common part of `run` and `resume`. */
 #include "session.h"
 
+#include <inttypes.h>
+
 #include "clock.h"
 #include "exit.h"
 #include "message.h"
@@ -102,6 +104,17 @@ static int end_code(const loop_result *result)
     return exit_of_status(result->status);
 }
 
+/* Where to look for what went wrong: the moment of the guard, and the last snapshot before. */
+static void tell_saved(const cli_session *s)
+{
+    const uint64_t snapshots = sph2d_sim_output_count(s->sim, SPH2D_OUTPUT_SNAPSHOT);
+    if (snapshots > 0)
+        message_note("state saved to '%s/guard.h5'; the last snapshot before is 'snapshot_%06" PRIu64 ".h5'",
+                     s->folder.path, snapshots - 1);
+    else
+        message_note("state saved to '%s/guard.h5'", s->folder.path);
+}
+
 int session_run(cli_session *s, saved_in saved)
 {
     const sph2d_scene *scene = sph2d_sim_scene(s->sim);
@@ -122,7 +135,7 @@ int session_run(cli_session *s, saved_in saved)
                          "continues",
                          s->folder.path);
         if (result.end == LOOP_GUARD)
-            message_note("state saved to '%s/guard.h5'", s->folder.path);
+            tell_saved(s);
         summary_print(s->sim, &result, end_name(&result), &s->threads, s->options);
         code = end_code(&result);
     }

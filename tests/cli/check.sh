@@ -81,6 +81,24 @@ sed 's/.*"particles": \([0-9]*\), "wall_particles": \([0-9]*\).*/\1 \2/' out |
     awk '{ exit !($1 > 4.95e6 && $1 < 5.05e6 && $2 > 49000 && $2 < 51000) }' || fail "a large scene: $(cat out)"
 expect 65 "$SPH2D" check large.yaml -s spacing=1e-8 && says 'particles need .* of memory' && says 'larger spacing'
 
+# What no coarser form can stand for is read, not tried: walls as long as a road. A thousand posts in a pond take no
+# longer than one.
+cat >road.yaml <<END
+domain: {min: [0, 0], max: [3, 110946]}
+spacing: 0.025
+blocks: [{box: {min: [0.2, 0.5], max: [0.8, 1.1]}}]
+run: {until: 6}
+END
+(ulimit -v 2000000 && expect 0 "$SPH2D" check road.yaml) && says 'its start was not tried' && prints '^particles  *about'
+expect 0 "$SPH2D" check road.yaml --json && prints '"particles": [0-9]*'
+{
+    sed 's/0.5, 0.9/1, 0.9/; s/0.0003/0.001/' large.yaml
+    echo 'obstacles:'
+    awk 'BEGIN { for (i = 0; i < 1000; ++i) printf "  - circle: {center: [%.4f, %.4f], radius: 0.008}\n",
+        0.016 + 0.03125 * (i % 32), 0.016 + 0.03125 * int(i / 32) }'
+} >posts.yaml
+expect 0 "$SPH2D" check posts.yaml && says 'a spacing .* times as large'
+
 # Its trial steps end where the run does: a guard that fires beyond that is none of its business.
 set -- "$TINY" -s method.time_step=0.004
 expect 1 "$SPH2D" run "$@" -q --no-frames -s run.until=0.3 -o beyond

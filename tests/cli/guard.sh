@@ -6,6 +6,8 @@
 expect 1 "$SPH2D" run "$TINY" -o folder --no-frames --progress never -s method.time_step=0.2 -s run.until=5
 says 'error\[R30[1-4]\]' && says 'guard.h5' && prints 'guard at t = '
 present folder/guard.h5 && present folder/snapshot_000000.h5
+last=$(cd folder && printf '%s\n' snapshot_*.h5 | tail -n 1)
+says "the last snapshot before is '$last'"
 expect 0 "$SPH2D" info folder/guard.h5
 cp -r folder before
 expect 1 "$SPH2D" resume folder --no-frames --progress never && says 'error\[R30'
