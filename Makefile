@@ -401,6 +401,9 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved
 	$(hush)tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --renew
 
+test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the same bits (40 minutes)
+	$(hush)tests/golden/threads.sh $(BUILD)/tests/golden $(BUILD)/same-bits "$$(nproc)"
+
 STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
@@ -585,8 +588,8 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test golden test-sanitize test-mutants test-terms test-full bench \
-    bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard hard-docs test-faults \
+.PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-mutants test-terms test-full \
+    bench bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard hard-docs test-faults \
     test-fuzz fuzz-run bench-instructions bench-variants report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

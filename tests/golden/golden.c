@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file golden.c
  *  Runs a scene file by every method, precision and instruction set for 200 steps with few particles, and prints a hash
- *  of all particles each time: golden SCENE.yaml NAME. A line: name, method, precision, instruction set, how it ended,
- *  steps, particles, hash. */
+ *  of all particles each time: golden SCENE.yaml NAME [STEPS PARTICLES THREADS...]. A line: name, method, precision,
+ *  instruction set, how it ended, steps, particles, hash. With several numbers of threads, also those whose hashes
+ *  differ from the first's; the exit code is 1 then. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,15 @@
 #include <sph2d/io.h>
 #include <sph2d/state.h>
 
-enum { STEPS = 200, PARTICLES = 200 };
+enum { MOST = 16 };
+
+/* How each scene is run, and whether a number of threads has changed anything. */
+static struct {
+    uint64_t steps;
+    double particles;
+    int threads[MOST], count;
+    bool differs;
+} wanted = {.steps = 200, .particles = 200, .threads = {1}, .count = 1};
 
 /* What is laid on top of the scene; the first is the scene's own method. */
 static const char *const methods[][2] = {{"own", NULL},
@@ -86,9 +95,9 @@ static const char *read_small(const char *path, const char *method, const char *
         return status;
     const sph2d_scene *scene = sph2d_scene_file_scene(*file);
     sph2d_plan plan;
-    if (sph2d_scene_plan(scene, &plan, NULL) != SPH2D_OK || plan.fluid_particles <= PARTICLES)
+    if (sph2d_scene_plan(scene, &plan, NULL) != SPH2D_OK || plan.fluid_particles <= wanted.particles)
         return status;
-    double spacing = scene->spacing * sqrt((double)plan.fluid_particles / PARTICLES);
+    double spacing = scene->spacing * sqrt((double)plan.fluid_particles / wanted.particles);
     sph2d_scene_file *small = NULL;
     read_scene(path, method, precision, spacing, &small);
     if (small) {
@@ -98,21 +107,49 @@ static const char *read_small(const char *path, const char *method, const char *
     return status;
 }
 
-/** Prints how the run ended, where, and the hash. */
-static void run(const sph2d_scene *scene, sph2d_isa isa)
+/** How a run ended, where, and the hash. */
+typedef struct outcome {
+    sph2d_status status;
+    uint64_t steps, hash;
+    size_t particles;
+} outcome;
+
+static outcome run(const sph2d_scene *scene, sph2d_isa isa, int threads)
 {
     sph2d_sim_options options = sph2d_sim_options_default();
     options.isa = isa;
-    options.threads = 1;
+    options.threads = threads;
     sph2d_sim *sim = NULL;
     sph2d_status status = sph2d_sim_create(scene, &options, &sim, NULL);
-    while (status == SPH2D_OK && sph2d_sim_steps(sim) < STEPS)
+    while (status == SPH2D_OK && sph2d_sim_steps(sim) < wanted.steps)
         status = sph2d_sim_step(sim, NULL);
-    printf(" %s", sph2d_status_name(status));
+    outcome o = {.status = status};
     if (sim)
-        printf(" %llu %zu %016llx", (unsigned long long)sph2d_sim_steps(sim), sph2d_sim_fluid(sim).count,
-               (unsigned long long)hash_state(sim));
+        o = (outcome){status, sph2d_sim_steps(sim), hash_state(sim), sph2d_sim_fluid(sim).count};
     sph2d_sim_destroy(sim);
+    return o;
+}
+
+static void print_outcome(const outcome *o)
+{
+    printf(" %s", sph2d_status_name(o->status));
+    if (o->particles > 0 || o->steps > 0)
+        printf(" %llu %zu %016llx", (unsigned long long)o->steps, o->particles, (unsigned long long)o->hash);
+}
+
+/** By the first number of threads, and what the others did otherwise. */
+static void run_and_print(const sph2d_scene *scene, sph2d_isa isa)
+{
+    outcome first = run(scene, isa, wanted.threads[0]);
+    print_outcome(&first);
+    for (int k = 1; k < wanted.count; ++k) {
+        outcome o = run(scene, isa, wanted.threads[k]);
+        if (o.status == first.status && o.steps == first.steps && o.hash == first.hash)
+            continue;
+        printf("; by %d threads", wanted.threads[k]);
+        print_outcome(&o);
+        wanted.differs = true;
+    }
 }
 
 /** A line for each instruction set, or one where the scene is refused. */
@@ -125,7 +162,7 @@ static void run_all(const char *path, const char *name, const char *const method
     for (sph2d_isa isa = SPH2D_ISA_BASELINE; file && isa <= SPH2D_ISA_AVX512; ++isa)
         if (sph2d_isa_available(isa)) {
             printf("%s %s %s %s", name, method[0], precision, sph2d_isa_name(isa));
-            run(sph2d_scene_file_scene(file), isa);
+            run_and_print(sph2d_scene_file_scene(file), isa);
             putchar('\n');
         }
     sph2d_scene_file_destroy(file);
@@ -133,12 +170,19 @@ static void run_all(const char *path, const char *name, const char *const method
 
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fputs("usage: golden SCENE.yaml NAME\n", stderr);
+    if (argc != 3 && (argc < 6 || argc > 5 + MOST)) {
+        fputs("usage: golden SCENE.yaml NAME [STEPS PARTICLES THREADS...]\n", stderr);
         return 2;
+    }
+    if (argc > 3) {
+        wanted.steps = strtoull(argv[3], NULL, 10);
+        wanted.particles = strtod(argv[4], NULL);
+        wanted.count = argc - 5;
+        for (int k = 0; k < wanted.count; ++k)
+            wanted.threads[k] = atoi(argv[5 + k]);
     }
     for (size_t m = 0; m < sizeof methods / sizeof *methods; ++m)
         for (size_t p = 0; p < sizeof precisions / sizeof *precisions; ++p)
             run_all(argv[1], argv[2], methods[m], precisions[p]);
-    return 0;
+    return wanted.differs;
 }
