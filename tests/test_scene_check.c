@@ -192,6 +192,72 @@ START_TEST(a_warning_does_not_refuse)
 }
 END_TEST
 
+/** Gravity along periodic sides drives a flow, and compresses nothing. */
+START_TEST(a_driven_flow_has_no_depth)
+{
+    sph2d_scene channel = sph2d_scene_default();
+    sph2d_block filled = sph2d_block_default();
+    filled.shape.kind = SPH2D_SHAPE_BOX;
+    filled.shape.box = channel.domain = (sph2d_box){{0, 0}, {1, 1}};
+    channel.spacing = 0.05;
+    channel.blocks = &filled;
+    channel.block_count = 1;
+    channel.method.sound_speed = 1;
+    channel.gravity = (sph2d_vec2){1, 0};
+    ck_assert_int_eq(sph2d_scene_check(&channel, &report), SPH2D_OK);
+    ck_assert_uint_eq(report.count, 1);
+    sph2d_report_clear(&report);
+    channel.boundary.left = channel.boundary.right = SPH2D_SIDE_PERIODIC;
+    ck_assert_int_eq(sph2d_scene_check(&channel, &report), SPH2D_OK);
+    ck_assert_msg(report.count == 0, "%s", test_report_text(&report));
+}
+END_TEST
+
+/** What the hard cases say of films, disorder and springs, each at its bound. */
+START_TEST(what_a_method_computes_badly_is_warned_of)
+{
+    sph2d_scene weak = sph2d_scene_default();
+    sph2d_block block = sph2d_block_default();
+    sph2d_particle particle = {.x = 0.5, .y = 0.024, .density = 1000};
+    block.shape.kind = SPH2D_SHAPE_BOX;
+    block.shape.box = (sph2d_box){{0, 0}, {1, 0.17}};
+    weak.domain = (sph2d_box){{0, 0}, {1, 1}};
+    weak.spacing = 0.05;
+    weak.blocks = &block;
+    weak.block_count = 1;
+    for (int deeper = 0; deeper < 2; ++deeper) { /* 3.4 and 3.6 rows */
+        block.shape.box.max.y = deeper ? 0.18 : 0.17;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&weak, &report), SPH2D_OK);
+        ck_assert_msg(report.count == (deeper ? 0 : 1), "%s", test_report_text(&report));
+    }
+    const struct {
+        sph2d_method method;
+        double amplitude;
+        size_t warnings;
+    } disorders[] = {{SPH2D_METHOD_MULLER, 0.3, 1}, {SPH2D_METHOD_MULLER, 0.29, 0}, {SPH2D_METHOD_WCSPH, 0.3, 0}};
+    block.shape.box.max.y = 0.5;
+    for (size_t k = 0; k < sizeof disorders / sizeof *disorders; ++k) {
+        weak.method.name = disorders[k].method;
+        block.perturb.amplitude = disorders[k].amplitude;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&weak, &report), SPH2D_OK);
+        ck_assert_msg(report.count == disorders[k].warnings, "%s", test_report_text(&report));
+    }
+    weak.block_count = 0;
+    weak.particles = (sph2d_particles){.items = &particle, .count = 1};
+    weak.method.name = SPH2D_METHOD_MULLER;
+    weak.method.sound_speed = 40;
+    weak.walls = SPH2D_WALL_SPRING;
+    for (int farther = 0; farther < 2; ++farther) {
+        particle.y = farther ? 0.025 : 0.024;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&weak, &report), SPH2D_OK);
+        ck_assert_msg(report.count == (farther ? 0 : 1), "%s", test_report_text(&report));
+    }
+}
+END_TEST
+
 /** Liquid as deep as 1 m compresses itself by 16 % where sound has 8 m/s, by less than 10 % where it has 12; without a
  *  sound speed there is nothing to warn of. */
 START_TEST(a_sound_speed_too_low_for_the_depth_is_warned_of)
@@ -430,6 +496,8 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, the_sound_scene_is_sound);
     tcase_add_test(tests, a_warning_does_not_refuse);
     tcase_add_test(tests, a_sound_speed_too_low_for_the_depth_is_warned_of);
+    tcase_add_test(tests, a_driven_flow_has_no_depth);
+    tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);

@@ -300,5 +300,7 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
     check_rate(&c, scene->run.frames.rate, "run.frames");
     sph2d__check_method(&c);
     check_contents(&c);
+    if (c.errors == 0)
+        sph2d__check_weak(&c);
     return c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }

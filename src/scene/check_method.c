@@ -195,6 +195,13 @@ static void check_block_spacings(sph2d__checker *c)
  * without a word. */
 static const double MAX_HEAD_COMPRESSION = 0.1;
 
+/** Whether gravity is along periodic sides only, where it drives a flow and nothing rests on anything. */
+static bool drives_only(const sph2d_scene *scene)
+{
+    return (scene->gravity.x == 0 || sph2d__period_x(scene) > 0) &&
+           (scene->gravity.y == 0 || sph2d__period_y(scene) > 0);
+}
+
 /** Warns of a sound speed that is too low for the depth and speed of the liquid. */
 static void check_sound_speed(sph2d__checker *c)
 {
@@ -203,7 +210,10 @@ static void check_sound_speed(sph2d__checker *c)
         !(left_out.sound_speed > 0 || left_out.stiffness > 0)) /* what is derived needs a valid scene */
         return;
     sph2d__derived derived = sph2d__scene_derive(c->scene);
-    double compression = derived.head / (derived.sound_speed * derived.sound_speed);
+    double head = drives_only(c->scene)
+                      ? derived.head - hypot(c->scene->gravity.x, c->scene->gravity.y) * derived.height
+                      : derived.head;
+    double compression = head / (derived.sound_speed * derived.sound_speed);
     if (!(compression > MAX_HEAD_COMPRESSION))
         return;
     sph2d_scene scene = *c->scene;

@@ -51,6 +51,9 @@ void sph2d__check_ranges(sph2d__checker *c);
 /** Checks the features of the method, and periodic sides. */
 void sph2d__check_method(sph2d__checker *c);
 
+/** Warns of scenes that their method is known to compute badly. */
+void sph2d__check_weak(sph2d__checker *c);
+
 /** Checks single particles, up to the first error. */
 void sph2d__check_particles(sph2d__checker *c);
 

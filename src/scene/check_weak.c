@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_weak.c
+ *  Warns of scenes that a method is known to compute badly, each measured by a hard case (docs/validation.md) whose
+ *  figures stand below. */
+#include <math.h>
+
+#include "scene/checker.h"
+#include "scene/resolve.h"
+#include "scene/shape.h"
+
+static bool is_method(const sph2d_scene *scene, sph2d_method name)
+{
+    return scene->method.name == name;
+}
+
+/* Films of one and of three rows still moved by 0.04 to 0.09 sqrt(g H) after 2 s, by every method but one (D4): where
+ * half of the particles or more are at a surface, nothing damps them. */
+static const double FEWEST_ROWS = 3.5;
+
+/** Warns if the thickest block is a film. Sources fill as they please. */
+static void check_films(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    size_t thickest = 0;
+    double rows = 0;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        sph2d_box b = sph2d__shape_bounds(&scene->blocks[i].shape);
+        double thickness = fmin(b.max.x - b.min.x, b.max.y - b.min.y) / scene->spacing;
+        if (thickness > rows) {
+            rows = thickness;
+            thickest = i;
+        }
+    }
+    if (!(rows > 0) || !(rows < FEWEST_ROWS) || scene->source_count > 0 || scene->particles.count > 0 ||
+        (scene->gravity.x == 0 && scene->gravity.y == 0))
+        return;
+    char path[SPH2D__PATH_SIZE];
+    sph2d_diagnostic *d = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE,
+                                           sph2d__check_path(path, "blocks", thickest, ""),
+                                           "the thickest block is %.2g spacings thick: particles of such a film "
+                                           "have no inside and do not come to rest",
+                                           rows);
+    sph2d_diagnostic_hint(d, "a spacing of %.2g m or less gives it ten rows", rows * scene->spacing / 10);
+}
+
+/* From 0.3 spacings of disorder on muller heats itself: 1.1 to 2.1 % of density, speeds of c0/6 to c0/3; the other
+ * methods settle (C6). */
+static const double MOST_DISORDER = 0.3;
+
+static void check_disorder(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    for (size_t i = 0; i < scene->block_count && is_method(scene, SPH2D_METHOD_MULLER); ++i) {
+        if (!(scene->blocks[i].perturb.amplitude >= MOST_DISORDER))
+            continue;
+        char path[SPH2D__PATH_SIZE];
+        sph2d_diagnostic *d = sph2d_report_add(
+            c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "blocks", i, ".perturb"),
+            "method muller heats liquid that starts as disordered as this: speeds of a sixth of c0 and more");
+        sph2d_diagnostic_hint(d, "give an amplitude of 0.1 or less, or use `method: {name: wcsph}`");
+        return;
+    }
+}
+
+/* A particle that starts in a spring leaves it at up to c0/2: 8 times the speed of the highest fall (spring), 2.5
+ * (heavy); generalised walls push gently (D7). */
+static const double LEAST_DISTANCE = 0.5;
+
+/** Distance to the nearest side that is a wall [m]. */
+static double distance_to_walls(const sph2d_scene *scene, const sph2d_particle *p)
+{
+    const sph2d_boundary b = scene->boundary;
+    const sph2d_box d = scene->domain;
+    double left = b.left == SPH2D_SIDE_WALL ? p->x - d.min.x : INFINITY;
+    double right = b.right == SPH2D_SIDE_WALL ? d.max.x - p->x : INFINITY;
+    double bottom = b.bottom == SPH2D_SIDE_WALL ? p->y - d.min.y : INFINITY;
+    double top = b.top == SPH2D_SIDE_WALL ? d.max.y - p->y : INFINITY;
+    return fmin(fmin(left, right), fmin(bottom, top));
+}
+
+static void check_distance(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    sph2d_wall_form form = sph2d__side_form(scene);
+    if (form != SPH2D_WALL_SPRING && form != SPH2D_WALL_HEAVY)
+        return;
+    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i) {
+        double distance = distance_to_walls(scene, &scene->particles.items[i]) / scene->spacing;
+        if (!(distance < LEAST_DISTANCE * (1 - 1e-9)))
+            continue;
+        char path[SPH2D__PATH_SIZE];
+        sph2d_diagnostic *d = sph2d_report_add(
+            c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "particles", i, ""),
+            "it starts %.2g spacings from a wall that repels what is nearer than half a spacing, and is thrown away",
+            distance);
+        sph2d_diagnostic_hint(d, "start it half a spacing away, or use `walls: generalised` of wcsph, pcisph, "
+                                 "constraint");
+        return;
+    }
+}
+
+void sph2d__check_weak(sph2d__checker *c)
+{
+    check_films(c);
+    check_disorder(c);
+    check_distance(c);
+}
