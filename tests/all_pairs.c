@@ -7,21 +7,47 @@
 
 static const double FINE = 1e-10;
 
-double weight(sph2d_kernel kernel, double support, double r)
+/** t to the power n, 0 where t is negative. */
+static double power(double t, int n)
 {
-    double q = r / support, t = fmax(1 - q, 0);
-    if (kernel == SPH2D_KERNEL_WENDLAND_C4)
-        return 9 / (TEST_PI * support * support) * pow(t, 6) * (1 + 6 * q + 35.0 / 3 * q * q);
-    return 7 / (TEST_PI * support * support) * pow(t, 4) * (1 + 4 * q);
+    return t > 0 ? pow(t, n) : 0;
 }
 
-/** grad W = slope r_ij. */
+double weight(sph2d_kernel kernel, double support, double r)
+{
+    double q = r / support, s = 3 * q, area = TEST_PI * support * support;
+    switch (kernel) {
+    case SPH2D_KERNEL_WENDLAND_C2:
+        return 7 / area * power(1 - q, 4) * (1 + 4 * q);
+    case SPH2D_KERNEL_WENDLAND_C4:
+        return 9 / area * power(1 - q, 6) * (1 + 6 * q + 35.0 / 3 * q * q);
+    case SPH2D_KERNEL_WENDLAND_C6:
+        return 78 / (7 * area) * power(1 - q, 8) * (1 + 8 * q + 25 * q * q + 32 * q * q * q);
+    case SPH2D_KERNEL_CUBIC:
+        return 40 / (7 * area) * (power(2 - 2 * q, 3) / 4 - power(1 - 2 * q, 3));
+    case SPH2D_KERNEL_QUINTIC:
+        return 63 / (478 * area) * (power(3 - s, 5) - 6 * power(2 - s, 5) + 15 * power(1 - s, 5));
+    }
+    return NAN;
+}
+
+/** grad W = slope r_ij; the splines' slope has no value at 0, where it is not asked for. */
 static double slope(sph2d_kernel kernel, double support, double r)
 {
-    double q = r / support, t = fmax(1 - q, 0), h4 = pow(support, 4);
-    if (kernel == SPH2D_KERNEL_WENDLAND_C4)
-        return -9 / (TEST_PI * h4) * 56.0 / 3 * pow(t, 5) * (1 + 5 * q);
-    return -7 / (TEST_PI * h4) * 20 * pow(t, 3);
+    double q = r / support, s = 3 * q, h4 = TEST_PI * pow(support, 4);
+    switch (kernel) {
+    case SPH2D_KERNEL_WENDLAND_C2:
+        return -7 / h4 * 20 * power(1 - q, 3);
+    case SPH2D_KERNEL_WENDLAND_C4:
+        return -9 / h4 * 56.0 / 3 * power(1 - q, 5) * (1 + 5 * q);
+    case SPH2D_KERNEL_WENDLAND_C6:
+        return -78 / (7 * h4) * 22 * power(1 - q, 7) * (1 + 7 * q + 16 * q * q);
+    case SPH2D_KERNEL_CUBIC:
+        return r > 0 ? -40 / (7 * h4) * (1.5 * power(2 - 2 * q, 2) - 6 * power(1 - 2 * q, 2)) / q : 0;
+    case SPH2D_KERNEL_QUINTIC:
+        return r > 0 ? -63 / (478 * h4) * 15 * (power(3 - s, 4) - 6 * power(2 - s, 4) + 15 * power(1 - s, 4)) / q : 0;
+    }
+    return NAN;
 }
 
 sph2d_scene scene;

@@ -32,7 +32,7 @@ static sph2d_vec2 density_slope(const sph2d__system *s, size_t i)
 
 START_TEST(density_follows_the_divergence)
 {
-    scene.method.kernel = _i ? SPH2D_KERNEL_WENDLAND_C4 : SPH2D_KERNEL_WENDLAND_C2;
+    scene.method.kernel = (sph2d_kernel)_i;
     sph2d__system *s = make(SPH2D_ISA_AUTO);
     sph2d__wcsph.density_rate(s);
     for (size_t i = 0; i < s->fluid.count; ++i) {
@@ -144,6 +144,14 @@ START_TEST(forces_are_those_of_all_pairs)
     scene.method.state_equation = _i & 8 ? SPH2D_STATE_TAIT : SPH2D_STATE_LINEAR;
     scene.method.kernel = _i & 4 ? SPH2D_KERNEL_WENDLAND_C4 : SPH2D_KERNEL_WENDLAND_C2;
     scene.method.density_diffusion = _i & 16 ? 0.1 : 0; /* other copies of the loops */
+    check_every_instruction_set();
+}
+END_TEST
+
+START_TEST(forces_are_those_of_the_kernel)
+{
+    scene.fluid.dynamic_viscosity = 3;
+    scene.method.kernel = (sph2d_kernel)_i;
     check_every_instruction_set();
 }
 END_TEST
@@ -288,11 +296,12 @@ Suite *suite_wcsph(void)
     Suite *suite = suite_create("wcsph");
     TCase *tests = tcase_create("operators");
     tcase_add_checked_fixture(tests, start, finish);
-    tcase_add_loop_test(tests, density_follows_the_divergence, 0, 2);
+    tcase_add_loop_test(tests, density_follows_the_divergence, 0, SPH2D_KERNEL_COUNT);
     tcase_add_test(tests, density_is_smoothed_as_antuono_says);
     tcase_add_test(tests, linear_density_is_not_smoothed);
     tcase_add_test(tests, a_dense_spot_spreads);
     tcase_add_loop_test(tests, forces_are_those_of_all_pairs, 0, 32);
+    tcase_add_loop_test(tests, forces_are_those_of_the_kernel, 0, SPH2D_KERNEL_COUNT);
     tcase_add_loop_test(tests, eddies_damp_as_smagorinsky_says, 0, 4);
     tcase_add_test(tests, eddies_leave_smooth_strain_alone);
     tcase_add_test(tests, strain_is_no_more_than_a_step_stands);
