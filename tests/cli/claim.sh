@@ -63,7 +63,12 @@ done
 # Stopped while it prepares to replace a run: that is as it was.
 expect 0 "$SPH2D" run first.yaml -q -o old/run && cp -r old kept
 start run slow.yaml -s spacing=0.0007 -q -o old/run --force
-sleep 0.5
+tries=0
+while flock -n old/run true; do # until it has locked the folder
+    tries=$((tries + 1))
+    [ $tries -lt 3000 ] || fail 'no lock within a minute'
+    sleep 0.02
+done
 expect 73 "$SPH2D" run first.yaml -q -o old/run -f && says 'another sph2d'
 kill -TERM $pid
 ended $pid

@@ -27,11 +27,18 @@ while read -r material; do
     "$SPH2D" help materials | grep -q "^$material  *[0-9]" || fail "no $material"
 done <materials
 
+# every method with its walls, and the keys that not every method has
+expect 0 "$SPH2D" help methods && prints '^wcsph with symmetric operators (the default)$'
+prints '^  walls  *spring, heavy, reflect$' && prints '^  method.tolerance  *constraint$'
+for method in wcsph constraint pcisph muller; do prints "^$method"; done
+
 expect 64 "$SPH2D" && says "Try 'sph2d --help'"
 expect 64 "$SPH2D" rnu && says "unknown command 'rnu'; did you mean 'run'"
 expect 64 "$SPH2D" xyzzy && says "unknown command 'xyzzy'"
 expect 64 "$SPH2D" --json run x && says 'options come after the command'
 expect 64 "$SPH2D" help chekc && says "did you mean 'check'"
+expect 64 "$SPH2D" help xyzzy && says "unknown topic 'xyzzy'$"
+expect 64 "$SPH2D" help run check && says 'one topic at a time'
 expect 64 "$SPH2D" run
 says 'a scene file must be given' && says "Try 'sph2d run --help'"
 expect 64 "$SPH2D" run x && says '-o DIR'
@@ -58,6 +65,7 @@ expect 64 "$SPH2D" resume x --set fluid.density=3 && says 'only run.until'
 expect 64 "$SPH2D" info
 expect 64 "$SPH2D" init
 expect 64 "$SPH2D" init x --template drip && says "did you mean 'drop'"
+expect 64 "$SPH2D" init x --template xyzzy && says "no template 'xyzzy'$"
 expect 64 "$SPH2D" check --json && says '^{"severity": "error", .*"message": "a scene file must be given"}$'
 # -- ends the options
 expect 66 "$SPH2D" check -- --help && says "'--help'"

@@ -44,6 +44,17 @@ expect 0 "$SPH2D" run scenes/cloud.yaml -o dense -q --set run.until=0 \
 sed -n 2p dense/motion.csv | grep -q '^0,0,-7.5,' || fail "momentum: $(sed -n 2p dense/motion.csv)"
 sed -n 2p dense/p.csv | grep -q ',1010' || fail "density: $(sed -n 2p dense/p.csv)"
 
+# The scene of a study's cheapest row names the file wherever it lies itself.
+table 'x,y' '0.5,0.5'
+cat >study.yaml <<'EOF'
+scene: scenes/cloud.yaml
+runs: [{set: {run.until: 0.02}}]
+measures: [{name: still, probe: motion, column: momentum_x, expect: 0, scale: 1}]
+target: 1
+EOF
+expect 0 "$SPH2D" study study.yaml -q -o study
+expect 0 "$SPH2D" check study/cheapest.yaml && prints 'particles *1 in the liquid'
+
 # Faults.
 table 'x,vy' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*no column 'y'" && says 'columns here: x, vy'
 table 'x,y' '0.5,up' && scene 65 && says "cloud.csv:2:5: .*expected a number, got 'up'"
