@@ -92,7 +92,7 @@ END
 (ulimit -v 2000000 && expect 0 "$SPH2D" check road.yaml) && says 'its start was not tried' && prints '^particles  *about'
 expect 0 "$SPH2D" check road.yaml --json && prints '"particles": [0-9]*'
 {
-    sed 's/0.5, 0.9/1, 0.9/; s/0.0003/0.001/' large.yaml
+    sed 's/0.5, 0.9/1, 0.2/; s/0.0003/0.0025/' large.yaml
     echo 'obstacles:'
     awk 'BEGIN { for (i = 0; i < 1000; ++i) printf "  - circle: {center: [%.4f, %.4f], radius: 0.008}\n",
         0.016 + 0.03125 * (i % 32), 0.016 + 0.03125 * int(i / 32) }'
