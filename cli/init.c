@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "compose.h"
 #include "exit.h"
 #include "keys.h"
 #include "message.h"
@@ -200,24 +201,21 @@ static int claim_file(const char *path)
     return CLI_EXIT_CANTCREAT;
 }
 
-/* The text of a scene, which the caller frees; NULL when memory is short. */
-static char *compose_scene(const char *path, const scene_template *template, const char *name, size_t *length)
+/* What a scene is written from. */
+typedef struct scene_text {
+    const char *path, *name;
+    const scene_template *template;
+} scene_text;
+
+static void put_scene(const void *what, FILE *out)
 {
-    char *text = NULL;
-    FILE *out = open_memstream(&text, length);
-    if (!out)
-        return NULL;
+    const scene_text *s = what;
     fprintf(out,
             "# %s\n# Check it: sph2d check %s\n# Run it:   sph2d run %s -o out\n"
             "# Units are SI. A line #KEY: is a key that is not used; remove the # to use it.\n",
-            template->text, path, path);
-    writer w = {out, template, name};
+            s->template->text, s->path, s->path);
+    writer w = {out, s->template, s->name};
     write_struct(&w, sph2d_scene_keys(), "", (margin){0, ""});
-    bool failed = ferror(out) != 0;
-    if (fclose(out) == 0 && !failed)
-        return text;
-    free(text);
-    return NULL;
 }
 
 static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
@@ -227,7 +225,7 @@ static int write_scene(const char *path, const scene_template *template, const c
         return code;
     size_t length = 0;
     sph2d_report report = {0};
-    char *text = compose_scene(path, template, name, &length);
+    char *text = compose(put_scene, &(scene_text){path, name, template}, &length);
     sph2d_status status = text ? sph2d_text_write(path, text, length, &report) : SPH2D_NOMEM;
     free(text);
     if (status != SPH2D_OK && !force)

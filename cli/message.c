@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "breakdown.h"
+#include "compose.h"
 #include "json.h"
 #include "text.h"
 
@@ -101,14 +102,18 @@ static void write_diagnostic_text(const sph2d_diagnostic *diagnostic)
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
 
-/* Writes to a memory stream, so that the object reaches stderr in one write; directly if memory is short. */
-static void write_object(const char *severity, const sph2d_diagnostic *d)
+/* A diagnostic as JSON. */
+typedef struct object {
+    const char *severity;
+    const sph2d_diagnostic *diagnostic;
+} object;
+
+static void put_object(const void *what, FILE *out)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-    cli_json line = json_begin(stream ? stream : stderr);
-    json_text(&line, "severity", severity);
+    const object *o = what;
+    const sph2d_diagnostic *d = o->diagnostic;
+    cli_json line = json_begin(out);
+    json_text(&line, "severity", o->severity);
     json_text(&line, "code", sph2d_code_text(d->code));
     if (d->file[0] != '\0')
         json_text(&line, "file", d->file);
@@ -122,8 +127,18 @@ static void write_object(const char *severity, const sph2d_diagnostic *d)
     if (d->hint[0] != '\0')
         json_text(&line, "hint", d->hint);
     json_end(&line);
-    if (stream && fclose(stream) == 0)
-        fwrite(text, 1, size, stderr);
+}
+
+/* Composed first, so that the object reaches stderr in one write; directly if memory is short. */
+static void write_object(const char *severity, const sph2d_diagnostic *d)
+{
+    const object o = {severity, d};
+    size_t length = 0;
+    char *text = compose(put_object, &o, &length);
+    if (text)
+        fwrite(text, 1, length, stderr);
+    else
+        put_object(&o, stderr);
     free(text);
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../compose.h"
 #include "../exit.h"
 #include "../message.h"
 #include "../text.h"
@@ -16,34 +17,15 @@ int study_report(cli_study *s, sph2d_status status)
     return exit_of_status(status);
 }
 
-bool study_text_begin(study_text *t)
-{
-    *t = (study_text){NULL, NULL, 0};
-    t->out = open_memstream(&t->text, &t->size);
-    return t->out;
-}
-
-char *study_text_take(study_text *t)
-{
-    bool failed = ferror(t->out) != 0;
-    if (fclose(t->out) == 0 && !failed)
-        return t->text;
-    free(t->text);
-    return NULL;
-}
-
 int study_write(cli_study *s, const char *name, void (*put)(const void *what, FILE *out), const void *what)
 {
-    study_text t;
     sph2d_status status = SPH2D_NOMEM;
-    if (study_text_begin(&t)) {
-        put(what, t.out);
-        char *text = study_text_take(&t);
-        const char *path = folder_file(&s->folder, "%s", name);
-        if (text && path)
-            status = sph2d_text_write(path, text, t.size, &s->report);
-        free(text);
-    }
+    size_t length = 0;
+    char *text = compose(put, what, &length);
+    const char *path = folder_file(&s->folder, "%s", name);
+    if (text && path)
+        status = sph2d_text_write(path, text, length, &s->report);
+    free(text);
     return study_report(s, status);
 }
 

@@ -44,20 +44,8 @@ static inline int study_first(int code, int other)
     return code != 0 ? code : other;
 }
 
-/** A text in memory that is printed to. */
-typedef struct study_text {
-    FILE *out;
-    char *text;
-    size_t size;
-} study_text;
-
-/** False when memory is short; then there is nothing to end. */
-bool study_text_begin(study_text *t);
-
-/** Ends and returns it, to be freed by the caller; NULL when memory was short. */
-char *study_text_take(study_text *t);
-
-/** Writes a file of the folder, completely or not at all: `put` prints it. Reports errors and returns an exit code. */
+/** Writes a file of the folder, completely or not at all: `put` prints it, more than
+ *  once if it is long. Reports errors and returns an exit code. */
 int study_write(cli_study *s, const char *name, void (*put)(const void *what, FILE *out), const void *what);
 
 /** The text for {{name}} in a template. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/c_locale.h"
 #include "base/null.h"
@@ -77,22 +78,36 @@ static void put_study(FILE *out, const char *path, const sph2d_scene *scene, con
     fprintf(out, "repeat: 1\n");
 }
 
-/** NULL when memory is short. */
+/** Room for the text: what is quoted may double, the rest is shorter than a page. */
+static size_t room_for(const char *path, const sph2d_scene *scene, const sph2d_override *overrides, size_t count)
+{
+    const size_t page = 4096;
+    const sph2d_probe *exact = find_probe(scene, SPH2D_PROBE_ERROR), *energy = find_probe(scene, SPH2D_PROBE_ENERGY);
+    size_t room = page + 2 * strlen(path) + (exact ? strlen(exact->name) : 0) + (energy ? strlen(energy->name) : 0);
+    for (size_t i = 0; i < count; ++i)
+        room += 8 + 2 * strlen(overrides[i].path) + strlen(overrides[i].value);
+    return room;
+}
+
+/** NULL when memory is short. Into a buffer with room for all of it: when open_memstream cannot grow, glibc 2.36 drops a
+ *  part of the text, and neither ferror nor fclose tells. */
 static char *make_text(const char *path, const sph2d_scene *scene, const sph2d_override *overrides,
                        size_t override_count)
 {
     sph2d__c_locale locale;
-    size_t size;
-    char *text = NULL, *absolute = realpath(path, NULL);
-    FILE *out = absolute ? open_memstream(&text, &size) : NULL;
-    if (out && sph2d__c_locale_begin(&locale)) {
+    char *absolute = realpath(path, NULL);
+    size_t room = absolute ? room_for(absolute, scene, overrides, override_count) : 0;
+    char *text = absolute ? malloc(room) : NULL;
+    FILE *out = text ? fmemopen(text, room, "w") : NULL;
+    bool whole = out && sph2d__c_locale_begin(&locale);
+    if (whole) {
         put_study(out, absolute, scene, overrides, override_count);
         sph2d__c_locale_end(&locale);
     }
-    bool whole = out && !ferror(out);
+    whole = out && fflush(out) == 0 && !ferror(out) && whole;
     whole = out && fclose(out) == 0 && whole;
     free(absolute);
-    if (whole && size > 0)
+    if (whole)
         return text;
     free(text);
     return NULL;

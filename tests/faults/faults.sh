@@ -19,17 +19,22 @@ ulimit -c 0
 mkdir "$REFERENCE" && : >"$CODES"
 cd "$here"
 
-cases=(library run run_over resume check info study)
-! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render)
+cases=(library run run_over resume check info init study)
+! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render preview)
 [ $# = 0 ] || cases=("$@")
 
 # What the commands give without faults.
 "$SPH2D" run scene.yaml -q -j 1 --no-frames -o "$REFERENCE/run"
 "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" >"$REFERENCE/info.txt"
+(cd "$REFERENCE" && "$SPH2D" init out -q --template drop && mv out init) # the scene names its own path
 (cd "$folder" && "$LIBRARY") >"$REFERENCE/library.txt"
 case " ${cases[*]} " in *' run_frames '* | *' render '*)
     "$SPH2D" run scene.yaml -q -j 1 -o "$REFERENCE/run_frames"
     "$SPH2D" render "$REFERENCE/run/snapshot_000001.h5" -q -j 1 -o "$REFERENCE/render" ;;
+esac
+case " ${cases[*]} " in *' preview '*)
+    mkdir "$REFERENCE/preview"
+    "$SPH2D" check scene.yaml -q -j 1 --preview "$REFERENCE/preview/first.png" ;;
 esac
 
 # calls CASE KIND: how many there are, in the process that has most.
@@ -42,12 +47,12 @@ stride() {
     if [ -n "${FULL:-}" ]; then
         echo 1
     else
-        case $1 in library) echo 1 ;; run_frames | render) echo 997 ;; check | info | study) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
+        case $1 in library | init) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | study) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
     fi
 }
 
 for case in "${cases[@]}"; do
-    FAULTS_COUNT=$folder/calls.$case ./one.sh "$case" none:0
+    FAULTS_COUNT=$folder/calls.$case ./one.sh "$case" none:0 >&2
     for kind in alloc write truncate sync rename open mkdir thread; do
         count=$(calls "$case" $kind) step=1
         [ $kind != alloc ] || step=$(stride "$case")

@@ -29,6 +29,8 @@ run_command() {
     resume) set -- "$SPH2D" resume out -q -j 2 --no-frames ;;
     render) set -- "$SPH2D" render "$REFERENCE/run/snapshot_000001.h5" -q -j 1 -o out ;;
     check) set -- "$SPH2D" check "$scene" -j 1 ;;
+    preview) set -- "$SPH2D" check "$scene" -j 1 --preview out/first.png ;;
+    init) set -- "$SPH2D" init out --template drop ;;
     info) set -- "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" ;;
     study) set -- "$SPH2D" study "$study" -q -j 1 -J 2 -o out ;;
     library) set -- "$LIBRARY" ;;
@@ -42,6 +44,7 @@ prepare() {
     case $case in
     resume) mkdir out && cp "$REFERENCE"/run/*.csv "$REFERENCE"/run/snapshot_00000[01].h5 out ;;
     run_over) cp -r "$REFERENCE/run" out ;;
+    preview) mkdir out ;;
     esac
 }
 
@@ -84,6 +87,14 @@ check_recovery() {
     render)
         "$SPH2D" render "$REFERENCE/run/snapshot_000001.h5" -f -q -j 1 -o out >/dev/null 2>&1 </dev/null || wrong 'fails again'
         diff -r "$expected" out >/dev/null || wrong 'it draws another picture'
+        ;;
+    preview)
+        "$SPH2D" check "$scene" -j 1 --preview out/first.png >/dev/null 2>again </dev/null || wrong 'fails again'
+        diff -r "$expected" out >/dev/null || wrong 'it draws another picture'
+        ;;
+    init)
+        "$SPH2D" init out --template drop -f >/dev/null 2>again </dev/null || wrong "fails again: $(head -n 1 again)"
+        diff -r "$expected" out >/dev/null || wrong 'it writes another scene'
         ;;
     study)
         [ ! -d out ] || "$SPH2D" study "$study" -q -j 1 -f -o out >/dev/null 2>again </dev/null ||
