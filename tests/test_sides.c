@@ -90,6 +90,31 @@ START_TEST(a_source_tells_the_side_too)
 }
 END_TEST
 
+START_TEST(of_two_blocks_the_nearer_tells_the_side)
+{
+    points[0].x = points[1].x = 0.6; /* neither block is beside the line, and the right one is twice as far from it */
+    blocks[_i] = test_block(0.4, 0, 0.5, 0.4);
+    blocks[1 - _i] = test_block(0.8, 0, 0.96, 0.4);
+    scene.block_count = 2;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_int_eq(sph2d_sim_scene(sim)->obstacles[0].liquid, SPH2D_LIQUID_LEFT);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(sources_on_both_sides_are_both_seen)
+{
+    sph2d_source sources[2] = {sph2d_source_default(), sph2d_source_default()};
+    sources[0].at = (sph2d_vec2){0.15, 0.4};
+    sources[1].at = (sph2d_vec2){0.22, 0.4};
+    sources[0].speed = sources[1].speed = 1;
+    scene.sources = sources;
+    scene.source_count = 2;
+    scene.block_count = 0;
+    ck_assert(is_refused(SPH2D_CODE_CONFLICT, "obstacles[0].line"));
+}
+END_TEST
+
 START_TEST(the_side_of_a_corner_is_that_of_both_its_pieces)
 {
     /* A vessel of 20 degrees; the liquid is in it, or around it: near its tip places are nearest to the corner. */
@@ -293,6 +318,8 @@ Suite *suite_sides(void)
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_loop_test(tests, layers_are_where_the_liquid_is_not, 0, 8);
     tcase_add_loop_test(tests, a_source_tells_the_side_too, 0, 2);
+    tcase_add_loop_test(tests, of_two_blocks_the_nearer_tells_the_side, 0, 2);
+    tcase_add_test(tests, sources_on_both_sides_are_both_seen);
     tcase_add_loop_test(tests, the_side_of_a_corner_is_that_of_both_its_pieces, 0, 2);
     tcase_add_loop_test(tests, a_wall_drawn_the_wrong_way_round_holds_its_liquid, 0, 3);
     tcase_add_test(tests, lines_of_one_particle_have_no_side);

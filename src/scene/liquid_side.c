@@ -37,10 +37,11 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
 static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
 {
     double nearest = INFINITY;
+    *side = 0;
     size_t pieces = sph2d__outline_pieces(outline, 0);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, 0, k);
-        double distance = sph2d__segment_distance(&s, p), tie = 1e-9 * nearest;
+        double distance = sph2d__segment_distance(&s, p), tie = 1e-9 * distance;
         double here = sph2d__segment_side(&s, p) / hypot(s.b.x - s.a.x, s.b.y - s.a.y);
         *side = distance < nearest - tie ? here : distance <= nearest + tie ? *side + here : *side;
         nearest = fmin(nearest, distance);
