@@ -533,7 +533,7 @@ LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLA
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
 if_installed = if ! command -v $(1) >/dev/null; then echo '$(1): not installed'; else echo '$(1)';
-check-lint: check-walls $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h) ## clang-format, shellcheck, cppcheck, clang-tidy
+check-lint: check-walls $(BUILD)/gen/build_info.h $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h) ## clang-format, shellcheck, cppcheck, clang-tidy
 	$(hush)$(call if_installed,clang-format) bad=; \
 	    for f in $(ALL_C); do clang-format $$f | cmp -s $$f || bad="$$bad $$f"; done; \
 	    test -z "$$bad" || { echo "make format changes$$bad"; exit 1; }; fi

@@ -13,9 +13,14 @@
 
 static const struct {
     int number;
-    const char *name;
+    const char *what;
 } breakdowns[] = {
-    {SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGABRT, "SIGABRT"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}};
+#define BREAKDOWN(signal)                                                                                              \
+    {                                                                                                                  \
+        signal, "the command broke down (" #signal ")"                                                                 \
+    }
+    BREAKDOWN(SIGSEGV), BREAKDOWN(SIGBUS), BREAKDOWN(SIGABRT), BREAKDOWN(SIGFPE), BREAKDOWN(SIGILL)};
+#undef BREAKDOWN
 enum { BREAKDOWNS = sizeof breakdowns / sizeof *breakdowns };
 
 /* A recursion without end has no stack left for its handler. */
@@ -52,11 +57,11 @@ static void on_signal(int number)
 {
     if (leaving)
         _exit(exit_code);
-    char what[64] = "the command broke down (";
+    const char *what = "the command broke down";
     for (int k = 0; k < BREAKDOWNS; ++k)
         if (breakdowns[k].number == number)
-            strcat(what, breakdowns[k].name);
-    say(strcat(what, ")"));
+            what = breakdowns[k].what;
+    say(what);
     _exit(CLI_EXIT_SOFTWARE);
 }
 

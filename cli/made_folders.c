@@ -18,11 +18,12 @@ static made_folder *newest;
 
 static int make_one(const char *path)
 {
-    made_folder *made = malloc(sizeof *made + strlen(path) + 1);
+    size_t size = strlen(path) + 1;
+    made_folder *made = malloc(sizeof *made + size);
     if (!made)
         return ENOMEM;
     made->earlier = newest;
-    strcpy(made->path, path);
+    memcpy(made->path, path, size);
     int error = mkdir(path, 0777) == 0 ? 0 : errno;
     if (error == 0)
         newest = made;

@@ -94,7 +94,8 @@ void threads_check_mesa(void)
 {
     enum { OTHERS = 4 }; /* its caches and queues have threads, too */
     const char *text = getenv("LP_NUM_THREADS");
-    int count = text ? atoi(text) : affinity_threads();
+    long wanted = text ? strtol(text, NULL, 10) : affinity_threads();
+    int count = wanted < THREADS_MAX ? (int)(wanted < 0 ? 0 : wanted) : THREADS_MAX;
     if (count > 0 && !can_start(count + OTHERS))
         setenv("LP_NUM_THREADS", "0", 1);
 }

@@ -4,7 +4,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mkdir -p "$1" && folder=$(cd "$1" && pwd)
-rm -rf "$folder"/*
+rm -rf "${folder:?}"/*
 awk -v folder="$folder" '
     /^```diff$/ { ++n; in_diff = 1; next }
     /^```$/ { if (in_diff) wait = 1; in_diff = 0; next }

@@ -189,7 +189,7 @@ static void slide_of(const sph2d__system *s, size_t i, double a[2], double *size
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     for (size_t b = 0; b < w->count; ++b) {
-        sph2d_vec2 along;
+        sph2d_vec2 along = {0, 0};
         other o = other_of(s, i, w, b);
         double part = o.r < s->support ? slides(s, b, &along) : 0, weights = 0, push = 0;
         if (part == 0)

@@ -95,11 +95,12 @@ hid_t open_for_change(const char *path)
 
 void close_and_seal(hid_t file, const char *path)
 {
+    static const char mark[8] = "SPH2Dxxh";
     ck_assert_int_ge(H5Fclose(file), 0);
     size_t size;
     unsigned char *bytes = load_file(path, &size), *sealed = calloc(1, size + 16);
     memcpy(sealed, bytes, size);
-    memcpy(sealed + size, "SPH2Dxxh", 8);
+    memcpy(sealed + size, mark, sizeof mark);
     uint64_t sum = XXH64(bytes, size, 0);
     for (size_t i = 0; i < 8; ++i)
         sealed[size + 8 + i] = (unsigned char)(sum >> 8 * i);

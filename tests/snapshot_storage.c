@@ -74,7 +74,7 @@ static void replace(hid_t f, hid_t type, hsize_t rows, hsize_t chunk, hid_t prop
         ck_assert_int_ge(H5Pset_chunk(properties, 1, &chunk), 0);
     hid_t d = H5Dcreate2(f, DENSITIES, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
     ck_assert_int_ge(d, 0);
-    double *ones = calloc(rows, sizeof *ones);
+    double *ones = write ? calloc(rows, sizeof *ones) : NULL;
     if (write)
         ck_assert_int_ge(H5Dwrite(d, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, ones), 0);
     free(ones);

@@ -79,10 +79,13 @@ START_TEST(liquid_runs_out_through_a_hole)
     obstacles[1].outline.kind = SPH2D_OUTLINE_LINE;
     obstacles[1].outline.line = (sph2d_points){second, 2};
     sph2d_obstacle right = sph2d_obstacle_default();
-    sph2d_vec2 side[2] = {{0.8, 1.5}, {0.8, 1.8}};
+    static sph2d_vec2 side[2] = {{0.8, 1.5}, {0.8, 1.8}};
     right.outline.kind = SPH2D_OUTLINE_LINE;
     right.outline.line = (sph2d_points){side, 2};
-    sph2d_obstacle all[3] = {obstacles[0], obstacles[1], right};
+    static sph2d_obstacle all[3];
+    all[0] = obstacles[0];
+    all[1] = obstacles[1];
+    all[2] = right;
     scene.obstacles = all;
     scene.obstacle_count = 3;
     ck_assert_double_eq_tol(height(), _i ? 0.2 : 1.7, 0.02 + 1e-9);
@@ -137,7 +140,8 @@ END_TEST
 
 START_TEST(a_source_counts_from_its_nozzle)
 {
-    sph2d_source source = sph2d_source_default();
+    static sph2d_source source;
+    source = sph2d_source_default();
     source.at = (sph2d_vec2){0.5, 1.75};
     source.speed = 0.1;
     scene.sources = &source;

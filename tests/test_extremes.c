@@ -72,7 +72,7 @@ static void too_long(int signal)
 static void limit_time(int seconds)
 {
     const char *patience = getenv("CK_TIMEOUT_MULTIPLIER"); /* sanitizers are slow */
-    struct itimerval limit = {{0, 0}, {seconds * (patience ? atoi(patience) : 1), 0}};
+    struct itimerval limit = {{0, 0}, {seconds * (patience ? strtol(patience, NULL, 10) : 1), 0}};
     setitimer(ITIMER_PROF, &limit, NULL);
 }
 

@@ -125,7 +125,7 @@ START_TEST(it_is_the_sum_over_all_pairs)
     for (size_t i = 0; i < f->count; ++i)
         gradient_of(i, l[i]);
     for (size_t i = 0; i < f->count; ++i) {
-        double sx = 0, sy = 0, x, y;
+        double sx = 0, sy = 0, x = 0, y = 0;
         for (size_t j = 0; j < f->count; ++j) {
             double g = j == i ? 0 : slope(i, j, &x, &y);
             if (g == 0)

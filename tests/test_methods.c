@@ -21,6 +21,7 @@ START_TEST(every_method_has_its_row_and_its_forces)
     for (size_t k = 0; k < keys->count; ++k)
         if (strcmp(keys->items[k].name, "method") == 0)
             words = &keys->items[k].keys->items[0];
+    ck_assert_ptr_nonnull(words);
     ck_assert_str_eq(words->name, "name");
     for (int m = 0; words->words[m]; ++m) {
         const sph2d_method_info *row = sph2d_method_of(&(sph2d_method_options){.name = (sph2d_method)m});

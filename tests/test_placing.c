@@ -124,7 +124,8 @@ END_TEST
 /** A solid that is drawn into a block takes its area from it, and the plan says how much of which. */
 START_TEST(what_solids_take_is_told)
 {
-    sph2d_obstacle solid = sph2d_obstacle_default();
+    static sph2d_obstacle solid;
+    solid = sph2d_obstacle_default();
     solid.outline.kind = SPH2D_OUTLINE_BOX;
     solid.outline.box = (sph2d_box){{0.5, 0.3}, {0.7, 0.6}};
     blocks[1] = test_block(0.4, 0.1, 0.7, 0.5); /* 0.12 m^2, 0.04 of them in the solid */

@@ -307,10 +307,11 @@ END_TEST
 START_TEST(lines_of_many_cells_are_read)
 {
     enum { CELLS = 60000 };
+    static const char head[4] = "t,a\n", row[4] = "1,2\n";
     static char text[2 * CELLS + 20];
     memset(text, ',', sizeof text - 1);
-    memcpy(text + CELLS, "t,a\n", 4);
-    memcpy(text + 2 * CELLS + 4, "1,2\n", 4);
+    memcpy(text + CELLS, head, sizeof head);
+    memcpy(text + 2 * CELLS + 4, row, sizeof row);
     clock_t start = clock();
     ck_assert_int_eq(read_points(text, 2 * CELLS + 8, false), SPH2D_OK);
     ck_assert(points.count == 1 && points.x[0] == 1 && points.y[0] == 2);

@@ -332,6 +332,7 @@ START_TEST(more_measures_than_columns_are_refused)
             used += (size_t)snprintf(text + used, SIZE - used, "- {name: %d, summary: iterations}\n", i);
         ck_assert_uint_lt(used + 1, SIZE);
         sph2d_report_clear(&report);
+        sph2d_study_file_destroy(file);
         sph2d_status status = sph2d_study_file_parse(text, used, "s.yaml", &file, &report);
         ck_assert_msg(status == (over ? SPH2D_SCENE : SPH2D_OK), "%s", test_report_text(&report));
     }

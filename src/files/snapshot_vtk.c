@@ -12,7 +12,7 @@ static void put_numbers(sph2d__h5_writer *w, hid_t at, const char *name, size_t 
     enum { BLOCK = 65536 };
     hid_t dataset = sph2d__h5_dataset(w, at, name, H5T_NATIVE_INT64, count, 0);
     int64_t *numbers = malloc(BLOCK * sizeof *numbers);
-    sph2d__h5_check_memory(w, numbers);
+    sph2d__h5_check_memory(w, numbers != NULL);
     for (size_t first = 0; numbers && w->ok && first < count; first += BLOCK) {
         size_t rows = count - first < BLOCK ? count - first : BLOCK;
         for (size_t i = 0; i < rows; ++i)

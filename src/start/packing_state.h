@@ -69,15 +69,15 @@ static inline void sph2d__packing_add_area(const sph2d__packing_state *p, double
 }
 
 /** Dilates marks of cells, 1, by a number of cells. */
-void sph2d__packing_dilate(const sph2d__packing_state *state, unsigned char *marks, size_t reach);
+void sph2d__packing_dilate(const sph2d__packing_state *p, unsigned char *marks, size_t reach);
 
 /** Replaces the covered points of each quarter cell by the missing ones that no boundary particle represents, sums these
  *  in `missing`, and marks the cells near them. */
-void sph2d__packing_find_missing(sph2d__packing_state *state);
+void sph2d__packing_find_missing(sph2d__packing_state *p);
 
 /** Adds the missing areas around a position, and its boundary particles, to its concentration gradient. */
-void sph2d__packing_add_missing(const sph2d__packing_state *state, sph2d_vec2 at, sph2d_vec2 *sum);
-void sph2d__packing_add_walls(const sph2d__packing_state *state, sph2d_vec2 at, sph2d_vec2 *sum);
+void sph2d__packing_add_missing(const sph2d__packing_state *p, sph2d_vec2 at, sph2d_vec2 *sum);
+void sph2d__packing_add_walls(const sph2d__packing_state *p, sph2d_vec2 at, sph2d_vec2 *sum);
 
 /** Moves the particles until the gradients vanish; `residual` is the largest remaining gradient times the spacing.
  *  False when memory is short. */

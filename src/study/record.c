@@ -93,7 +93,7 @@ size_t sph2d_study_record_pack(const sph2d_study_record *record, void *out, size
         put(&w, &series, sizeof series);
         put(&w, record->series[i].rows, series.count * (series.columns + 1) * sizeof(double));
     }
-    if (w.used <= size) {
+    if (out && w.used <= size) {
         head h = {.size = w.used - sizeof h};
         memcpy(h.mark, mark, sizeof mark);
         h.checksum = sph2d__hash(SPH2D__HASH_START, w.out + sizeof h, h.size);

@@ -6,7 +6,7 @@
 set -eu
 sph2d=$(realpath "$1")
 shift
-pairs=5 seconds=1 sizes=1000,4000,16000,100000 beside= scenes=
+pairs=5 seconds=1 sizes=1000,4000,16000,100000 beside='' scenes=''
 examples=$(realpath "$(dirname "$0")/../../examples")
 for word; do
     case $word in
@@ -44,16 +44,16 @@ row() {
     shift
     go "$@" -j 1 --max-wall "$seconds"
     until=$(number time) particles=$(number now)
-    : >times
+    : >times.txt
     pair=0
     while [ $pair -lt "$pairs" ]; do
         pair=$((pair + 1))
         go "$@" -s "run.until=$until" -j 1
-        printf '%s %s ' "$(number step_seconds)" "$(number step_cpu_seconds)" >>times
+        printf '%s %s ' "$(number step_seconds)" "$(number step_cpu_seconds)" >>times.txt
         go "$@" -s "run.until=$until"
-        printf '%s %s\n' "$(number step_seconds)" "$(number step_cpu_seconds)" >>times
+        printf '%s %s\n' "$(number step_seconds)" "$(number step_cpu_seconds)" >>times.txt
     done
-    awk '{ print $1 / $3, $0 }' times | sort -n | awk -v name="$name" -v particles="$particles" '
+    awk '{ print $1 / $3, $0 }' times.txt | sort -n | awk -v name="$name" -v particles="$particles" '
         { ratio[NR] = $1 }
         NR == 1 || $2 < one { one = $2; one_cpu = $3 }
         NR == 1 || $4 < own { own = $4; own_cpu = $5 }

@@ -48,11 +48,13 @@ wall auto 0.2
 expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.16 m^2 requested, 0.16 m^2 placed (+0.00 %)'
 wall auto 0.1
 expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S106\]: obstacles\[0\].line: liquid lies on both'
+# shellcheck disable=SC2016 # the backquotes are what it says
 says 'hint: `liquid: both` makes it a solid 0.06 m thick'
 wall both 0.1
 expect 0 "$SPH2D" check wall.yaml && prints '^area  *0.176 m^2 requested, 0.176 m^2 placed (+0.00 %)'
 wall left 0.2
 expect 65 "$SPH2D" check wall.yaml && says '^wall.yaml:6:11: error\[S108\]: obstacles\[0\].line: .* layers of boundary particles'
+# shellcheck disable=SC2016 # the same
 says 'try `liquid: right`'
 
 # With a source the number of steps and the time are those of the whole run, not of its beginning: the time within a
@@ -76,6 +78,7 @@ domain: {min: [0, 0], max: [1, 1]}
 spacing: 0.0003
 blocks: [{box: {min: [0, 0], max: [0.5, 0.9]}}]
 END
+# shellcheck disable=SC3045 # dash and bash have it
 (ulimit -v 4000000 && expect 0 "$SPH2D" check large.yaml --json --threads 1) && says 'a spacing .* times as large'
 sed 's/.*"particles": \([0-9]*\), "wall_particles": \([0-9]*\).*/\1 \2/' out |
     awk '{ exit !($1 > 4.95e6 && $1 < 5.05e6 && $2 > 49000 && $2 < 51000) }' || fail "a large scene: $(cat out)"

@@ -50,7 +50,7 @@ done <flows
 scenes_of() { # FILE BEGIN END: its examples as 1.yaml, 2.yaml
     rm -f ./*.yaml
     awk -v from="$2" -v to="$3" '$0 ~ to { inside = 0 } inside { print >(n ".yaml") } $0 ~ from { ++n; inside = 1 }' "$1"
-    [ -s 1.yaml ] && [ -s 2.yaml ] && [ "$(wc -l <1.yaml)" -le 6 ] || fail "$1 has no two scenes"
+    if [ ! -s 1.yaml ] || [ ! -s 2.yaml ] || [ "$(wc -l <1.yaml)" -gt 6 ]; then fail "$1 has no two scenes"; fi
     expect 0 "$SPH2D" check 1.yaml
     expect 0 "$SPH2D" run 1.yaml -o run --force --no-frames --quiet -s run.until=0.02
     cat 2.yaml >>1.yaml

@@ -21,11 +21,11 @@ expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0
 
 expect 0 "$SPH2D" help materials && lines 9 && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
 # every material that a scene may name is in the table
-"$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >materials
-[ "$(wc -l <materials)" = 5 ] || fail 'not five materials'
+"$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >named
+[ "$(wc -l <named)" = 5 ] || fail 'not five materials'
 while read -r material; do
     "$SPH2D" help materials | grep -q "^$material  *[0-9]" || fail "no $material"
-done <materials
+done <named
 
 # every method with its walls, and the keys that not every method has
 expect 0 "$SPH2D" help methods && prints '^wcsph with symmetric operators (the default)$'

@@ -42,7 +42,7 @@ for candidate in python3 /usr/bin/python3; do
     ! "$candidate" -c 'import h5py, numpy' 2>/dev/null || python=$candidate
 done
 [ -n "$python" ] || { echo 'no h5py: the rest is left out' && exit 0; }
-"$python" - "$page" */snapshot_000001.h5 >&2 <<'END' || fail 'the page and the snapshots differ'
+"$python" - "$page" ./*/snapshot_000001.h5 >&2 <<'END' || fail 'the page and the snapshots differ'
 import re
 import sys
 
@@ -88,6 +88,7 @@ for name in sorted(tables - found):
     print(f"in no snapshot: {name}")
 sys.exit(bool(found - named or tables - found))
 END
+# shellcheck disable=SC2016 # the backquotes are those of the page
 sed -n '/^```python$/,/^```$/{//!p; /^```$/q}' "$page" >program.py # the first
 expect 0 "$python" "$SPH2D_ROOT/examples/read_snapshot.py" fitted/snapshot_000001.h5 && prints '^Coordinates '
 rm out && mv fitted out && "$python" program.py >printed

@@ -35,7 +35,7 @@ for name in scene study particles reference snapshot; do
     files=()
     case $name in
     snapshot) files=("$out"/*.h5) ;;
-    *) files=(tests/fuzz/corpus/$name/*) ;;
+    *) files=(tests/fuzz/corpus/"$name"/*) ;;
     esac
     options=("$@")
     if [ $# = 0 ]; then

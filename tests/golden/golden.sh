@@ -8,6 +8,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 golden=$1 out=$2 jobs=$3 known=tests/golden/hashes
 rm -rf "$out" && mkdir -p "$out/lines"
+# shellcheck disable=SC2016 # the inner shell expands them
 grep -lx 'blocks:\|sources:' examples/*/*.yaml | while read -r scene; do
     name=${scene#examples/} && name=${name%.yaml}
     printf '%s\0%s\0%s\0' "$scene" "$name" "$out/lines/${name/\//.}"

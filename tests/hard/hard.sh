@@ -40,7 +40,7 @@ for name in "${names[@]}"; do
     code=0
     "$sph2d" study "$study" -o "$folder/$name" -f --json --jobs "$jobs" --threads 1 --progress never \
         >"$folder/json" 2>"$folder/told" || code=$?
-    [ "$code" -le 1 ] && grep -q '"rows"' "$folder/json" || { cat "$folder/told" >&2 && exit 1; }
+    if [ "$code" -gt 1 ] || ! grep -q '"rows"' "$folder/json"; then cat "$folder/told" >&2 && exit 1; fi
     lines_of "$name" <"$folder/json" >>"$folder/lines"
 done
 rm "$folder/json" "$folder/told"

@@ -36,7 +36,8 @@ static void become(const char *const *arguments, const char *out, const char *er
 {
     const int to = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666), bad = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     const struct rlimit limit = {MOST_SECONDS, MOST_SECONDS + 1};
-    if (to >= 0 && bad >= 0 && dup2(to, 1) >= 0 && dup2(bad, 2) >= 0 && setrlimit(RLIMIT_CPU, &limit) == 0) {
+    if (arguments[0] && to >= 0 && bad >= 0 && dup2(to, 1) >= 0 && dup2(bad, 2) >= 0 &&
+        setrlimit(RLIMIT_CPU, &limit) == 0) {
         alarm(10 * MOST_SECONDS);
         execv(arguments[0], (char *const *)(uintptr_t)arguments);
     }
@@ -144,7 +145,8 @@ static void judge_summary(const ending *checked, const ending *run, const librar
 
 static bool same_array(const sph2d_array *a, const sph2d_array *b)
 {
-    if (strcmp(a->name, b->name) != 0 || a->count != b->count || a->components != b->components || a->type != b->type)
+    if (!a->name || !b->name || strcmp(a->name, b->name) != 0 || a->count != b->count ||
+        a->components != b->components || a->type != b->type)
         return false;
     const size_t size = a->type == SPH2D_F64 ? sizeof(double) : sizeof(uint64_t);
     for (unsigned c = 0; c < a->components; ++c)
@@ -318,20 +320,20 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
     return library;
 }
 
-library_run judge_scene(const judge_request *p, verdict *v)
+library_run judge_scene(const judge_request *request, verdict *v)
 {
     static ending checked, run;
     arguments a = {.count = 0};
-    clear(p);
-    ADD(&a, p->command, "check", p->scene, "--json", "--isa", p->isa);
-    add_changes(&a, p);
-    perform(p, "check", a.items, &checked);
+    clear(request);
+    ADD(&a, request->command, "check", request->scene, "--json", "--isa", request->isa);
+    add_changes(&a, request);
+    perform(request, "check", a.items, &checked);
     const library_run none = {.started = false};
     if (!is_honest("check", &checked, v))
         return none;
     if (checked.code == 0)
-        return judge_accepted(p, &checked, v);
-    run_by_command(p, "run.snapshots={}", NULL, &run);
-    judge_refusal(p, &checked, &run, v);
+        return judge_accepted(request, &checked, v);
+    run_by_command(request, "run.snapshots={}", NULL, &run);
+    judge_refusal(request, &checked, &run, v);
     return none;
 }

@@ -91,9 +91,10 @@ static void write_solver(draft *d)
 void write_method(draft *d)
 {
     const bool named = !chance(d, 0.15);
-    strcpy(d->method, !named                      ? "muller"
-                      : d->full && chance(d, 0.7) ? "wcsph"
-                                                  : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
+    snprintf(d->method, sizeof d->method, "%s",
+             !named                      ? "muller"
+             : d->full && chance(d, 0.7) ? "wcsph"
+                                         : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
     const bool soft = is(d, "muller");
     d->max_compression = soft ? 0.1 : 0.01;
     d->support = soft ? 2 : is(d, "wcsph") ? 3 : 2.4;

@@ -324,7 +324,7 @@ void random_scene_write(uint64_t seed, FILE *out)
         write_full(&d);
     else {
         fputs("blocks:\n", out);
-        for (int i = 0; i < taken.count; ++i)
+        for (int i = 0; i < taken.count && shapes[i]; ++i)
             write_block(&d, &taken.items[i], shapes[i]);
     }
     write_obstacles(&d, &taken);

@@ -123,7 +123,7 @@ static void judge(const options *o, const task *t)
     fprintf(file, "%d,%llu,%llu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%llu\n", run.finished,
             (unsigned long long)s->particles, (unsigned long long)s->steps, run.scale, run.rise, run.since,
             s->compression_p99, s->compression_mean, s->compression_max, run.packing, run.density, run.p99, run.highest,
-            (unsigned long long)(s->left_open[0] + s->left_open[1] + s->left_open[2] + s->left_open[3]),
+            (unsigned long long)s->left_open[0] + s->left_open[1] + s->left_open[2] + s->left_open[3],
             (unsigned long long)s->drained);
     fclose(file);
     _exit(0);
@@ -168,7 +168,9 @@ static known_list read_known(const char *path)
     char line[LINE_SIZE];
     while (file && fgets(line, sizeof line, file)) {
         known_line item = {0};
-        if (sscanf(line, "%lu %39s", &item.seed, item.invariant) != 2)
+        char *rest;
+        item.seed = strtoul(line, &rest, 10);
+        if (rest == line || sscanf(rest, "%39s", item.invariant) != 1)
             continue;
         known_line *items = realloc(list.items, (list.count + 1) * sizeof *items);
         if (items == NULL)
@@ -363,6 +365,8 @@ int main(int argc, char **argv)
     }
     if (o.jobs < 1 || o.jobs > MOST_JOBS || o.scenes == NULL || o.changes == NULL) {
         fputs(usage, stderr);
+        free(o.scenes);
+        free(o.changes);
         return 2;
     }
     int result = 0;

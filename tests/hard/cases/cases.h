@@ -61,11 +61,11 @@ extern const studied_case studied_cases[];
 extern const size_t studied_case_count;
 
 /** Tells a figure: it is met if value <= bound, so not if it is NaN. Measures of a case have names of their own. */
-void tell(outcome *o, const char *measure, double value, double bound);
+void tell(outcome *o, const char *name, double value, double bound);
 /** Tells a figure that is looked at and not judged. */
-void tell_only(outcome *o, const char *measure, double value);
+void tell_only(outcome *o, const char *name, double value);
 /** The same with a part of the name that varies. */
-void tell_of(outcome *o, const char *measure, const char *which, double value, double bound);
+void tell_of(outcome *o, const char *name, const char *which, double value, double bound);
 
 // ---- scenes ---------------------------------------------------------------------------------------------------------
 

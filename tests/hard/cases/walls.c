@@ -210,9 +210,7 @@ static void tall(outcome *o)
     sph2d_plan plan;
     sph2d_scene_plan(&s.scene, &plan, &warnings);
     bool told = warnings.count > 0;
-    if (!stage_try(&s))
-        told = true;
-    else {
+    if (stage_try(&s)) {
         stage_run(&s, 1.5);
         told = told || s.status == SPH2D_GUARD || s.report.count > 0;
         const double compression = sph2d_sim_summary(s.sim).compression_p99;
