@@ -161,8 +161,8 @@ EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/restarts/*.sh tests/long/*.sh tests/hard/*.sh tests/golden/*.sh tests/adding.sh \
-    tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
+    tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/memcheck/*.sh tests/long/*.sh tests/hard/*.sh \
+    tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -393,6 +393,14 @@ coverage: ## lines and branches that the tests run, as a table; fails below 90 %
 coverage-run: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(FAULTS)
 	$(hush)tests/coverage/coverage.sh $(BUILD) $(OBJ) "$$(nproc)"
 
+THREADS_CC ?= clang
+test-threads: ## data races, by clang's ThreadSanitizer with libomp's archer (10 minutes); THREADS_CC=clang
+	$(hush)tests/threads/threads.sh --needs $(THREADS_CC)
+	$(hush)$(MAKE) BUILD=$(BUILD)/threads CC=$(THREADS_CC) SANITIZE=thread threads-run
+
+threads-run: $(BUILD)/sph2d $(BUILD)/tests/check_all
+	$(hush)CC='$(CC)' tests/threads/threads.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/races
+
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh
 
@@ -599,9 +607,9 @@ help: ## this list
 	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
-.PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-mutants test-terms test-full \
-    bench bench-command strangers strangers-dozen test-restarts test-kills test-long test-hard hard-docs test-faults \
-    test-fuzz fuzz-run coverage coverage-run bench-instructions bench-variants report report-full report-docs \
-    scene-docs check-headers \
+.PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
+    test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
+    test-kills test-long test-hard hard-docs test-faults test-fuzz fuzz-run coverage coverage-run \
+    bench-instructions bench-variants report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif
