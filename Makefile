@@ -99,8 +99,8 @@ MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash $(if $(WITH_RENDER),lib
 OMP_CFLAGS := $(if $(WITH_OPENMP),-fopenmp,-Wno-unknown-pragmas -Wno-unused-variable -Wno-unused-parameter)
 # Messages are cut at their capacity by contract, and clang's "not vectorised" is no fault.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wformat=2 -Wno-format-nonliteral -Wstrict-prototypes \
-    -Wmissing-prototypes -Wold-style-definition -Wpointer-arith -Werror=switch -Wwrite-strings -Wcast-qual -Wfloat-conversion \
-    $(if $(CLANG),-Wno-pass-failed,-Wno-format-truncation) $(if $(filter 1,$(WERROR)),-Werror)
+    -Wmissing-prototypes -Wold-style-definition -Wpointer-arith -Werror=switch -Wwrite-strings -Wcast-qual \
+    -Wconversion -Wsign-conversion $(if $(CLANG),-Wno-pass-failed,-Wno-format-truncation) $(if $(filter 1,$(WERROR)),-Werror)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
 # One position-independent object serves both the archive and the shared library. Contraction is off so that a fused
 # multiply-add stands only where it was written; interposition is off so that exported functions can still be inlined.
@@ -161,7 +161,7 @@ EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/memcheck/*.sh tests/long/*.sh tests/hard/*.sh \
+    tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
     tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
@@ -400,6 +400,9 @@ test-threads: ## data races, by clang's ThreadSanitizer with libomp's archer (10
 
 threads-run: $(BUILD)/sph2d $(BUILD)/tests/check_all
 	$(hush)CC='$(CC)' tests/threads/threads.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/races
+
+test-valgrind: $(BUILD)/sph2d $(BUILD)/tests/check_all ## memory read before it is written, and lost, by valgrind's memcheck (20 minutes)
+	$(hush)tests/valgrind/valgrind.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/valgrind "$$(nproc)"
 
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh

@@ -67,8 +67,8 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "unit, range and default.\n"
                   "\n"
                   "  sph2d init basin --template stir\n",
-    [CLI__HELP] = "Topics: a command; exit (exit codes); codes (of messages); scene (all keys of a scene file);\n"
-                  "materials (named liquids); methods (use, defaults and keys of each).\n",
+    [CLI__HELP] = ("Topics: a command; exit (exit codes); codes (of messages); scene (all keys of a scene file);\n"
+                   "materials (named liquids); methods (use, defaults and keys of each).\n"),
 };
 
 void help_print(void)

@@ -33,5 +33,5 @@ int main(void)
                100 * sph2d_sim_summary(sim).compression_p99);
     }
     sph2d_sim_destroy(sim);
-    return status;
+    return (int)status;
 }

@@ -38,7 +38,7 @@ START_TEST(walls_give_back_what_pressing_takes)
     obstacle.outline.kind = SPH2D_OUTLINE_LINE;
     obstacle.outline.line = (sph2d_points){floor, 2};
     scene.obstacles = _i ? &obstacle : NULL;
-    scene.obstacle_count = _i;
+    scene.obstacle_count = _i ? 1 : 0;
     scene.boundary.bottom = _i ? SPH2D_SIDE_OPEN : SPH2D_SIDE_WALL;
     scene.blocks = &block;
     scene.block_count = 1;

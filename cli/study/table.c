@@ -81,7 +81,7 @@ char *study_conditions(const cli_study *s, char *out, size_t size)
     STUDY_FOR_ROWS (s, row)
         if (row->record.isa[0] != '\0') {
             isa = row->record.isa;
-            beside += isnan(row->record.wall);
+            beside += isnan(row->record.wall) ? 1 : 0;
         }
     out[0] = '\0';
     if (!isa)

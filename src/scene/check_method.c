@@ -76,7 +76,8 @@ static void check_keys(sph2d__checker *c)
     for (size_t k = 0; k < keys->count; ++k) {
         const sph2d_key *key = &keys->items[k];
         if (key->feature != SPH2D_FEATURE_NONE)
-            require_feature(c, sph2d_feature_key(key->feature), is_given(m, key), key->feature, NULL);
+            require_feature(c, sph2d_feature_key((sph2d_feature)key->feature), is_given(m, key),
+                            (sph2d_feature)key->feature, NULL);
     }
 }
 

@@ -110,7 +110,7 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     }
     met->reflections += reflected;
     met->hits += stopped + pushed;
-    met->not_finite += !isfinite(in.x + in.y + v->x + v->y);
+    met->not_finite += isfinite(in.x + in.y + v->x + v->y) ? 0 : 1;
     f->x[i] = in.x;
     f->y[i] = in.y;
     f->vx[i] = v->x;

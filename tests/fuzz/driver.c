@@ -201,7 +201,7 @@ static void run(session *s)
         pid_t child = fork();
         if (child == 0)
             run_batch(s, next);
-        int state;
+        int state = 0;
         if (child < 0 || waitpid(child, &state, 0) != child)
             stop("cannot run", s->name);
         if (state != 0)
