@@ -401,7 +401,7 @@ test-threads: ## data races, by clang's ThreadSanitizer with libomp's archer (10
 threads-run: $(BUILD)/sph2d $(BUILD)/tests/check_all
 	$(hush)CC='$(CC)' tests/threads/threads.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/races
 
-test-valgrind: $(BUILD)/sph2d $(BUILD)/tests/check_all ## memory read before it is written, and lost, by valgrind's memcheck (20 minutes)
+test-valgrind: $(BUILD)/sph2d $(BUILD)/tests/check_all ## memory read before it is written, and lost, by valgrind's memcheck (10 minutes)
 	$(hush)tests/valgrind/valgrind.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/valgrind "$$(nproc)"
 
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)

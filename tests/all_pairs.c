@@ -124,6 +124,7 @@ double slides(const sph2d__system *s, size_t b, sph2d_vec2 *along)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double weights = 0, filling = 0, vx = 0, vy = 0;
+    *along = (sph2d_vec2){0, 0};
     for (size_t j = 0; j < f->count; ++j) {
         other o = other_of(s, j, w, b);
         weights += o.weight;
