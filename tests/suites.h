@@ -81,6 +81,7 @@
     X(probes)                                                                                                          \
     X(elevation)                                                                                                       \
     X(gauge)                                                                                                           \
+    X(loads)                                                                                                           \
     X(viscosity_form)                                                                                                  \
     X(coverage)                                                                                                        \
     X(series)                                                                                                          \

@@ -70,16 +70,16 @@ static double length(sph2d_vec2 v)
 START_TEST(nothing_in_the_way_changes_nothing)
 {
     sph2d_vec2 to = {3, 4}, v = {5, 6};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1, 2}, &to, &v), 0); /* no walls at all */
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1, 2}, &to, &v, NULL), 0); /* no walls at all */
     build(0.1);
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1, 2}, &to, &v), 0);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1, 2}, &to, &v, NULL), 0);
     ck_assert(to.x == 3 && to.y == 4 && v.x == 5 && v.y == 6);
     add(0, 0, 1, 0);
     build(0.1);
     sph2d_vec2 away = {0.5, 9};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.5, 0.01}, &away, &v), 0);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.5, 0.01}, &away, &v, NULL), 0);
     sph2d_vec2 beside = {1.1, -1};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1.1, 1}, &beside, &v), 0);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){1.1, 1}, &beside, &v, NULL), 0);
     ck_assert(away.y == 9 && beside.y == -1 && v.x == 5 && v.y == 6);
 }
 END_TEST
@@ -89,7 +89,7 @@ START_TEST(a_motion_into_a_wall_stops_at_the_clearance_and_slides)
     add(-1, 0, 1, 0);
     build(0.1);
     sph2d_vec2 to = {0.3, -0.5}, v = {3, -5};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0, 0.5}, &to, &v), 1);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0, 0.5}, &to, &v, NULL), 1);
     ck_assert_double_eq_tol(to.x, 0.3, 1e-15); /* the way along the wall is not lost */
     ck_assert_double_eq_tol(to.y, CLEARANCE, 1e-15);
     ck_assert_double_eq_tol(v.x, 3, 1e-15);
@@ -97,7 +97,7 @@ START_TEST(a_motion_into_a_wall_stops_at_the_clearance_and_slides)
     /* From below, and with a velocity that points away already: it keeps that. */
     to = (sph2d_vec2){-0.2, 7};
     v = (sph2d_vec2){1, -2};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.1, -0.2}, &to, &v), 1);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.1, -0.2}, &to, &v, NULL), 1);
     ck_assert_double_eq_tol(to.x, -0.2, 1e-15);
     ck_assert_double_eq_tol(to.y, -CLEARANCE, 1e-15);
     ck_assert(v.x == 1 && v.y == -2);
@@ -110,7 +110,7 @@ START_TEST(the_first_of_several_walls_counts)
         add(-1, -0.1 * i, 1, -0.1 * i);
     build(0.02);
     sph2d_vec2 to = {0.8, -0.7}, v = {8, -7};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){-0.2, 0.3}, &to, &v), 1);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){-0.2, 0.3}, &to, &v, NULL), 1);
     ck_assert_double_eq_tol(to.x, 0.8, 1e-12);
     ck_assert_double_eq_tol(to.y, CLEARANCE, 1e-12);
     ck_assert(v.x == 8 && v.y == 0);
@@ -137,7 +137,7 @@ START_TEST(one_wall_is_never_crossed)
             from = (sph2d_vec2){at.x + 0.01 * way.x, at.y + 0.01 * way.y};
             to = aim = (sph2d_vec2){at.x - way.x, at.y - way.y};
         }
-        int hits = sph2d__barrier_sweep(&barrier, from, &to, &v);
+        int hits = sph2d__barrier_sweep(&barrier, from, &to, &v, NULL);
         ++tested;
         crossed += cross(wall.a, wall.b, from, to) || !isfinite(to.x + to.y);
         faster += !(length(v) <= length(before) * (1 + 1e-14));
@@ -194,7 +194,7 @@ START_TEST(no_motion_leaves_its_cell_of_crossing_lines)
                 v = way;
                 speed = length(v);
             }
-            hit += sph2d__barrier_sweep(&barrier, p, &to, &v) > 0;
+            hit += sph2d__barrier_sweep(&barrier, p, &to, &v, NULL) > 0;
             faster += !(length(v) <= speed * (1 + 1e-14));
             speed = length(v);
             p = to;
@@ -224,7 +224,7 @@ START_TEST(a_narrow_corner_holds_from_within_the_clearance)
             way = (sph2d_vec2){-p.x * 2, -p.y * 2};
         sph2d_vec2 to = {p.x + way.x, p.y + way.y}, v = way;
         unsigned home = sides(p);
-        sph2d__barrier_sweep(&barrier, p, &to, &v);
+        sph2d__barrier_sweep(&barrier, p, &to, &v, NULL);
         left += sides(to) != home || !(length(v) <= length(way) * (1 + 1e-14));
     }
     ck_assert_msg(left == 0, "%zu left", left);
@@ -267,7 +267,7 @@ START_TEST(nothing_gets_into_or_out_of_a_star)
             sph2d_vec2 way = random_motion(&random), to = {p.x + way.x, p.y + way.y}, v = way;
             if (n % 3 == 0) /* back to the middle, where the walls are */
                 to = random_point(&random, -0.3, 0.3);
-            sph2d__barrier_sweep(&barrier, p, &to, &v);
+            sph2d__barrier_sweep(&barrier, p, &to, &v, NULL);
             p = to;
             passed += in_star(p) != home;
         }
@@ -321,7 +321,7 @@ START_TEST(walls_hold_against_what_comes_from_far_away)
                    v = {to.x - from.x, to.y - from.y};
         if (k % 2)
             to = (sph2d_vec2){-from.x, -from.y};
-        sph2d__barrier_sweep(&barrier, from, &to, &v);
+        sph2d__barrier_sweep(&barrier, from, &to, &v, NULL);
         entered += length(to) < cos(TEST_PI / PIECES) || !isfinite(to.x + to.y);
     }
     ck_assert_uint_eq(entered, 0);
@@ -338,7 +338,7 @@ START_TEST(sliding_is_free_over_joints)
     for (int n = 0; n < 4000; ++n) {
         v.y -= 0.1;
         sph2d_vec2 to = {p.x + 0.012 * v.x, p.y + 0.012 * v.y};
-        sph2d__barrier_sweep(&barrier, p, &to, &v);
+        sph2d__barrier_sweep(&barrier, p, &to, &v, NULL);
         p = to;
     }
     ck_assert_double_eq_tol(p.x, 0.5 + 4000 * 0.012, 1e-9);
@@ -353,7 +353,7 @@ START_TEST(a_corner_takes_the_whole_motion)
     add(0, 0, 0, 1);
     build(0.1);
     sph2d_vec2 to = {-1, -3}, v = {-1, -3};
-    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.2, 0.3}, &to, &v), 2);
+    ck_assert_int_eq(sph2d__barrier_sweep(&barrier, (sph2d_vec2){0.2, 0.3}, &to, &v, NULL), 2);
     ck_assert_double_eq_tol(to.x, CLEARANCE, 1e-12);
     ck_assert_double_eq_tol(to.y, CLEARANCE, 1e-12);
     ck_assert_double_eq_tol(length(v), 0, 1e-12);

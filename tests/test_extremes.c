@@ -31,7 +31,8 @@ static const char free_surface[] =
     "drains:\n"
     "  - {box: {min: [0.9, 0], max: [1, 0.1]}, start: 0.1, stop: 9}\n"
     "obstacles:\n"
-    "  - {circle: {center: [0.7, 0.3], radius: 0.12}, motion: {amplitude: [0.01, 0], frequency: 1, phase: -1.5708}}\n"
+    "  - {name: post, circle: {center: [0.7, 0.3], radius: 0.12}, motion: {amplitude: [0.01, 0], frequency: 1, phase: "
+    "-1.5708}}\n"
     "  - {line: [[0.5, 0.55], [0.9, 0.55]], form: reflect, restitution: 0.4, motion: {path: [[0, 0, 0], [1, 0.1, "
     "0]]}}\n"
     "interactions:\n"
@@ -39,6 +40,7 @@ static const char free_surface[] =
     "probes:\n"
     "  - {name: gauge, kind: pressure, at: [0, 0.1], size: 0.1, along: [0, 1], rise_time: 0.001, every: 0.01}\n"
     "  - {name: energy, kind: energy, per_second: 50}\n"
+    "  - {name: push, kind: force, on: post, at: [0.7, 0.3], every: 0.02}\n"
     "run: {until: 1, snapshots: {every: 0.1}, frames: {per_second: 10, size: [64, 64]}}\n";
 
 static const char filled[] = "domain: {min: [0, 0], max: [1, 1]}\n"

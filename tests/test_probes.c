@@ -85,8 +85,8 @@ END_TEST
 
 START_TEST(without_liquid_nothing_has_a_value)
 {
-    static const char *const words[KINDS] = {"0000000n", "nnn0",  "nn0",    "n",  "nnnn", "nnnnnnn",
-                                             "nnnnnnnn", "000nn", "nnnnnn", "00", "n"};
+    static const char *const words[KINDS] = {"0000000n", "nnn0",   "nn0", "n", "nnnn",         "nnnnnnn", "nnnnnnnn",
+                                             "000nn",    "nnnnnn", "00",  "n", "000000000000", "00"};
     sph2d_sim *sim = in_the_open(1);
     for (int k = 0; k < KINDS; ++k) {
         const double *values = evaluate(sim, (sph2d_probe_kind)k);

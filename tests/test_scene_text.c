@@ -73,7 +73,7 @@ static const char *const goldens[] = {
     "      phase: -1.5708\n"
     "  - polyline: [[2, 0.5], [2.2, 0.6], [2.4, 0.5]]\n    liquid: right\n"
     "  - polygon: [[0, 1.6], [0.5, 1.6], [0.25, 1.8]]\n"
-    "  - circle:\n      center: [1, 1]\n      radius: 0.2\n"
+    "  - name: post\n    circle:\n      center: [1, 1]\n      radius: 0.2\n"
     "  - box:\n      min: [0.75, 0.25]\n      max: [1.25, 0.5]\n    form: heavy\n"
     "interactions:\n"
     "  - path: [[0, 1, 1], [1, 2, 1]]\n    radius: 0.5\n    acceleration: -20\n"
@@ -81,6 +81,7 @@ static const char *const goldens[] = {
     "  - name: \"8\"\n    kind: energy\n    per_second: 10\n"
     "  - name: \"true\"\n    kind: pressure\n    at: [1, 1]\n    size: 0.1\n    along: [1, 0]\n    rise_time: 0.001\n"
     "    every: 0.5\n"
+    "  - name: push\n    kind: force\n    at: [1, 1]\n    on: post\n    every: 0.5\n"
     "run:\n  until: 4\n  snapshots:\n    per_second: 60\n    compress: 6\n  frames:\n    every: 0.1\n"
     "    size: [640, 480]\n    style: points\n    radius: 0.02\n    color: speed\n    color_range: [0, 5]\n"
     "  max_energy_rise: 0.25\n  impacts: [0.5, 1, 1e-05]\n",

@@ -398,6 +398,10 @@ typedef struct sph2d_motion {
  *  radius: closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the
  *  layers on the other, which no particle enters from behind either. */
 typedef struct sph2d_obstacle {
+    /** A name for probes: letters, digits, `_` and `-`, unique, not that of a side (left, right, bottom, top). Default
+     *  NULL: none. */
+    const char *name;
+
     /** Its line; must be given. */
     sph2d_outline outline;
 
@@ -435,8 +439,13 @@ typedef struct sph2d_probe {
     /** What it measures; must be given. */
     sph2d_probe_kind kind;
 
-    /** Position, for kinds at a point [m]; an elevation ignores y. Default (0, 0). */
+    /** Position, for kinds at a point [m]; an elevation ignores y. force: the point about which the torque is taken,
+     *  which moves with an obstacle that does. Default (0, 0). */
     sph2d_vec2 at;
+
+    /** force, work: the wall, an obstacle's name or the word of a side of the domain; default NULL: all walls together.
+     *  In corners of the domain forces along x are those of the left or right side, along y of the other one. */
+    const char *on;
 
     /** pressure: diameter of the gauge's round face around `at`, over which pressure is averaged [m], >= 0; default 0,
      *  a point. */

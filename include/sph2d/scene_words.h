@@ -303,7 +303,13 @@ typedef enum sph2d_arrangement {
  *             dx^2 each; placed: what the particles stand for at rest density
  *  level      height up to which `volume` fills what the liquid can get to from where it is, below that height and
  *             without passing a wall: the mean level once it has settled. Closed obstacles take room, as they stand
- *             now; lines hold liquid. NaN unless gravity points straight down */
+ *             now; lines hold liquid. NaN unless gravity points straight down
+ *  force      of the liquid on a wall, per metre of depth, at the time of the last forces: in all, and by pressure,
+ *             friction, and contact (springs; particles that were stopped or reflected, over the step's length);
+ *             torque: about `at`, anticlockwise; impulse, angular_impulse: of the force and torque since the last row,
+ *             summed over all steps. With the impulse of gravity and of other forces they are the change of the
+ *             liquid's momentum, but for tensile control (method.tensile_control) and mixed precision
+ *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest */
 #define SPH2D_PROBE_MAP(X)                                                                                             \
     X(ENERGY, energy,                                                                                                  \
       "kinetic [J/m],potential [J/m],momentum_x [kg/s],momentum_y [kg/s],particles,speed_max [m/s],elastic [J/m],"     \
@@ -317,7 +323,11 @@ typedef enum sph2d_arrangement {
     X(MOMENTUM, momentum, "momentum_x [kg/s],momentum_y [kg/s],angular_momentum [kg m/s],centre_x [m],centre_y [m]")   \
     X(ERROR, error, "speed_l1,vector_l1,vector_max,pressure_l1,pressure_rms,kinetic")                                  \
     X(VOLUME, volume, "volume [m^2],placed [m^2]")                                                                     \
-    X(LEVEL, level, "level [m]")
+    X(LEVEL, level, "level [m]")                                                                                       \
+    X(FORCE, force,                                                                                                    \
+      "fx [N/m],fy [N/m],torque [N],pressure_x [N/m],pressure_y [N/m],friction_x [N/m],friction_y [N/m],"              \
+      "contact_x [N/m],contact_y [N/m],impulse_x [kg/s],impulse_y [kg/s],angular_impulse [kg m/s]")                    \
+    X(WORK, work, "power [W/m],work [J/m]")
 
 /** What a probe measures. */
 typedef enum sph2d_probe_kind {

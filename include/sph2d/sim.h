@@ -196,15 +196,15 @@ SPH2D_API bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
 /** How many times an output was written: the number of the next file. Part of the state. */
 SPH2D_API uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output);
 
-/** Records that an output is written now. Call it before writing a snapshot, so that the snapshot's own state counts
- *  it. */
+/** Records that an output is written now; the impulses of a force probe begin anew. Call it before writing a snapshot,
+ *  so that the snapshot's own state counts it. */
 SPH2D_API void sph2d_sim_output_done(sph2d_sim *sim, size_t output);
 
 /** Columns of a probe's rows after `time`, separated by commas, with units: "kinetic [J/m],...". Static storage. */
 SPH2D_API const char *sph2d_probe_columns(sph2d_probe_kind kind);
 
 /** The largest number of columns of a probe. */
-#define SPH2D_PROBE_MAX_COLUMNS 8
+#define SPH2D_PROBE_MAX_COLUMNS 12
 
 /** Evaluates probe `index` of the scene now. Writes the values of its columns and returns how many; 0 for a bad index.
  *  Undefined values (no particle near) are NaN. 0 also when memory is short, as some kinds need it for a while. */

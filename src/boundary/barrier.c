@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-/* A particle in a corner slides along one wall and meets the next; after MAX_SLIDES hits it stays where it was. */
-enum { MAX_SLIDES = 4, MAX_BUCKETS = 512 };
+enum { MAX_BUCKETS = 512 };
 
 /* A particle that slides at the clearance must not hit the same wall again by rounding. */
 static const double TOUCH = 1 - 1e-6;
@@ -22,7 +21,7 @@ bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__
         barrier->capacity = grown;
     }
     double ex = segment.b.x - segment.a.x, ey = segment.b.y - segment.a.y, length = hypot(ex, ey);
-    barrier->segments[barrier->count++] = (sph2d__piece){segment, {ex / length, ey / length}, length};
+    barrier->segments[barrier->count++] = (sph2d__piece){segment, {ex / length, ey / length}, length, barrier->wall};
     return true;
 }
 
@@ -229,15 +228,28 @@ bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2
     return find_first_hit(&without_clearance, from, to, &m);
 }
 
-int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+/** Notes a hit that changed the velocity from `before` to `after`. */
+static void note(sph2d__stops *stops, int wall, sph2d_vec2 before, sph2d_vec2 after)
+{
+    if (!stops)
+        return;
+    stops->items[stops->count].wall = wall;
+    stops->items[stops->count++].change = (sph2d_vec2){after.x - before.x, after.y - before.y};
+}
+
+int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                           sph2d__stops *stops)
 {
     int hits = 0;
+    if (stops)
+        stops->count = 0;
     hit m;
     if (!find_first_hit(barrier, from, *to, &m))
         return 0;
     do {
         ++hits;
-        sph2d_vec2 n = m.normal;
+        int wall = barrier->segments[m.index].wall;
+        sph2d_vec2 n = m.normal, before = *v;
         double inward = v->x * n.x + v->y * n.y;
         if (inward < 0) {
             v->x -= inward * n.x;
@@ -247,8 +259,11 @@ int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d
                            from.y + m.t * (to->y - from.y) + m.gap * n.y};
         double rest_x = (1 - m.t) * (to->x - from.x), rest_y = (1 - m.t) * (to->y - from.y);
         double rest_n = rest_x * n.x + rest_y * n.y;
-        if (hits == MAX_SLIDES || sph2d__barrier_crosses(barrier, from, stop)) {
+        bool stuck = hits == SPH2D__MAX_STOPS || sph2d__barrier_crosses(barrier, from, stop);
+        if (stuck)
             *v = (sph2d_vec2){0, 0};
+        note(stops, wall, before, *v);
+        if (stuck) {
             *to = from;
             return hits;
         }

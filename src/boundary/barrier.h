@@ -10,16 +10,30 @@
 #include "base/memory.h"
 #include "scene/shape.h"
 
+/* A particle in a corner slides along one wall and meets the next; after so many hits it stays where it was. */
+enum { SPH2D__MAX_STOPS = 4 };
+
 /** A wall segment with its precomputed direction and length. */
 typedef struct sph2d__piece {
     sph2d__segment ends;
     sph2d_vec2 direction; /**< from a to b, of length 1 */
     double length;        /**< [m] */
+    int wall;             /**< the wall that it is a piece of (scene/wall_names.h) */
 } sph2d__piece;
+
+/** What the hits of a displacement did to the velocity. */
+typedef struct sph2d__stops {
+    int count;
+    struct {
+        int wall;
+        sph2d_vec2 change; /**< [m/s] */
+    } items[SPH2D__MAX_STOPS];
+} sph2d__stops;
 
 typedef struct sph2d__barrier {
     sph2d__piece *segments;
     size_t count, capacity;
+    int wall;         /**< that segments are added to now */
     double clearance; /**< distance from a wall at which a particle is stopped [m] */
     /* A grid of buckets over the segments; each lists the segments near it. */
     double origin_x, origin_y, inverse_size;
@@ -59,14 +73,16 @@ static inline bool sph2d__barrier_far(const sph2d__barrier *b, sph2d_vec2 from, 
 bool sph2d__barrier_far_from(const sph2d__barrier *barrier, sph2d_vec2 low, sph2d_vec2 high, double distance);
 
 /** sph2d__barrier_sweep for a displacement that may reach a wall. */
-int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
+int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                           sph2d__stops *stops);
 
 /** Keeps a displacement from `from` to *to with velocity *v on its side of every wall. On a hit the particle stops at
  *  the clearance, loses its normal velocity and slides along the wall; it never gains kinetic energy. Returns the
- *  number of hits. */
-static inline int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+ *  number of hits, and writes them to `stops` unless that is NULL. */
+static inline int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                                       sph2d__stops *stops)
 {
-    return sph2d__barrier_far(barrier, from, *to) ? 0 : sph2d__barrier_resolve(barrier, from, to, v);
+    return sph2d__barrier_far(barrier, from, *to) ? 0 : sph2d__barrier_resolve(barrier, from, to, v, stops);
 }
 
 /** Whether the straight line between two positions crosses a wall. */

@@ -31,7 +31,7 @@ int sph2d__moving_sweep(const sph2d__moving *m, sph2d_vec2 from, sph2d_vec2 *to,
 {
     sph2d_vec2 start = sph2d__pose_invert(&m->from, from), end = sph2d__pose_invert(&m->to, *to);
     sph2d_vec2 relative = {v->x - m->velocity.x, v->y - m->velocity.y};
-    int hits = sph2d__barrier_sweep(&m->barrier, start, &end, &relative);
+    int hits = sph2d__barrier_sweep(&m->barrier, start, &end, &relative, NULL);
     if (hits > 0) {
         *to = sph2d__pose_apply(&m->to, end);
         *v = (sph2d_vec2){relative.x + m->velocity.x, relative.y + m->velocity.y};

@@ -11,6 +11,7 @@
 
 typedef struct sph2d__moving {
     const sph2d_motion *motion;
+    int wall;                  /**< its number (scene/wall_names.h) */
     uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
     sph2d__barrier barrier;    /**< in the obstacle's initial position */
     sph2d__pose from, to;      /**< at the start and end of the present or last drift */

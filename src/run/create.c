@@ -154,6 +154,8 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
             sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
     if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
+    if (!sim->method->project) /* pressures of the others are those of a step */
+        sph2d__loads_find(sim, 1);
     sph2d_summary start;
     sim->record.energy_elastic = INFINITY;
     sph2d__sim_sum_energy(sim, &start);
@@ -217,6 +219,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = allocate_arrays(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
+    if (status == SPH2D_OK)
+        status = sph2d__loads_create(sim);
     sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
         status = state ? start_restored(sim, state, report) : start_new(sim, report);

@@ -38,6 +38,9 @@ void sph2d_sim_output_done(sph2d_sim *sim, size_t output)
 {
     if (!sim)
         return;
-    if (output < SPH2D_OUTPUT_PROBE + sim->scene.probe_count)
-        ++sim->output_counts[output];
+    if (output >= SPH2D_OUTPUT_PROBE + sim->scene.probe_count)
+        return;
+    ++sim->output_counts[output];
+    if (output >= SPH2D_OUTPUT_PROBE)
+        sph2d__loads_sampled(sim, output - SPH2D_OUTPUT_PROBE);
 }

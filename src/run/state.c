@@ -12,7 +12,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 3
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 4
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -50,6 +50,9 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
                            2 * sim->scene.probe_count, sim->gauges);
         memcpy(out[n++].array.unit, (signed char[3]){-1, 1, -2}, 3);
     }
+    if (sph2d__loads_wanted(sim))
+        out[n++] = run_array("WallLoads", "of each probe of kind force or work: forces, impulses, power, work",
+                             SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
     return n;
 }
 

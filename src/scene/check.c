@@ -87,7 +87,7 @@ static void check_times(checker *c, const char *list, size_t index, double start
                            "must be later than start");
 }
 
-static void check_rate(checker *c, sph2d_rate rate, const char *prefix)
+void sph2d__check_rate(checker *c, sph2d_rate rate, const char *prefix)
 {
     if (rate.per_second > 0 && rate.every > 0) {
         char path[PATH_SIZE];
@@ -152,77 +152,6 @@ static void check_interaction(checker *c, size_t i)
     if (c->scene->interactions[i].path.count == 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
     sph2d__check_times(c, c->scene->interactions[i].path, path);
-}
-
-static bool is_valid_name(const char *name)
-{
-    size_t length = strlen(name);
-    for (size_t i = 0; i < length; ++i)
-        if (!isalnum((unsigned char)name[i]) && name[i] != '_' && name[i] != '-')
-            return false;
-    return length > 0 && length <= 64;
-}
-
-/** Whether a probe's position, if its kind uses it, lies in the domain; of an elevation only x matters. */
-static bool is_valid_position(const sph2d_scene *scene, const sph2d_probe *probe)
-{
-    switch (probe->kind) {
-    case SPH2D_PROBE_SPEED:
-    case SPH2D_PROBE_PRESSURE:
-        return sph2d__check_in_domain(scene, probe->at);
-    case SPH2D_PROBE_ELEVATION:
-        return sph2d__check_in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
-    default:
-        return true;
-    }
-}
-
-/** Checks that only pressure probes are gauges, and that a face has a direction and lies in the domain. */
-static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
-{
-    char path[PATH_SIZE];
-    if (probe->kind != SPH2D_PROBE_PRESSURE) {
-        if (probe->size != 0 || probe->rise_time != 0)
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
-                               sph2d__check_path(path, "probes", i, probe->size != 0 ? ".size" : ".rise_time"),
-                               "is for probes of kind pressure");
-        return;
-    }
-    if (!(probe->size > 0))
-        return;
-    double length = hypot(probe->along.x, probe->along.y), half = probe->size / 2;
-    if (!(length > 0) || !isfinite(length)) {
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".along"),
-                           "has no direction");
-        return;
-    }
-    double x = half * probe->along.x / length, y = half * probe->along.y / length;
-    if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x - x, probe->at.y - y}) ||
-        !sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x + x, probe->at.y + y}))
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
-                           "the gauge's face extends beyond the domain");
-}
-
-static void check_probe(checker *c, size_t i)
-{
-    const sph2d_probe *probe = &c->scene->probes[i];
-    char path[PATH_SIZE];
-    sph2d__check_path(path, "probes", i, ".name");
-    if (!probe->name || !is_valid_name(probe->name))
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
-    for (size_t k = 0; k < i && probe->name; ++k)
-        if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another probe has this name");
-            break;
-        }
-    sph2d__check_path(path, "probes", i, "");
-    check_rate(c, probe->rate, path);
-    if (sph2d_rate_interval(probe->rate) <= 0)
-        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
-    if (!is_valid_position(c->scene, probe))
-        sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
-    else
-        check_gauge(c, probe, i);
 }
 
 /* Maximum number of items of a list, so that a scene is checked in seconds: many are compared with each other. */
@@ -295,9 +224,9 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
     for (size_t i = 0; i < scene->interaction_count; ++i)
         check_interaction(&c, i);
     for (size_t i = 0; i < scene->probe_count; ++i)
-        check_probe(&c, i);
-    check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
-    check_rate(&c, scene->run.frames.rate, "run.frames");
+        sph2d__check_probe(&c, i);
+    sph2d__check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
+    sph2d__check_rate(&c, scene->run.frames.rate, "run.frames");
     sph2d__check_method(&c);
     check_contents(&c);
     if (c.errors == 0)

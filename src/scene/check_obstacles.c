@@ -48,6 +48,7 @@ static void check_obstacle(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
+    sph2d__check_wall_name(c, i);
     sph2d__check_times(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d =

@@ -39,6 +39,15 @@ bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *p
 /** Checks that the times of a path increase. */
 void sph2d__check_times(sph2d__checker *c, sph2d_path times, const char *path);
 
+/** Checks that an output's rate is given once, if at all. */
+void sph2d__check_rate(sph2d__checker *c, sph2d_rate rate, const char *prefix);
+
+/** Checks probe `index` of the scene. */
+void sph2d__check_probe(sph2d__checker *c, size_t index);
+
+/** Checks the name of obstacle `index`. */
+void sph2d__check_wall_name(sph2d__checker *c, size_t index);
+
 /** Checks every obstacle, and the side of its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
 

@@ -175,6 +175,8 @@ static const sph2d_key motion_items[] = {
 KEYS(motion, sph2d_motion, NULL);
 
 static const sph2d_key obstacle_items[] = {
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_obstacle, name), .unit = "", .default_text = "none",
+     .text = "for probes: letters, digits, _ and -"},
     {"line", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.line.items, outline.line.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_LINE), .unit = "m", .text = "its two ends"},
     {"polyline", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polyline.items, outline.polyline.count), ANY,
@@ -230,9 +232,12 @@ static const sph2d_key probe_items[] = {
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
      .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
-             "speed, pressure, elevation of the surface"},
+             "speed, pressure, elevation of the surface; of walls: force, work"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
-     .text = "position, for the kinds at a point"},
+     .text = "position, for the kinds at a point; force: the point about which the torque is taken, moving with the "
+             "obstacle"},
+    {"on", SPH2D_KEY_TEXT, false, AT(sph2d_probe, on), .unit = "", .default_text = "all walls",
+     .text = "force, work: an obstacle's name, or left, right, bottom, top"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",

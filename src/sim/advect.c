@@ -8,8 +8,9 @@
 
 /** Reflects a velocity at the nearest reflecting boundary particle within one spacing, if the particle approaches it:
  *  the component along the line between the two is reversed and damped. */
-static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
+static bool reflect(sph2d_sim *sim, sph2d_vec2 p, sph2d_vec2 *v)
 {
+    const sph2d__system *s = &sim->system;
     uint32_t cell = sph2d__cells_find(&s->wall_cells, p.x, p.y);
     if (cell == UINT32_MAX)
         return false;
@@ -36,16 +37,43 @@ static bool reflect(const sph2d__system *s, sph2d_vec2 p, sph2d_vec2 *v)
     double change = (1 + s->walls.bounce[nearest]) * along;
     v->x -= change * nx;
     v->y -= change * ny;
+    sph2d__loads_reflect(sim, nearest, p, (sph2d_vec2){-change * nx, -change * ny});
     return true;
 }
 
+/** Kinetic and potential energy of a particle with a position and velocity [J/m]. */
+static double energy_at(const sph2d_sim *sim, sph2d_vec2 at, sph2d_vec2 v)
+{
+    return sph2d__sim_energy_of(sim, at.x, at.y, v.x, v.y);
+}
+
+static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    sph2d_vec2 at = *to, before = *v;
+    int hits = sph2d__moving_sweep(moving, from, to, v);
+    if (hits > 0 && sph2d__loads_wanted(sim))
+        sph2d__loads_contact(sim, moving->wall, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
+                             energy_at(sim, *to, *v) - energy_at(sim, at, before));
+    return (uint64_t)hits;
+}
+
 /** Keeps a displacement on its side of every moving obstacle. */
-static uint64_t sweep_moving(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+static uint64_t sweep_moving(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     uint64_t hits = 0;
     for (size_t k = 0; k < sim->moving_count; ++k)
-        hits += (uint64_t)sph2d__moving_sweep(&sim->moving[k], from, to, v);
+        hits += sweep_one(sim, &sim->moving[k], from, to, v);
     return hits;
+}
+
+/** Keeps a displacement on its side of every wall at rest. */
+static uint64_t sweep_fixed(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    sph2d__stops stops;
+    int hits = sph2d__barrier_sweep(&sim->barrier, from, to, v, sph2d__loads_wanted(sim) ? &stops : NULL);
+    for (int k = 0; hits > 0 && sph2d__loads_wanted(sim) && k < stops.count; ++k)
+        sph2d__loads_contact(sim, stops.items[k].wall, from, stops.items[k].change, 0);
+    return (uint64_t)hits;
 }
 
 /** What happened to particles during an advection. */
@@ -81,7 +109,7 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     uint64_t reflected = 0, stopped, pushed = 0;
     if (sim->system.walls_reflect) {
         sph2d_vec2 before = *v;
-        if (reflect(&sim->system, from, v)) {
+        if (reflect(sim, from, v)) {
             ++reflected;
             double dt = sim->system.step;
             dx += dt * (v->x - before.x);
@@ -89,7 +117,7 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
         }
     }
     sph2d_vec2 to = {from.x + dx, from.y + dy};
-    stopped = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &to, v);
+    stopped = sweep_fixed(sim, from, &to, v);
     if (reflected + stopped > 0)
         met->stopped += quanta_between(sim, free, (end){to, *v});
     if (sim->moving_count > 0) {
@@ -103,7 +131,7 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     if (in.x != to.x || in.y != to.y) { /* the displacement ends at the opposite periodic side */
         end before = {in, *v};
         from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
-        uint64_t held = (uint64_t)sph2d__barrier_sweep(&sim->barrier, from, &in, v);
+        uint64_t held = sweep_fixed(sim, from, &in, v);
         if (held > 0)
             met->stopped += quanta_between(sim, before, (end){in, *v});
         stopped += held;

@@ -7,6 +7,7 @@
 #include "boundary/moving.h"
 #include "methods/common/method.h"
 #include "scene/solids.h"
+#include "sim/loads.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
 
@@ -27,6 +28,7 @@ struct sph2d_sim {
     sph2d__moving *moving; /**< capacity: every obstacle */
     size_t moving_count;
     sph2d__ids *obstacle_ids;   /**< of each obstacle */
+    sph2d__loads loads;         /**< forces on walls that probes measure */
     sph2d__solids solids;       /**< the obstacles as they are when the liquid is placed */
     sph2d__point_force *points; /**< capacity: every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has emitted */

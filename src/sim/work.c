@@ -59,25 +59,11 @@ typedef struct wall_powers {
 /** Adds the powers of one boundary particle on the liquid around it. */
 static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
 {
-    const sph2d__system *s = &sim->system;
-    const sph2d__store *w = &s->walls, *f = &s->fluid;
-    uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
-    if (w->bounce[b] >= 0 || cell == UINT32_MAX)
-        return;
-    sph2d_vec2 pressure = {0, 0}, friction = {0, 0};
-    sph2d__ranges ranges;
-    sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
-    SPH2D__FOR_NEIGHBOURS (&ranges, r, i) {
-        double dx = f->x[i] - (w->x[b] + ranges.x[r]), dy = f->y[i] - (w->y[b] + ranges.y[r]);
-        if (!(dx * dx + dy * dy < s->support * s->support))
-            continue;
-        sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
-        pressure = (sph2d_vec2){pressure.x + force.pressure.x, pressure.y + force.pressure.y};
-        friction = (sph2d_vec2){friction.x + force.friction.x, friction.y + force.friction.y};
-    }
-    double friction_power = w->vx[b] * friction.x + w->vy[b] * friction.y;
+    const sph2d__store *w = &sim->system.walls;
+    const sph2d__wall_force force = sph2d__sim_force_of_wall(sim, b);
+    double friction_power = w->vx[b] * force.friction.x + w->vy[b] * force.friction.y;
     power->friction += friction_power;
-    power->all += w->vx[b] * pressure.x + w->vy[b] * pressure.y + friction_power;
+    power->all += w->vx[b] * force.pressure.x + w->vy[b] * force.pressure.y + friction_power;
 }
 
 static wall_powers powers_of_walls(const sph2d_sim *sim)

@@ -5,6 +5,7 @@
 
 #include "kernels/kernel.h"
 #include "scene/resolve.h"
+#include "scene/wall_names.h"
 #include "start/start.h"
 
 /* Clearance of the barriers [spacings]: well within the distance that pressure and springs maintain. */
@@ -85,11 +86,13 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
         barrier = &m->barrier;
     }
     sph2d__ids *ids = &sim->obstacle_ids[index];
+    barrier->wall = SPH2D__WALL_OBSTACLE + (int)index;
     ids->first = sim->system.walls.count;
     sph2d_status status = place_outline(sim, obstacle, barrier, report);
     ids->end = sim->system.walls.count;
     if (m) {
         m->motion = &obstacle->motion;
+        m->wall = SPH2D__WALL_OBSTACLE + (int)index;
         m->first_id = ids->first;
         m->end_id = ids->end;
     }
@@ -171,6 +174,7 @@ static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
     for (int k = 0; k < 4; ++k) {
         if (all[k].side != SPH2D_SIDE_WALL)
             continue;
+        sim->barrier.wall = k;
         sph2d_status status = place_side(sim, all[k].a, all[k].b, all[k].shift, report);
         if (status != SPH2D_OK)
             return status;

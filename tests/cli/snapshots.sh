@@ -11,7 +11,8 @@ run() { # NAME SCENE OPTIONS...
     expect 0 "$SPH2D" run "$scene" -o "$name" --no-frames --quiet -s 'run={until: 0.02, snapshots: {every: 0.01}}' "$@"
 }
 for method in muller wcsph pcisph constraint; do
-    run $method "$TINY" -s "method=$method" -s 'obstacles=[]'
+    run $method "$TINY" -s "method=$method" -s 'obstacles=[]' \
+        -s 'probes=[{name: push, kind: force, on: bottom, every: 0.01}]'
 done
 cat >filled.yaml <<'END'
 domain: {min: [0, 0], max: [0.4, 0.4]}

@@ -72,13 +72,17 @@ change_drives() {
 }
 
 change_outputs() {
+    local walls=
+    if ! grep -q fitted scene.yaml; then
+        walls=", {name: push, kind: $(pick force work), every: $(number "$until / 30")}"
+    fi
     add "probes=[{name: energy, kind: energy, every: $(number "$until / 50")},
         {name: face, kind: pressure, at: [$(point)], size: $(gauge),
          rise_time: $(number "$until / 20"), every: $(number "$until / 30")},
         {name: slow, kind: pressure, at: [$(point)],
          rise_time: $(number "$until / 3"), every: $(number "$until / 20")},
         {name: often, kind: $(pick speed volume extent momentum axes), every: $(number "$until / 100000")},
-        {name: seldom, kind: $(pick quality level elevation), every: $(number "$until / 4")}]"
+        {name: seldom, kind: $(pick quality level elevation), every: $(number "$until / 4")}$walls]"
     if chance 85; then
         add "run.snapshots={every: $(number "$until / $(pick 3 8 20 1000)"), compress: $(pick 0 0 4)}"
     fi

@@ -47,6 +47,9 @@ typedef struct sph2d__method {
     /** Force of boundary particle b on fluid particle i at (dx, dy) from it, within the support radius, as in the last
      *  evaluation or projection. NULL: not available. */
     sph2d__wall_force (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
+    /** Sets the acceleration of particle i away from each side of the domain by liquid that the method imagines behind
+     *  it: left, right, bottom, top [m/s^2]. NULL: none. */
+    void (*side_push)(const sph2d__system *system, size_t i, double push[4]);
     /** Elastic energy of particle i [J/kg]; `stepped`: it has a pressure of the last step. NULL: by the equation of
      *  state (state_equation.h). */
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);

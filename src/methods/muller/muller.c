@@ -133,6 +133,22 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
+static void side_push(const sph2d__system *s, size_t i, double push[4])
+{
+    const sph2d__store *f = &s->fluid;
+    const sph2d__spring_walls *w = &s->body.springs;
+    const double distances[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
+    sph2d__side_part parts[2];
+    sph2d__sides_at(s, f->x[i], f->y[i], parts);
+    for (int side = 0; side < 4; ++side) {
+        sph2d__side_part part = {0, 0};
+        if (distances[side] < s->support)
+            sph2d__side_add(s, distances[side], &part);
+        push[side] = f->pressure[i] / (f->density[i] * f->density[i]) *
+                     (s->side_fill + s->corner_fill * parts[1 - side / 2].value) * part.slope;
+    }
+}
+
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
@@ -162,5 +178,6 @@ const sph2d__method sph2d__muller = {
     .prepare = prepare,
     .evaluate = evaluate,
     .wall_force = wall_force,
+    .side_push = side_push,
     .stable_step = stable_step,
 };

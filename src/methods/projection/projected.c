@@ -172,6 +172,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sim->method->project(&sim->system);
     sph2d__projection_average(&sim->system);
     split(sim, dt);
+    sph2d__loads_find(sim, 1 - sim->split);
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_MOVE);
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;

@@ -200,15 +200,18 @@ void sph2d__projection_average(sph2d__system *s)
     sph2d__over_fluid(s, average_slab, NULL);
 }
 
+/* By the multipliers, not the pressures, which corrections of single particles bound; with the gradients as rounded as
+ * those that pushed. */
 sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
-    double h2 = s->support * s->support, q = hypot(dx, dy) / s->support;
+    double h2 = s->support * s->support, q = sqrt(dx * dx + dy * dy) / s->support;
     double weight = s->calibration * s->walls.mass[b] / s->rest_density;
     double g =
         weight * sph2d__kernel_constant(s->method.kernel) / (h2 * h2) * sph2d__kernel_slope_at(s->method.kernel, q);
-    double press =
-        s->mass / (s->moment * s->rest_density) * (s->fluid.acting_pressure[i] + s->walls.acting_pressure[b]);
-    return (sph2d__wall_force){.pressure = {-press * g * dx, -press * g * dy}};
+    double press = s->mass / (s->step * s->step) * (s->fluid.multiplier[i] + s->walls.multiplier[b]);
+    /* Volatile: GCC 12 with -O3 makes one vector of two conversions to float and back, and drops them. */
+    volatile float gx = (float)(g * dx), gy = (float)(g * dy);
+    return (sph2d__wall_force){.pressure = {-press * (double)gx, -press * (double)gy}};
 }
 
 double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)

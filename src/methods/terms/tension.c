@@ -26,6 +26,7 @@ typedef struct neighbourhood {
     int count, near; /**< near ones come first */
     double x[MAX_NEIGHBOURS], y[MAX_NEIGHBOURS];
     kind kind[MAX_NEIGHBOURS];
+    uint32_t index[MAX_NEIGHBOURS]; /**< in their store */
 } neighbourhood;
 
 /** The edge between a particle's Voronoi cell and that of a neighbour, in spacings: on the bisector, at the distance
@@ -41,7 +42,7 @@ static bool can_have_surface(const sph2d__system *s, size_t i)
 }
 
 /** Adds a neighbour, near ones before the others; the caller has checked the capacity. */
-static void add_neighbour(neighbourhood *c, double x, double y, kind what)
+static void add_neighbour(neighbourhood *c, double x, double y, kind what, uint32_t index)
 {
     int k = c->count++;
     if (x * x + y * y < NEAR * NEAR) {
@@ -49,11 +50,13 @@ static void add_neighbour(neighbourhood *c, double x, double y, kind what)
         c->x[k] = c->x[first];
         c->y[k] = c->y[first];
         c->kind[k] = c->kind[first];
+        c->index[k] = c->index[first];
         k = first;
     }
     c->x[k] = x;
     c->y[k] = y;
     c->kind[k] = what;
+    c->index[k] = index;
 }
 
 /** Adds the particles of `from` whose cells can touch that of a particle at (x, y) within the band, without the one
@@ -71,7 +74,8 @@ static bool gather(neighbourhood *c, const sph2d__system *s, const sph2d__store 
         add_neighbour(c, dx * scale, dy * scale,
                       from == &s->walls        ? WALL
                       : can_have_surface(s, j) ? LIQUID
-                                               : INNER_LIQUID);
+                                               : INNER_LIQUID,
+                      (uint32_t)j);
     }
     return true;
 }
@@ -166,26 +170,34 @@ static double triangle_until(double foot, double t)
 
 /* ---- force and energy -------------------------------------------------------------------------------------------- */
 
+/** Minus the gradient of the energy by the edge with neighbour k. */
+static sph2d_vec2 pull_across(const neighbourhood *c, int k)
+{
+    const sph2d_vec2 none = {0, 0};
+    if (c->kind[k] == INNER_LIQUID)
+        return none;
+    double clear = entry_of(sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]) / 2);
+    edge b = edge_of(c, k, clear);
+    if (!(b.from < b.to) || (b.to <= clear && b.from >= -clear))
+        return none;
+    double along = weight_until(b.foot, b.to) - weight_until(b.foot, b.from), across = 0, r = 2 * b.foot;
+    if (c->kind[k] == WALL) {
+        across = -(moment_until(b.foot, b.to) - moment_until(b.foot, b.from)) / r;
+        along /= 2;
+    }
+    return (sph2d_vec2){(along * c->x[k] - across * c->y[k]) / r, (along * c->y[k] + across * c->x[k]) / r};
+}
+
 /** Minus the gradient of the energy around a particle. */
 static sph2d_vec2 pull_on(const neighbourhood *c)
 {
-    sph2d_vec2 pull = {0, 0};
+    sph2d_vec2 sum = {0, 0};
     for (int k = 0; k < c->count; ++k) {
-        if (c->kind[k] == INNER_LIQUID)
-            continue;
-        double clear = entry_of(sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]) / 2);
-        edge b = edge_of(c, k, clear);
-        if (!(b.from < b.to) || (b.to <= clear && b.from >= -clear))
-            continue;
-        double along = weight_until(b.foot, b.to) - weight_until(b.foot, b.from), across = 0, r = 2 * b.foot;
-        if (c->kind[k] == WALL) {
-            across = -(moment_until(b.foot, b.to) - moment_until(b.foot, b.from)) / r;
-            along /= 2;
-        }
-        pull.x += (along * c->x[k] - across * c->y[k]) / r;
-        pull.y += (along * c->y[k] + across * c->x[k]) / r;
+        sph2d_vec2 pull = pull_across(c, k);
+        sum.x += pull.x;
+        sum.y += pull.y;
     }
-    return pull;
+    return sum;
 }
 
 /** Integral of w over the particle's cell. */
@@ -252,6 +264,24 @@ void sph2d__tension_add(sph2d__system *s)
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, add_accelerations);
     sph2d__profile_enter(&s->profile, before);
+}
+
+void sph2d__tension_of_walls(const sph2d__system *s, sph2d_vec2 *forces)
+{
+    double scale = strength(s);
+    sph2d__cursor liquid = SPH2D__CURSOR_START, walls = SPH2D__CURSOR_START;
+    neighbourhood c;
+    for (size_t i = 0; s->surface_tension > 0 && s->walls_press && i < s->fluid.count; ++i) {
+        if (!gather_around(&c, s, i, &liquid, &walls))
+            continue;
+        for (int k = 0; k < c.count; ++k) {
+            if (c.kind[k] != WALL)
+                continue;
+            sph2d_vec2 pull = pull_across(&c, k);
+            forces[c.index[k]].x += scale * pull.x;
+            forces[c.index[k]].y += scale * pull.y;
+        }
+    }
 }
 
 double sph2d__tension_step(const sph2d__system *s)

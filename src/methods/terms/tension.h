@@ -42,6 +42,9 @@ double sph2d__tension_energy_within(const sph2d__system *system, sph2d_box box);
  *  the distances to the surface are up to date. */
 void sph2d__tension_add(sph2d__system *system);
 
+/** Adds the forces by which boundary particles, by their index, pull on the liquid [N/m]. */
+void sph2d__tension_of_walls(const sph2d__system *system, sph2d_vec2 *forces);
+
 /** The longest step that is stable for capillary waves [s]: 0.5 sqrt(rho dx^3/sigma), half the limit of a chain of
  *  masses rho dx^2 under the tension sigma (w = 2 sqrt(sigma/(rho dx^3)), w dt < 2); infinite without tension. */
 double sph2d__tension_step(const sph2d__system *system);

@@ -69,6 +69,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
         return status;
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
+    sph2d__loads_find(sim, 1);
     sph2d__second_kick(&sim->system, dt);
     return SPH2D_OK;
 }

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_probes.c
+ *  Checks of probes, and of the names of obstacles, by which probes refer to them. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/suggest.h"
+#include "scene/checker.h"
+#include "scene/wall_names.h"
+
+enum { PATH_SIZE = SPH2D__PATH_SIZE };
+typedef sph2d__checker checker;
+
+static bool is_valid_name(const char *name)
+{
+    size_t length = strlen(name);
+    for (size_t i = 0; i < length; ++i)
+        if (!isalnum((unsigned char)name[i]) && name[i] != '_' && name[i] != '-')
+            return false;
+    return length > 0 && length <= 64;
+}
+
+/** Whether a probe's position, if its kind uses it, lies in the domain; of an elevation only x matters. */
+static bool is_valid_position(const sph2d_scene *scene, const sph2d_probe *probe)
+{
+    switch (probe->kind) {
+    case SPH2D_PROBE_SPEED:
+    case SPH2D_PROBE_PRESSURE:
+        return sph2d__check_in_domain(scene, probe->at);
+    case SPH2D_PROBE_ELEVATION:
+        return sph2d__check_in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
+    default:
+        return true;
+    }
+}
+
+/** Checks that only pressure probes are gauges, and that a face has a direction and lies in the domain. */
+static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE];
+    if (probe->kind != SPH2D_PROBE_PRESSURE) {
+        if (probe->size != 0 || probe->rise_time != 0)
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
+                               sph2d__check_path(path, "probes", i, probe->size != 0 ? ".size" : ".rise_time"),
+                               "is for probes of kind pressure");
+        return;
+    }
+    if (!(probe->size > 0))
+        return;
+    double length = hypot(probe->along.x, probe->along.y), half = probe->size / 2;
+    if (!(length > 0) || !isfinite(length)) {
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".along"),
+                           "has no direction");
+        return;
+    }
+    double x = half * probe->along.x / length, y = half * probe->along.y / length;
+    if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x - x, probe->at.y - y}) ||
+        !sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x + x, probe->at.y + y}))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
+                           "the gauge's face extends beyond the domain");
+}
+
+/** Reports a name that no wall has. */
+static void refuse_name(checker *c, const char *path, const char *name)
+{
+    enum { MOST = 20 };
+    const char *names[SPH2D__WALL_OBSTACLE + MOST + 1] = {NULL};
+    size_t count = 0;
+    for (size_t k = 0; k < c->scene->obstacle_count && count < MOST; ++k)
+        if (c->scene->obstacles[k].name)
+            names[count++] = c->scene->obstacles[k].name;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        names[count++] = sph2d__side_word(side);
+    char message[160];
+    snprintf(message, sizeof message, "no wall has the name '%.64s'", name);
+    sph2d__suggest_word(sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, message), name, names,
+                        "the name of an obstacle or side:");
+}
+
+/** Checks what a probe of kind force or work is on. */
+static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE];
+    bool on_wall = probe->kind == SPH2D_PROBE_FORCE || probe->kind == SPH2D_PROBE_WORK;
+    sph2d__check_path(path, "probes", i, ".on");
+    if (!on_wall) {
+        if (probe->on)
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force and work");
+        return;
+    }
+    if (c->scene->method.operators == SPH2D_OPERATORS_FITTED) {
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "probes", i, ".kind"),
+                               "fitted operators have no forces between particles and walls");
+        sph2d_diagnostic_hint(d, "use symmetric operators, or probes of kind pressure along the wall");
+        return;
+    }
+    if (!probe->on)
+        return;
+    int wall = sph2d__wall_named(c->scene, probe->on);
+    if (wall == SPH2D__WALL_ALL)
+        refuse_name(c, path, probe->on);
+    else if (wall < SPH2D__WALL_OBSTACLE && sph2d__side_of(c->scene, wall) != SPH2D_SIDE_WALL)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
+}
+
+void sph2d__check_probe(checker *c, size_t i)
+{
+    const sph2d_probe *probe = &c->scene->probes[i];
+    char path[PATH_SIZE];
+    sph2d__check_path(path, "probes", i, ".name");
+    if (!probe->name || !is_valid_name(probe->name))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
+    for (size_t k = 0; k < i && probe->name; ++k)
+        if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another probe has this name");
+            break;
+        }
+    sph2d__check_path(path, "probes", i, "");
+    sph2d__check_rate(c, probe->rate, path);
+    if (sph2d_rate_interval(probe->rate) <= 0)
+        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
+    check_wall(c, probe, i);
+    if (!is_valid_position(c->scene, probe))
+        sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
+    else
+        check_gauge(c, probe, i);
+}
+
+void sph2d__check_wall_name(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    const char *name = scene->obstacles[i].name;
+    char path[PATH_SIZE];
+    if (!name)
+        return;
+    sph2d__check_path(path, "obstacles", i, ".name");
+    int wall = sph2d__wall_named(scene, name);
+    if (!is_valid_name(name))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
+    else if (wall < SPH2D__WALL_OBSTACLE)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");
+    else if (wall != SPH2D__WALL_OBSTACLE + (int)i)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle has this name");
+}

@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: MIT */
+/** @file loads.c */
+#include "sim/loads.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "methods/terms/tension.h"
+#include "scene/wall_names.h"
+#include "sim/simulation.h"
+
+/* ---- which wall -------------------------------------------------------------------------------------------------- */
+
+static bool is_wanted(const sph2d_probe *probe)
+{
+    return probe->kind == SPH2D_PROBE_FORCE || probe->kind == SPH2D_PROBE_WORK;
+}
+
+static bool matches(int wanted, int wall)
+{
+    return wanted == SPH2D__WALL_ALL || wanted == wall;
+}
+
+/** Sets the walls of a boundary particle of the domain's sides: by which side it lies outside, and in corners one for
+ *  each direction. */
+static void set_sides(const sph2d_scene *scene, double x, double y, int walls[2])
+{
+    sph2d_box d = scene->domain;
+    const double outside[SPH2D__WALL_OBSTACLE] = {d.min.x - x, x - d.max.x, d.min.y - y, y - d.max.y};
+    int beyond[2] = {SPH2D__WALL_ALL, SPH2D__WALL_ALL};
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (outside[side] > 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_WALL)
+            beyond[side / 2] = side;
+    walls[0] = beyond[0] != SPH2D__WALL_ALL ? beyond[0] : beyond[1];
+    walls[1] = beyond[1] != SPH2D__WALL_ALL ? beyond[1] : beyond[0];
+}
+
+static void set_walls(sph2d_sim *sim)
+{
+    const sph2d__store *w = &sim->system.walls;
+    int(*walls)[2] = sim->loads.walls;
+    for (size_t b = 0; b < w->count; ++b)
+        set_sides(&sim->scene, w->start_x[b], w->start_y[b], walls[w->id[b]]);
+    for (size_t k = 0; k < sim->scene.obstacle_count; ++k)
+        for (uint64_t id = sim->obstacle_ids[k].first; id < sim->obstacle_ids[k].end; ++id)
+            walls[id][0] = walls[id][1] = SPH2D__WALL_OBSTACLE + (int)k;
+}
+
+static const sph2d__moving *moving_of(const sph2d_sim *sim, int wall)
+{
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        if (sim->moving[k].wall == wall)
+            return &sim->moving[k];
+    return NULL;
+}
+
+sph2d_status sph2d__loads_create(sph2d_sim *sim)
+{
+    const sph2d_scene *scene = &sim->scene;
+    sph2d__loads *l = &sim->loads;
+    size_t count = 0, walls = sim->system.walls.count;
+    for (size_t i = 0; i < scene->probe_count; ++i)
+        count += is_wanted(&scene->probes[i]);
+    if (count == 0)
+        return SPH2D_OK;
+    l->items = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *l->items);
+    l->states = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *l->states);
+    l->of_probe = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count, sizeof *l->of_probe);
+    l->walls = sph2d__arena_alloc(&sim->arena, &sim->memory, walls + 1, sizeof *l->walls);
+    l->forces = sph2d__arena_alloc(&sim->arena, &sim->memory, walls + 1, sizeof *l->forces);
+    if (sim->system.surface_tension > 0)
+        l->tensions = sph2d__arena_alloc(&sim->arena, &sim->memory, walls + 1, sizeof *l->tensions);
+    if ((sim->system.surface_tension > 0 && !l->tensions) || !l->items || !l->states || !l->of_probe || !l->walls ||
+        !l->forces)
+        return SPH2D_NOMEM;
+    set_walls(sim);
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        const sph2d_probe *probe = &scene->probes[i];
+        if (!is_wanted(probe))
+            continue;
+        int wall = probe->on ? sph2d__wall_named(scene, probe->on) : SPH2D__WALL_ALL;
+        l->of_probe[i] = l->count;
+        l->items[l->count++] = (sph2d__load){.wall = wall, .about = probe->at, .moving = moving_of(sim, wall)};
+    }
+    return SPH2D_OK;
+}
+
+bool sph2d__loads_wanted(const sph2d_sim *sim)
+{
+    return sim->loads.count > 0;
+}
+
+/* ---- forces of boundary particles -------------------------------------------------------------------------------- */
+
+sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *w = &s->walls, *f = &s->fluid;
+    sph2d__wall_force sum = {{0, 0}, {0, 0}};
+    uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
+    if (w->bounce[b] >= 0 || cell == UINT32_MAX)
+        return sum;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, i) {
+        double dx = f->x[i] - (w->x[b] + ranges.x[r]), dy = f->y[i] - (w->y[b] + ranges.y[r]);
+        if (!(dx * dx + dy * dy < s->support * s->support))
+            continue;
+        sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
+        sum.pressure.x += force.pressure.x;
+        sum.pressure.y += force.pressure.y;
+        sum.friction.x += force.friction.x;
+        sum.friction.y += force.friction.y;
+    }
+    return sum;
+}
+
+/** Whether any load is on a wall. */
+static bool any_matches(const sph2d__loads *l, const int walls[2])
+{
+    for (size_t k = 0; k < l->count; ++k)
+        if (matches(l->items[k].wall, walls[0]) || matches(l->items[k].wall, walls[1]))
+            return true;
+    return false;
+}
+
+static void find_some(void *with, size_t first, size_t last)
+{
+    sph2d_sim *sim = with;
+    sph2d__loads *l = &sim->loads;
+    for (size_t b = first; b < last; ++b)
+        if (any_matches(l, l->walls[sim->system.walls.id[b]]))
+            l->forces[b] = sph2d__sim_force_of_wall(sim, b);
+}
+
+/* ---- sums -------------------------------------------------------------------------------------------------------- */
+
+/** Where the point of a load's torques is now. */
+static sph2d_vec2 point_of(const sph2d__load *load)
+{
+    return load->moving ? sph2d__pose_apply(&load->moving->to, load->about) : load->about;
+}
+
+/** From the load's point to a position, by the shortest way across periodic sides. */
+static sph2d_vec2 arm_to(const sph2d_sim *sim, sph2d_vec2 point, double x, double y)
+{
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    sph2d_vec2 arm = {x - point.x, y - point.y};
+    if (p->length_x > 0)
+        arm.x -= p->length_x * nearbyint(arm.x / p->length_x);
+    if (p->length_y > 0)
+        arm.y -= p->length_y * nearbyint(arm.y / p->length_y);
+    return arm;
+}
+
+/** Adds a force with its torque. */
+static void add_pull(sph2d__pull *to, sph2d_vec2 arm, double x, double y)
+{
+    to->x += x;
+    to->y += y;
+    to->torque += arm.x * y - arm.y * x;
+}
+
+/** Sums over the boundary particles of a load's wall; each force along x and y counts for its own wall. */
+static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
+{
+    const sph2d__loads *l = &sim->loads;
+    const sph2d__load *load = &l->items[index];
+    const sph2d__store *w = &sim->system.walls;
+    sph2d_vec2 point = point_of(load);
+    sph2d__load_state *sum = &l->states[index];
+    for (size_t b = 0; b < w->count; ++b) {
+        const int *walls = l->walls[w->id[b]];
+        double in_x = matches(load->wall, walls[0]), in_y = matches(load->wall, walls[1]);
+        if (in_x + in_y == 0)
+            continue;
+        sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]);
+        sph2d_vec2 press = {in_x * kept * l->forces[b].pressure.x, in_y * kept * l->forces[b].pressure.y};
+        if (l->tensions)
+            press = (sph2d_vec2){press.x + in_x * l->tensions[b].x, press.y + in_y * l->tensions[b].y};
+        sph2d_vec2 rub = {in_x * l->forces[b].friction.x, in_y * l->forces[b].friction.y};
+        add_pull(&sum->pressure, arm, -press.x, -press.y);
+        add_pull(&sum->friction, arm, -rub.x, -rub.y);
+        sum->power += w->vx[b] * (press.x + rub.x) + w->vy[b] * (press.y + rub.y);
+    }
+}
+
+/** Adds the push of a side on a particle: [m/s^2] away from the side. */
+static void add_side(const sph2d_sim *sim, const sph2d__load *load, sph2d__pull *to, const double push[4], double x,
+                     double y)
+{
+    double m = sim->system.mass;
+    sph2d_vec2 arm = {x - load->about.x, y - load->about.y};
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (push[side] != 0 && matches(load->wall, side)) {
+            double force = (side & 1 ? m : -m) * push[side];
+            add_pull(to, arm, side < 2 ? force : 0, side < 2 ? 0 : force);
+        }
+}
+
+/** Sums over the particles near spring walls. */
+static void sum_sides(const sph2d_sim *sim, size_t index)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    const sph2d__spring_walls *w = &s->body.springs;
+    const sph2d__load *load = &sim->loads.items[index];
+    if (!(w->stiffness > 0) || load->wall >= SPH2D__WALL_OBSTACLE)
+        return;
+    for (size_t i = 0; i < f->count; ++i) {
+        const double d[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
+        if (fmin(fmin(d[0], d[1]), fmin(d[2], d[3])) >= s->support)
+            continue;
+        const double out[4] = {f->vx[i], -f->vx[i], f->vy[i], -f->vy[i]};
+        double spring[4], fill[4] = {0, 0, 0, 0};
+        for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+            spring[side] = sph2d__spring_force(w, d[side], out[side]);
+        if (sim->method->side_push)
+            sim->method->side_push(s, i, fill);
+        add_side(sim, load, &sim->loads.states[index].springs, spring, f->x[i], f->y[i]);
+        add_side(sim, load, &sim->loads.states[index].pressure, fill, f->x[i], f->y[i]);
+    }
+}
+
+void sph2d__loads_find(sph2d_sim *sim, double kept)
+{
+    sph2d__loads *l = &sim->loads;
+    if (l->count == 0)
+        return;
+    const sph2d__pull none = {0, 0, 0};
+    sph2d__share(sim->system.team, sim->system.walls.count, SPH2D__GRAIN / 16, find_some, sim);
+    if (l->tensions) {
+        memset(l->tensions, 0, sim->system.walls.count * sizeof *l->tensions);
+        sph2d__tension_of_walls(&sim->system, l->tensions);
+    }
+    for (size_t k = 0; k < l->count; ++k) {
+        l->items[k].before = l->states[k];
+        l->states[k].pressure = l->states[k].friction = l->states[k].springs = none;
+        l->states[k].power = 0;
+        sum_walls(sim, k, kept);
+        sum_sides(sim, k);
+        if (sim->method->project) /* this force acts all through the step */
+            l->items[k].before = l->states[k];
+    }
+}
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
+
+/* Quanta in the momentum of a particle as fast as liquid can fall; the largest count of one contact. */
+static const double QUANTA = 4e10, MAX_QUANTA = 1e15;
+
+/** The quanta of impulses [kg/s], their moments [kg m/s], and work [J/m]. */
+static sph2d__pull quanta(const sph2d_sim *sim, double *work)
+{
+    sph2d_box d = sim->scene.domain;
+    double speed = sim->system.head > 0 ? sqrt(2 * sim->system.head) : 1, momentum = sim->system.mass * speed / QUANTA;
+    *work = momentum * speed;
+    return (sph2d__pull){momentum, momentum, momentum * hypot(d.max.x - d.min.x, d.max.y - d.min.y)};
+}
+
+static int64_t count_of(double value, double quantum)
+{
+    double count = value / quantum;
+    return fabs(count) < MAX_QUANTA ? (int64_t)nearbyint(count) : 0;
+}
+
+/** Counts an impulse of the liquid on the walls of the two directions. */
+static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph2d_vec2 change, double work)
+{
+    double m = sim->system.mass, unit;
+    const sph2d__pull q = quanta(sim, &unit);
+    sph2d__team_lock(sim->system.team);
+    for (size_t k = 0; k < sim->loads.count; ++k) {
+        sph2d__load *load = &sim->loads.items[k];
+        double in_x = matches(load->wall, walls[0]), in_y = matches(load->wall, walls[1]);
+        if (in_x + in_y == 0)
+            continue;
+        sph2d__pull pull = {0, 0, 0};
+        add_pull(&pull, arm_to(sim, point_of(load), at.x, at.y), -m * in_x * change.x, -m * in_y * change.y);
+        load->hit_x += count_of(pull.x, q.x);
+        load->hit_y += count_of(pull.y, q.y);
+        load->hit_turn += count_of(pull.torque, q.torque);
+        load->given += count_of(work, unit);
+    }
+    sph2d__team_unlock(sim->system.team);
+}
+
+void sph2d__loads_contact(sph2d_sim *sim, int wall, sph2d_vec2 at, sph2d_vec2 change, double work)
+{
+    const int walls[2] = {wall, wall};
+    if (sim->loads.count > 0)
+        count_contact(sim, walls, at, change, work);
+}
+
+void sph2d__loads_reflect(sph2d_sim *sim, size_t b, sph2d_vec2 at, sph2d_vec2 change)
+{
+    if (sim->loads.count > 0)
+        count_contact(sim, sim->loads.walls[sim->system.walls.id[b]], at, change, 0);
+}
+
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
+
+static void add_impulse(sph2d__pull *to, double dt, const sph2d__pull *from)
+{
+    to->x += dt * from->x;
+    to->y += dt * from->y;
+    to->torque += dt * from->torque;
+}
+
+/** Adds what acts at one end of a step, over half of it. */
+static void add_half(sph2d__pull *to, double dt, const sph2d__load_state *at)
+{
+    add_impulse(to, dt / 2, &at->pressure);
+    add_impulse(to, dt / 2, &at->friction);
+    add_impulse(to, dt / 2, &at->springs);
+}
+
+void sph2d__loads_close(sph2d_sim *sim, double dt)
+{
+    for (size_t k = 0; k < sim->loads.count; ++k) {
+        sph2d__load *load = &sim->loads.items[k];
+        sph2d__load_state *now = &sim->loads.states[k];
+        double unit;
+        const sph2d__pull q = quanta(sim, &unit);
+        now->contact = (sph2d__pull){(double)load->hit_x * q.x / dt, (double)load->hit_y * q.y / dt,
+                                     (double)load->hit_turn * q.torque / dt};
+        add_half(&now->impulse, dt, &load->before);
+        add_half(&now->impulse, dt, now);
+        add_impulse(&now->impulse, dt, &now->contact);
+        now->work += dt / 2 * (load->before.power + now->power) + (double)load->given * unit;
+        load->hit_x = load->hit_y = load->hit_turn = load->given = 0;
+    }
+}
+
+void sph2d__loads_sampled(sph2d_sim *sim, size_t probe)
+{
+    if (sim->loads.count > 0 && is_wanted(&sim->scene.probes[probe]))
+        sim->loads.states[sim->loads.of_probe[probe]].impulse = (sph2d__pull){0, 0, 0};
+}
