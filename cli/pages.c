@@ -275,6 +275,8 @@ static const char *type_of(const sph2d_key *key)
         return "[[x, y], ...]";
     case SPH2D_KEY_PATH:
         return "[[t, x, y], ...]";
+    case SPH2D_KEY_POSES:
+        return "[[t, x, y, angle], ...]";
     case SPH2D_KEY_NUMBERS:
         return "list of numbers";
     case SPH2D_KEY_GROUP:

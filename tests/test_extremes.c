@@ -148,6 +148,7 @@ static bool write_value(const sph2d_key *key, const char *number, char *out)
         return snprintf(out, VALUE, "[0.5, %s]", number) > 0;
     case SPH2D_KEY_NUMBERS:
         return snprintf(out, VALUE, "[%s]", number) > 0;
+    case SPH2D_KEY_POSES:
     case SPH2D_KEY_PATH:
         return snprintf(out, VALUE, "[[0, 0, 0], [%s, %s, 0]]", number, number) > 0;
     case SPH2D_KEY_POINTS:

@@ -194,12 +194,43 @@ START_TEST(a_swinging_wall_is_where_its_law_says)
 }
 END_TEST
 
+/** Layers turn as a rigid body: distances stay, normals point to the surface as before, and a smooth turn has velocities
+ *  at right angles to the arm. */
+START_TEST(layers_turn_with_their_wall)
+{
+    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
+    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
+    obstacle.motion = sph2d_motion_default();
+    obstacle.motion.rate = 3;
+    scene.method.time_step = 1e-3;
+    sph2d_sim *still = test_create(&scene, NULL), *sim = test_create(&scene, NULL);
+    test_steps(sim, 137);
+    double angle = 3 * sph2d_sim_time(sim), c = cos(angle), s = sin(angle);
+    const sph2d__store *w = &sim->system.walls, *before = &still->system.walls;
+    for (size_t i = 0; i < w->count; ++i) {
+        size_t k = 0;
+        while (before->id[k] != w->id[i])
+            ++k;
+        double x = before->start_x[k] - 0.35, y = before->start_y[k] - 0.3;
+        ck_assert_double_eq_tol(w->x[i], 0.35 + c * x - s * y, 1e-12);
+        ck_assert_double_eq_tol(w->y[i], 0.3 + s * x + c * y, 1e-12);
+        ck_assert_double_eq_tol(w->vx[i], -3 * (w->y[i] - 0.3), 1e-12);
+        ck_assert_double_eq_tol(w->vy[i], 3 * (w->x[i] - 0.35), 1e-12);
+        ck_assert_double_eq_tol(w->ax[i], -9 * (w->x[i] - 0.35), 1e-12);
+        ck_assert_double_eq_tol(w->normal_x[i], c * before->normal_x[k] - s * before->normal_y[k], 1e-12);
+        ck_assert_double_eq_tol(w->normal_y[i], s * before->normal_x[k] + c * before->normal_y[k], 1e-12);
+    }
+    sph2d_sim_destroy(sim);
+    sph2d_sim_destroy(still);
+}
+END_TEST
+
 START_TEST(a_piston_pushes_a_lone_particle_and_is_never_passed)
 {
-    static sph2d_path_point way[2] = {{0.1, 0, 0}, {0.2, 0.4, 0}}; /* 4 m/s */
+    static sph2d_pose_point way[2] = {{0.1, 0, 0, 0}, {0.2, 0.4, 0, 0}}; /* 4 m/s */
     obstacle.outline.kind = SPH2D_OUTLINE_BOX;
     obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.3, 0.8}};
-    obstacle.motion.path = (sph2d_path){way, 2};
+    obstacle.motion.path = (sph2d_pose_path){way, 2};
     block = test_particle(DX, 0.45, 0.5, -2, 0.1);
     for (int form = 0; form < 2; ++form) {
         obstacle.form = form == 0 ? SPH2D_WALL_GENERALISED : SPH2D_WALL_REFLECT;
@@ -220,7 +251,7 @@ START_TEST(a_run_with_moving_walls_goes_on_from_its_state_bit_by_bit)
 {
     obstacle.outline.kind = SPH2D_OUTLINE_BOX;
     obstacle.outline.box = (sph2d_box){{0.2, 0.0}, {0.3, 0.3}};
-    obstacle.motion = (sph2d_motion){.amplitude = {0.03, 0}, .frequency = 4};
+    obstacle.motion = (sph2d_motion){.amplitude = {0.03, 0}, .angle = 0.1, .frequency = 4, .center = {0.25, 0.15}};
     scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
     scene.gravity.y = -9.81;
     block = test_block(0.35, 0, 0.6, 0.2);
@@ -254,6 +285,7 @@ Suite *suite_layers(void)
     tcase_add_test(tests, a_circle_has_rings_of_its_area);
     tcase_add_test(tests, a_polyline_has_mitred_layers_on_its_right);
     tcase_add_test(tests, a_swinging_wall_is_where_its_law_says);
+    tcase_add_test(tests, layers_turn_with_their_wall);
     tcase_add_test(tests, a_piston_pushes_a_lone_particle_and_is_never_passed);
     tcase_add_test(tests, a_run_with_moving_walls_goes_on_from_its_state_bit_by_bit);
     suite_add_tcase(suite, tests);

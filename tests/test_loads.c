@@ -103,6 +103,9 @@ static sph2d_sim *flood_of(int kind, int threads)
     flood.scene.wall_slip = kinds[kind].slip;
     flood.scene.fluid.surface_tension = kinds[kind].tension;
     flood.scene.fluid.dynamic_viscosity = 0.5;
+    flood.post.motion.angle = 0.05; /* about a point beside its centre */
+    flood.post.motion.rate = 0.4;
+    flood.post.motion.center = (sph2d_vec2){0.62, 0.33};
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = threads;
     return test_create(&flood.scene, &options);
@@ -113,7 +116,7 @@ START_TEST(forces_are_the_change_of_momentum)
     sph2d_sim *sim = flood_of(_i, 2);
     double values[SPH2D_PROBE_MAX_COLUMNS], largest = 0;
     double scale = sim->system.mass * (double)sim->system.fluid.count * sqrt(2 * sim->system.head);
-    for (int step = 0; step < 300; ++step) {
+    for (int step = 0; step < 300 && sph2d_sim_time(sim) < 0.6; ++step) {
         sph2d_vec2 before = momentum_of(sim);
         double count = (double)sim->system.fluid.count, x = 0, y = 0;
         for (int k = 0; k < PROBES; ++k)
@@ -264,10 +267,13 @@ START_TEST(work_is_that_of_the_forces)
         test_steps(sim, 1);
         read(sim, LIFT, work);
         read(sim, POST, force);
-        sph2d_vec2 v = sim->moving[0].to.velocity; /* where the forces were evaluated last */
-        if (_i == 0)                               /* a method with a projection has moved on since */
-            ck_assert_double_eq_tol(work[0], -v.x * (force[0] - force[7]) - v.y * (force[1] - force[8]),
-                                    1e-9 * (1 + fabs(force[0]) + fabs(force[1])));
+        const sph2d__load_state *now = &sim->loads.states[sim->loads.of_probe[POST]];
+        const sph2d__pose *pose = &sim->moving[0].to; /* where the forces were evaluated last */
+        sph2d_vec2 v = sph2d__pose_velocity(pose, sph2d__pose_apply(pose, flood.probes[POST].at));
+        double power = -v.x * (force[0] - force[7]) - v.y * (force[1] - force[8]) -
+                       pose->omega * (now->pressure.torque + now->friction.torque);
+        if (_i == 0) /* a method with a projection has moved on since */
+            ck_assert_double_eq_tol(work[0], power, 1e-9 * (1 + fabs(force[0]) + fabs(force[1])));
     }
     double booked = sim->record.energy_walls; /* sampled every few steps */
     ck_assert(fabs(booked) > 1);
@@ -363,6 +369,33 @@ START_TEST(walls_that_are_not_there_are_refused)
 }
 END_TEST
 
+/** Work of a wall that turns about a point at rest is its rate times the torque about that point. */
+START_TEST(power_of_a_mill_is_rate_times_torque)
+{
+    double force[SPH2D_PROBE_MAX_COLUMNS], work[SPH2D_PROBE_MAX_COLUMNS];
+    flood_start();
+    flood.post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.36, 0.2}, {0.8, 0.36}}};
+    flood.post.motion = (sph2d_motion){.rate = -5, .ramp = 0.05, .center = {0.58, 0.28}};
+    flood.probes[POST].at = flood.post.motion.center;
+    flood.scene.wall_slip = SPH2D_SLIP_NONE;
+    flood.scene.fluid.dynamic_viscosity = 0.5;
+    sph2d_sim *sim = test_create(&flood.scene, NULL);
+    double largest = 0;
+    for (int step = 0; step < 200; ++step) {
+        test_steps(sim, 1);
+        read(sim, POST, force);
+        read(sim, LIFT, work);
+        const sph2d__load *load = &sim->loads.items[sim->loads.of_probe[POST]];
+        const sph2d__load_state *now = &sim->loads.states[sim->loads.of_probe[POST]];
+        double torque = now->pressure.torque + now->friction.torque;
+        ck_assert_double_eq_tol(work[0], -load->moving->to.omega * torque, 1e-10 * (1 + fabs(work[0])));
+        largest = fmax(largest, fabs(work[0]));
+    }
+    ck_assert_double_gt(largest, 10);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_loads(void)
 {
     Suite *suite = suite_create("loads");
@@ -377,6 +410,7 @@ Suite *suite_loads(void)
     tcase_add_loop_test(tests, loads_go_on_after_a_resume_and_on_any_threads, 0, count);
     tcase_add_test(tests, a_scene_without_such_probes_has_no_loads);
     tcase_add_test(tests, walls_that_are_not_there_are_refused);
+    tcase_add_test(tests, power_of_a_mill_is_rate_times_torque);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -289,8 +289,8 @@ END_TEST
  *  0.09 m/s does not, nor one where pressure knows no sound, and a swing that starts at rest has no jump. */
 START_TEST(a_blow_of_a_wall_is_warned_of)
 {
-    static const sph2d_path_point steps[2] = {{0.1, 0, 0}, {0.2, 0.009, 0}};
-    static const sph2d_path_point jump[3] = {{0.1, 0, 0}, {0.2, 0.05, 0}, {0.4, 0.15, 0}};
+    static const sph2d_pose_point steps[2] = {{0.1, 0, 0, 0}, {0.2, 0.009, 0, 0}};
+    static const sph2d_pose_point jump[3] = {{0.1, 0, 0, 0}, {0.2, 0.05, 0, 0}, {0.4, 0.15, 0, 0}};
     scene.method = sph2d_scene_default().method;
     scene.method.sound_speed = 10;
     sph2d_motion *motion = &obstacles[2].motion;
@@ -301,12 +301,12 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
     } cases[] = {{{.path = {jump, 3}}, SPH2D_METHOD_WCSPH, true},
                  {{.path = {jump, 3}}, SPH2D_METHOD_CONSTRAINT, false},
                  {{.path = {steps, 2}}, SPH2D_METHOD_WCSPH, false},
-                 {{.amplitude = {0.1, 0}, .frequency = 1}, SPH2D_METHOD_WCSPH, true},
-                 {{.amplitude = {0.1, 0}, .frequency = 1, .phase = -1.5708}, SPH2D_METHOD_WCSPH, false}};
+                 {{.amplitude = {-0.1, 0}, .frequency = 1}, SPH2D_METHOD_WCSPH, true},
+                 {{.amplitude = {-0.1, 0}, .frequency = 1, .phase = -1.5708}, SPH2D_METHOD_WCSPH, false}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         *motion = cases[k].motion;
         scene.method.name = cases[k].method;
-        ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+        ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
         ck_assert_msg(report.count == cases[k].warned, "case %zu: %s", k, test_report_text(&report));
         if (cases[k].warned)
             ck_assert_str_eq(report.items[0].path, "obstacles[2].motion");

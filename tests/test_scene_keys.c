@@ -14,6 +14,8 @@
 static sph2d_vec2 corners[3] = {{0.5, 0.1}, {0.7, 0.1}, {0.6, 0.3}}, ends[2] = {{0.1, 0.8}, {0.2, 0.8}};
 static sph2d_vec2 drain_corners[3] = {{0.8, 0.1}, {0.9, 0.1}, {0.9, 0.2}},
                   turns[3] = {{0.4, 0.8}, {0.5, 0.85}, {0.6, 0.8}};
+static sph2d_pose_point poses[2] = {{0, 0, 0, 0}, {1, 0.1, 0.1, 0.5}};
+static sph2d_swing swings[2] = {{{0.01, 0}, 0, 1, 0}, {{0, 0}, 0.1, 2, 0}};
 static sph2d_path_point path[2] = {{0, 0.1, 0.1}, {1, 0.9, 0.9}};
 static double impacts[2] = {0.1, 0.2};
 static sph2d_block blocks[3];
@@ -43,7 +45,11 @@ static void fill_lists(void)
     sources[0].speed = 1;
     for (int i = 0; i < 4; ++i) {
         obstacles[i] = sph2d_obstacle_default();
-        obstacles[i].motion.path = (sph2d_path){path, 2};
+        obstacles[i].motion.path = (sph2d_pose_path){poses, 2};
+        obstacles[i].motion.swings = swings;
+        obstacles[i].motion.swing_count = 2;
+        obstacles[i].motion.center = (sph2d_vec2){0.5, 0.5};
+        obstacles[i].motion.rate = 0.5;
     }
     obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
     obstacles[0].outline.line = (sph2d_points){ends, 2};
@@ -173,6 +179,9 @@ static double *numbers_of(const sph2d_key *key, char *slot, const char *owner, s
     case SPH2D_KEY_POINTS:
         *count *= 2;
         return list_of(slot);
+    case SPH2D_KEY_POSES:
+        *count *= 4;
+        return list_of(slot);
     case SPH2D_KEY_PATH:
         *count *= 3;
         return list_of(slot);
@@ -197,7 +206,7 @@ static void spoil_numbers(const sph2d_key *key, char *slot, char *owner, const c
     if (isfinite(key->max))
         bad[n++] = nextafter(key->max, INFINITY);
     for (size_t i = 0; i < count; ++i)
-        for (int b = 0; b < n; ++b) {
+        for (int b = key->nan_is_unset ? 1 : 0; b < n; ++b) {
             double good = numbers[i];
             numbers[i] = bad[b];
             note(refused(SPH2D_CODE_OUT_OF_RANGE, at), at, bad[b]);

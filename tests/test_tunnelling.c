@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "common.h"
+#include "sim/simulation.h"
 
 enum { LINE, SLANTED, CORNER, CIRCLE, BOX, KNIFE, TARGETS };
 enum { ANGLES = 5, MOST = 4000 };
@@ -228,7 +229,7 @@ END_TEST
 START_TEST(a_wall_that_moves_takes_what_rests_along)
 {
     static const sph2d_vec2 line[2] = {{0.4, 0.9}, {0.4, 0.1}};
-    static const sph2d_path_point way[2] = {{0, 0, 0}, {0.03, 0.9, 0}};
+    static const sph2d_pose_point way[2] = {{0, 0, 0, 0}, {0.03, 0.9, 0, 0}};
     sph2d_scene scene = test_open_scene(DX, 0, 0, 2, 1);
     if (_i == 1) {
         scene.method = sph2d_scene_default().method;
@@ -240,7 +241,7 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
     obstacle.outline.kind = SPH2D_OUTLINE_LINE;
     obstacle.outline.line = (sph2d_points){line, 2};
     obstacle.form = SPH2D_WALL_REFLECT;
-    obstacle.motion.path = (sph2d_path){way, 2};
+    obstacle.motion.path = (sph2d_pose_path){way, 2};
     scene.blocks = &particle;
     scene.block_count = 1;
     scene.obstacles = &obstacle;
@@ -259,6 +260,50 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
 }
 END_TEST
 
+/** A blade that turns at 200 rad/s in a pool: no particle is ever in it, by any method or form of wall. */
+START_TEST(nothing_gets_into_a_blade_that_turns)
+{
+    static const struct {
+        sph2d_method method;
+        sph2d_wall_form form;
+    } kinds[] = {{SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED}, {SPH2D_METHOD_WCSPH, SPH2D_WALL_REFLECT},
+                 {SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY},      {SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED},
+                 {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY},  {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED}};
+    sph2d_scene scene = test_scene(0.02, 0, 0, 1, 1);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = kinds[_i].method;
+    scene.gravity = (sph2d_vec2){0, -9.81};
+    scene.boundary.top = SPH2D_SIDE_OPEN;
+    sph2d_block pool = test_block(0, 0, 1, 0.4);
+    sph2d_obstacle blade = sph2d_obstacle_default();
+    blade.form = kinds[_i].form;
+    blade.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.3, 0.2}, {0.7, 0.28}}};
+    blade.motion.rate = 200;
+    blade.motion.ramp = 0.02;
+    scene.blocks = &pool;
+    scene.block_count = 1;
+    scene.obstacles = &blade;
+    scene.obstacle_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_report report = {0};
+    size_t inside = 0, steps = 0;
+    while (steps < 300 && sph2d_sim_step(sim, &report) == SPH2D_OK) { /* a guard may stop it: 45 m/s at its ends */
+        sph2d_view f = sph2d_sim_fluid(sim);
+        double angle = sim->moving[0].to.angle, c = cos(angle), s = sin(angle);
+        for (size_t i = 0; i < f.count; ++i) {
+            double x = f.x[i] - 0.5, y = f.y[i] - 0.24;
+            inside += fabs(c * x + s * y) < 0.2 && fabs(c * y - s * x) < 0.04;
+        }
+        ++steps;
+    }
+    sph2d_report_clear(&report);
+    ck_assert_uint_gt(steps, 20);
+    ck_assert_double_gt(sim->moving[0].to.angle, 0.2);
+    ck_assert_msg(inside == 0, "%zu times a particle was inside in %zu steps", inside, steps);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_tunnelling(void)
 {
     Suite *suite = suite_create("tunnelling");
@@ -267,6 +312,7 @@ Suite *suite_tunnelling(void)
     tcase_add_loop_test(tests, nothing_passes_with_the_largest_fixed_step, 0, 2 * TARGETS);
     tcase_add_loop_test(tests, a_nozzle_close_to_a_wall_does_not_feed_through_it, 0, 2);
     tcase_add_loop_test(tests, a_wall_that_moves_takes_what_rests_along, 0, 2);
+    tcase_add_loop_test(tests, nothing_gets_into_a_blade_that_turns, 0, 6);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -47,6 +47,9 @@ typedef enum sph2d_key_kind {
     /** const sph2d_path_point *, with a size_t at count_offset: [[t, x, y], ...] */
     SPH2D_KEY_PATH,
 
+    /** const sph2d_pose_point *, with a size_t at count_offset: [[t, x, y, angle], ...]; a file may leave out angles */
+    SPH2D_KEY_POSES,
+
     /** const double *, with a size_t at count_offset */
     SPH2D_KEY_NUMBERS,
 

@@ -377,20 +377,87 @@ typedef struct sph2d_path {
     size_t count;
 } sph2d_path;
 
-/** Translation of an obstacle: along a path, oscillating, or both. Its displacement from its position in the scene is
- *  path(t) + amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
-typedef struct sph2d_motion {
-    /** Displacements [m]; before the first point and after the last it rests there; default none. */
-    sph2d_path path;
+/** A point of a motion's path: where the body is at a time. */
+typedef struct sph2d_pose_point {
+    /** Time [s], displacement [m], and angle, anticlockwise [rad]. */
+    double t, x, y, angle;
+} sph2d_pose_point;
 
-    /** Amplitude of the oscillation [m]; default (0, 0). */
+/** The path of a motion. */
+typedef struct sph2d_pose_path {
+    /** The points, borrowed, with increasing times. */
+    const sph2d_pose_point *items;
+
+    /** Number of points. */
+    size_t count;
+} sph2d_pose_path;
+
+/** How a motion goes from one point of its path to the next. */
+typedef enum sph2d_between {
+    /** In straight lines; from a file: cubic. */
+    SPH2D_BETWEEN_DEFAULT,
+
+    /** In straight lines, at constant speed: the velocity jumps at the points. */
+    SPH2D_BETWEEN_LINES,
+
+    /** By cubic polynomials with continuous velocity and acceleration (a natural spline). */
+    SPH2D_BETWEEN_CUBIC
+} sph2d_between;
+
+/** An oscillation of place and angle: amplitude (sin(2 pi frequency t + phase) - sin(phase)). */
+typedef struct sph2d_swing {
+    /** Amplitude of the displacement [m]; default (0, 0). */
     sph2d_vec2 amplitude;
 
-    /** Frequency of the oscillation [1/s], >= 0; default 0. */
+    /** Amplitude of the angle, anticlockwise [rad]; default 0. */
+    double angle;
+
+    /** Frequency [1/s], >= 0; default 0. */
     double frequency;
 
-    /** Phase of the oscillation [rad]; default 0: it starts at full speed; -pi/2: at rest. */
+    /** Phase [rad]; default 0: it starts at full speed; -pi/2: at rest. */
     double phase;
+} sph2d_swing;
+
+/** A prescribed motion: along a path, turning at a rate, swinging, or the sum of them; make one with
+ *  sph2d_motion_default(). At a time t the body is displaced
+ *  by d(t) from its place in the scene, and turned by an angle theta(t) about its centre:
+ *
+ *      d(t)     = path(t) + ramp(t) sum amplitude (sin(2 pi f t + phase) - sin(phase))       over all swings
+ *      theta(t) = path's angle + the same sum of the swings' angles + rate * (integral of ramp)
+ *
+ *  The ramp rises from 0 at t = 0 to 1 at t = `ramp`, with continuous velocity and acceleration. */
+typedef struct sph2d_motion {
+    /** Displacements and angles at increasing times; before the first point and after the last it rests there; default
+     *  none. */
+    sph2d_pose_path path;
+
+    /** A CSV file with columns t and any of x, y, angle, in place of the path, which only sph2d_scene_file_read() reads:
+     *  it becomes the path. NULL: none. */
+    const char *file;
+
+    /** How it goes from one point to the next; default in straight lines, but by cubics if a file gives the points. */
+    sph2d_between between;
+
+    /** Rate at which it turns, anticlockwise [rad/s]; default 0. */
+    double rate;
+
+    /** An oscillation (sph2d_swing): amplitudes of the displacement [m] and the angle [rad], frequency [1/s], phase
+     *  [rad]; default none. */
+    sph2d_vec2 amplitude;
+    double angle, frequency, phase;
+
+    /** Further oscillations, borrowed; default none. */
+    const sph2d_swing *swings;
+    /** Number of these. */
+    size_t swing_count;
+
+    /** Time over which swings and the rate of turn grow to their full size [s], >= 0; default 0: at once. */
+    double ramp;
+
+    /** The point about which it turns, where the obstacle is in the scene [m]; default NaN, of sph2d_motion_default(): the
+     *  centroid of the outline. */
+    sph2d_vec2 center;
 } sph2d_motion;
 
 /** A wall of boundary particles. No particle passes it, at any speed. Heavy and reflecting ones are one particle thick
@@ -599,6 +666,7 @@ SPH2D_API sph2d_block sph2d_block_default(void);
 SPH2D_API sph2d_source sph2d_source_default(void);
 SPH2D_API sph2d_drain sph2d_drain_default(void);
 SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
+SPH2D_API sph2d_motion sph2d_motion_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
 

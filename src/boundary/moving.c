@@ -2,40 +2,157 @@
 /** @file moving.c */
 #include "boundary/moving.h"
 
+#include <math.h>
+
+static void widen(sph2d_box *box, sph2d_vec2 p)
+{
+    box->min.x = fmin(box->min.x, p.x);
+    box->min.y = fmin(box->min.y, p.y);
+    box->max.x = fmax(box->max.x, p.x);
+    box->max.y = fmax(box->max.y, p.y);
+}
+
+static sph2d_box nothing(void)
+{
+    return (sph2d_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+}
+
+void sph2d__moving_start(sph2d__moving *m, const sph2d__store *walls, sph2d_vec2 *normals)
+{
+    m->normals = normals;
+    for (uint64_t i = m->first_id; normals && i < m->end_id; ++i)
+        normals[i - m->first_id] = (sph2d_vec2){walls->normal_x[i], walls->normal_y[i]};
+    m->bounds = nothing();
+    for (size_t k = 0; k < m->barrier.count; ++k) {
+        widen(&m->bounds, m->barrier.segments[k].ends.a);
+        widen(&m->bounds, m->barrier.segments[k].ends.b);
+    }
+}
+
+/* ---- drifts ------------------------------------------------------------------------------------------------------ */
+
+/** Farthest corner of the bounds from the centre of turning [m]. */
+static double radius_of(const sph2d__moving *m)
+{
+    sph2d_vec2 c = m->course.center;
+    return hypot(fmax(c.x - m->bounds.min.x, m->bounds.max.x - c.x),
+                 fmax(c.y - m->bounds.min.y, m->bounds.max.y - c.y));
+}
+
+double sph2d__moving_shift(const sph2d__moving *m)
+{
+    return hypot(m->to.displacement.x - m->from.displacement.x, m->to.displacement.y - m->from.displacement.y) +
+           fabs(m->to.angle - m->from.angle) * radius_of(m);
+}
+
+/** Around the barrier at both ends of the drift, with the rise of the arcs between them. */
+static sph2d_box swept_box(const sph2d__moving *m)
+{
+    const sph2d_box *b = &m->bounds;
+    const sph2d_vec2 corners[4] = {b->min, {b->max.x, b->min.y}, b->max, {b->min.x, b->max.y}};
+    sph2d_box box = nothing();
+    for (int k = 0; k < 4; ++k) {
+        widen(&box, sph2d__pose_apply(&m->from, corners[k]));
+        widen(&box, sph2d__pose_apply(&m->to, corners[k]));
+    }
+    double turn = fmin(fabs(m->to.angle - m->from.angle), 4), rise = radius_of(m) * turn * turn / 8;
+    double margin = m->barrier.clearance + rise;
+    return (sph2d_box){{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+}
+
 void sph2d__moving_set_drift(sph2d__moving *m, double from, double to)
 {
-    m->from = sph2d__pose_at(m->motion, from);
-    m->to = sph2d__pose_at(m->motion, to);
-    double span = to - from; /* negative in the stages of a scheme that moves back in time */
-    m->velocity = (sph2d_vec2){(m->to.displacement.x - m->from.displacement.x) / span,
-                               (m->to.displacement.y - m->from.displacement.y) / span};
+    m->from = sph2d__course_at(&m->course, from);
+    m->to = sph2d__course_at(&m->course, to);
+    m->span = to - from;
+    m->swept = swept_box(m);
 }
+
+bool sph2d__moving_far_from(const sph2d__moving *m, sph2d_vec2 low, sph2d_vec2 high, double distance)
+{
+    const sph2d_box *b = &m->swept;
+    return low.x - distance > b->max.x || high.x + distance < b->min.x || low.y - distance > b->max.y ||
+           high.y + distance < b->min.y;
+}
+
+/* ---- boundary particles ------------------------------------------------------------------------------------------ */
 
 void sph2d__moving_place(const sph2d__moving *m, double time, sph2d__store *walls, const sph2d__period *period)
 {
-    sph2d__pose pose = sph2d__pose_at(m->motion, time);
-    for (size_t i = 0; i < walls->count; ++i) {
-        if (walls->id[i] < m->first_id || walls->id[i] >= m->end_id)
-            continue;
+    sph2d__pose pose = sph2d__course_at(&m->course, time);
+    for (uint64_t i = m->first_id; i < m->end_id; ++i) {
         sph2d_vec2 p = sph2d__pose_apply(&pose, (sph2d_vec2){walls->start_x[i], walls->start_y[i]});
+        sph2d_vec2 v = sph2d__pose_velocity(&pose, p), a = sph2d__pose_acceleration(&pose, p);
         walls->x[i] = sph2d__period_wrap(p.x, period->low_x, period->length_x);
         walls->y[i] = sph2d__period_wrap(p.y, period->low_y, period->length_y);
-        walls->vx[i] = pose.velocity.x;
-        walls->vy[i] = pose.velocity.y;
-        walls->ax[i] = pose.acceleration.x;
-        walls->ay[i] = pose.acceleration.y;
+        walls->vx[i] = v.x;
+        walls->vy[i] = v.y;
+        walls->ax[i] = a.x;
+        walls->ay[i] = a.y;
+        if (m->normals) {
+            sph2d_vec2 n = sph2d__pose_turn(&pose, m->normals[i - m->first_id]);
+            walls->normal_x[i] = n.x;
+            walls->normal_y[i] = n.y;
+        }
     }
+}
+
+/* ---- sweeps ------------------------------------------------------------------------------------------------------ */
+
+/** The pose at a fraction of the drift, with its mean rates. At the end it is that of the drift to the last bit. */
+static sph2d__pose pose_between(const sph2d__moving *m, double part)
+{
+    const sph2d__pose *a = &m->from, *b = &m->to;
+    sph2d__pose pose = part < 1 ? *a : *b;
+    sph2d_vec2 way = {b->displacement.x - a->displacement.x, b->displacement.y - a->displacement.y};
+    double turn = b->angle - a->angle;
+    pose.velocity = (sph2d_vec2){way.x / m->span, way.y / m->span};
+    pose.omega = turn / m->span;
+    if (part <= 0 || part >= 1)
+        return pose;
+    pose.displacement.x += part * way.x;
+    pose.displacement.y += part * way.y;
+    pose.angle += part * turn;
+    pose.cosine = cos(pose.angle);
+    pose.sine = sin(pose.angle);
+    return pose;
+}
+
+/** Sweeps a part of a displacement between two poses. */
+static int sweep_chord(const sph2d__moving *m, const sph2d__pose *a, const sph2d__pose *b, sph2d_vec2 from,
+                       sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    sph2d_vec2 start = sph2d__pose_invert(a, from), end = sph2d__pose_invert(b, *to);
+    sph2d_vec2 wall = sph2d__pose_velocity(b, *to);
+    sph2d_vec2 relative = sph2d__pose_turn_back(b, (sph2d_vec2){v->x - wall.x, v->y - wall.y});
+    int hits = sph2d__barrier_sweep(&m->barrier, start, &end, &relative, NULL);
+    if (hits == 0)
+        return 0;
+    *to = sph2d__pose_apply(b, end);
+    wall = sph2d__pose_velocity(b, *to);
+    relative = sph2d__pose_turn(b, relative);
+    *v = (sph2d_vec2){relative.x + wall.x, relative.y + wall.y};
+    return hits;
 }
 
 int sph2d__moving_sweep(const sph2d__moving *m, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
-    sph2d_vec2 start = sph2d__pose_invert(&m->from, from), end = sph2d__pose_invert(&m->to, *to);
-    sph2d_vec2 relative = {v->x - m->velocity.x, v->y - m->velocity.y};
-    int hits = sph2d__barrier_sweep(&m->barrier, start, &end, &relative, NULL);
-    if (hits > 0) {
-        *to = sph2d__pose_apply(&m->to, end);
-        *v = (sph2d_vec2){relative.x + m->velocity.x, relative.y + m->velocity.y};
+    double turn = fabs(m->to.angle - m->from.angle);
+    int chords = (int)fmin(ceil(turn / SPH2D__LARGEST_TURN), SPH2D__MOST_CHORDS), hits = 0;
+    sph2d__pose a = pose_between(m, 0);
+    if (chords <= 1) {
+        sph2d__pose b = pose_between(m, 1);
+        return sweep_chord(m, &a, &b, from, to, v);
     }
+    sph2d_vec2 step = {(to->x - from.x) / chords, (to->y - from.y) / chords}, at = from;
+    for (int k = 1; k <= chords; ++k) {
+        sph2d__pose b = pose_between(m, k < chords ? (double)k / chords : 1);
+        sph2d_vec2 next = k < chords || hits > 0 ? (sph2d_vec2){at.x + step.x, at.y + step.y} : *to;
+        hits += sweep_chord(m, &a, &b, at, &next, v);
+        at = next;
+        a = b;
+    }
+    *to = at;
     return hits;
 }
 

@@ -1,28 +1,53 @@
 /* SPDX-License-Identifier: MIT */
 /** @file moving.h
- *  A moving obstacle: its boundary particles, their motion, and a barrier that moves with them. */
+ *  A moving obstacle: its boundary particles, their motion, and a barrier that moves with them.
+ *
+ *  A displacement is swept against the barrier in the frame of the obstacle, in which it is bent where the obstacle
+ *  turns. It is swept as chords of that curve, each over a turn of at most SPH2D__LARGEST_TURN: by the chords a closed
+ *  outline is as tight as one at rest, and they leave the curve by at most 1/8 LARGEST_TURN^2 of the distance from the
+ *  centre of the turn. */
 #ifndef SPH2D_BOUNDARY_MOVING_H
 #define SPH2D_BOUNDARY_MOVING_H
 
 #include "boundary/barrier.h"
-#include "boundary/pose.h"
 #include "particles/period.h"
 #include "particles/store.h"
+#include "scene/motion.h"
+
+/** The largest turn of one chord [rad], and the largest number of chords. */
+#define SPH2D__LARGEST_TURN 0.05
+enum { SPH2D__MOST_CHORDS = 64 };
 
 typedef struct sph2d__moving {
-    const sph2d_motion *motion;
-    int wall;                  /**< its number (scene/wall_names.h) */
-    uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
-    sph2d__barrier barrier;    /**< in the obstacle's initial position */
-    sph2d__pose from, to;      /**< at the start and end of the present or last drift */
-    sph2d_vec2 velocity;       /**< mean over that drift [m/s] */
+    sph2d__course course;
+    const sph2d_obstacle *obstacle; /**< of the scene */
+    int wall;                       /**< its number (scene/wall_names.h) */
+    uint64_t first_id, end_id;      /**< its boundary particles: first_id to end_id - 1 */
+    sph2d_vec2 *normals;            /**< of these, in the initial position; NULL if they have none, or it never turns */
+    sph2d__barrier barrier;         /**< in the obstacle's initial position */
+    sph2d_box bounds;               /**< of the barrier */
+    sph2d__pose from, to;           /**< at the start and end of the present or last drift */
+    double span;                    /**< its length; negative in the stages of a scheme that moves back in time [s] */
+    sph2d_box swept;                /**< around all that the barrier sweeps in it, with its clearance */
 } sph2d__moving;
+
+/** Keeps the normals of its boundary particles, of which the first is at `first`, once they are placed, and the bounds
+ *  of its barrier. `normals` has room for them, or is NULL. */
+void sph2d__moving_start(sph2d__moving *moving, const sph2d__store *walls, sph2d_vec2 *normals);
 
 /** Sets the time interval of the next drift [s]; it may go back in time. */
 void sph2d__moving_set_drift(sph2d__moving *moving, double from, double to);
 
-/** Sets position, velocity and acceleration of its boundary particles at a time [s]. */
+/** Sets position, velocity, acceleration and normal of its boundary particles at a time [s]; they are in the order of
+ *  their ids. */
 void sph2d__moving_place(const sph2d__moving *moving, double time, sph2d__store *walls, const sph2d__period *period);
+
+/** Whether displacements that end between `low` and `high`, and are no longer than `distance` [m], are certainly out of
+ *  its reach. */
+bool sph2d__moving_far_from(const sph2d__moving *moving, sph2d_vec2 low, sph2d_vec2 high, double distance);
+
+/** The largest displacement of a point of its barrier in the drift [m]. */
+double sph2d__moving_shift(const sph2d__moving *moving);
 
 /** Keeps a particle's displacement during the drift on its side of the obstacle, in the obstacle's frame (barrier.h).
  *  Returns the number of hits. */

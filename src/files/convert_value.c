@@ -128,6 +128,33 @@ static void read_tuples(const value *v, const sph2d__node *node, size_t width, c
     memcpy((char *)out + v->key->count_offset, &node->count, sizeof node->count);
 }
 
+/** Reads a list of [t, x, y] or [t, x, y, angle]; an angle that is not given is 0. */
+static void read_poses(const value *v, const sph2d__node *node, void *out)
+{
+    const char *expected = "point [t, x, y] or [t, x, y, angle]";
+    if (node->kind != SPH2D__NODE_SEQUENCE) {
+        char list[64];
+        snprintf(list, sizeof list, "a list of %s", expected);
+        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, list);
+        return;
+    }
+    sph2d_pose_point *items = sph2d__pool_alloc(v->converter->pool, node->count, sizeof *items);
+    if (!items) {
+        v->converter->faults->short_of_memory = true;
+        return;
+    }
+    char one[64];
+    snprintf(one, sizeof one, "a %s", expected);
+    size_t i = 0;
+    for (const sph2d__node *child = node->first; child; child = child->next, ++i) {
+        bool turned = child->kind == SPH2D__NODE_SEQUENCE && child->count == 4;
+        items[i] = (sph2d_pose_point){0};
+        read_reals(v, child, turned ? 4 : 3, one, &items[i].t);
+    }
+    memcpy((char *)out + v->key->offset, &items, sizeof items);
+    memcpy((char *)out + v->key->count_offset, &node->count, sizeof node->count);
+}
+
 static void read_text(const value *v, const sph2d__node *node, void *slot)
 {
     if (node->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(node))
@@ -192,6 +219,9 @@ void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, con
         break;
     case SPH2D_KEY_PATH:
         read_tuples(&v, node, 3, "point [t, x, y]", out);
+        break;
+    case SPH2D_KEY_POSES:
+        read_poses(&v, node, out);
         break;
     case SPH2D_KEY_NUMBERS:
         read_tuples(&v, node, 1, "number", out);

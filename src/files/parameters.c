@@ -18,6 +18,11 @@ static void put_tuples(sph2d__h5_writer *w, hid_t at, const char *path, const vo
         sph2d__h5_put(w, at, path, H5T_NATIVE_DOUBLE, count, width > 1 ? width : 0, items);
 }
 
+static size_t width_of(sph2d_key_kind kind)
+{
+    return kind == SPH2D_KEY_POINTS ? 2 : kind == SPH2D_KEY_PATH ? 3 : kind == SPH2D_KEY_POSES ? 4 : 1;
+}
+
 static void put_list(sph2d__h5_writer *w, hid_t at, const sph2d_keys *keys, const char *items, size_t count,
                      const char *path)
 {
@@ -39,7 +44,7 @@ static void put_pointed(sph2d__h5_writer *w, hid_t at, const sph2d_key *key, con
     if (key->kind == SPH2D_KEY_LIST)
         put_list(w, at, key->keys, items, count, path);
     else if (key->kind != SPH2D_KEY_TEXT)
-        put_tuples(w, at, path, items, count, key->kind == SPH2D_KEY_POINTS ? 2 : key->kind == SPH2D_KEY_PATH ? 3 : 1);
+        put_tuples(w, at, path, items, count, width_of(key->kind));
     else if (items)
         sph2d__h5_put_text(w, at, path, items);
 }
@@ -71,6 +76,7 @@ static void put_key(sph2d__h5_writer *w, hid_t at, const sph2d_key *key, const c
     case SPH2D_KEY_TEXT:
     case SPH2D_KEY_POINTS:
     case SPH2D_KEY_PATH:
+    case SPH2D_KEY_POSES:
     case SPH2D_KEY_NUMBERS:
     case SPH2D_KEY_LIST:
         put_pointed(w, at, key, base, path);

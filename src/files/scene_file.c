@@ -8,6 +8,7 @@
 #include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
+#include "files/motion_file.h"
 #include "files/overrides.h"
 #include "files/particles_file.h"
 #include "sph2d/io.h"
@@ -64,13 +65,16 @@ static bool copy_overrides(sph2d_scene_file *file)
     return file->overrides;
 }
 
-/** Reads the particle file if the scene names one. */
-static sph2d_status read_particles(sph2d_scene_file *file, sph2d__faults *faults)
+/** Reads the files of particles and motions that the scene names. */
+static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
 {
-    if (!file->scene.particles.file || faults->errors > 0)
+    sph2d_scene *scene = &file->scene;
+    const char *from = file->document.source.name;
+    if (faults->errors > 0)
         return SPH2D_OK;
-    sph2d_status status =
-        sph2d__particles_read(&file->scene, file->document.source.name, &file->document.pool, faults->report);
+    sph2d_status status = sph2d__motions_read(scene, from, &file->document.pool, faults->report);
+    if (status == SPH2D_OK && scene->particles.file)
+        status = sph2d__particles_read(scene, from, &file->document.pool, faults->report);
     faults->errors += status != SPH2D_OK;
     return status;
 }
@@ -92,7 +96,7 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     if (faults->short_of_memory)
         return SPH2D_NOMEM;
     if (file->with_files)
-        status = read_particles(file, faults);
+        status = read_files(file, faults);
     if (status != SPH2D_OK)
         return status;
     sph2d_report found = {0};

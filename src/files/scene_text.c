@@ -111,6 +111,20 @@ static void put_tuples(output *p, const double *values, size_t count, size_t wid
     put(p, "]");
 }
 
+/** [[t, x, y], ...], or with angles [[t, x, y, angle], ...]. */
+static void put_poses(output *p, const sph2d_pose_point *points, size_t count)
+{
+    bool turns = false;
+    for (size_t i = 0; i < count; ++i)
+        turns = turns || points[i].angle != 0;
+    put(p, "[");
+    for (size_t i = 0; i < count; ++i) {
+        put(p, "%s", i > 0 ? ", " : "");
+        put_tuple(p, &points[i].t, turns ? 4 : 3);
+    }
+    put(p, "]");
+}
+
 /** The items and the count of a list key. */
 static const void *pointed(const sph2d_key *key, const char *owner, size_t *count)
 {
@@ -163,6 +177,11 @@ static void put_value(output *p, const sph2d_key *key, const char *owner)
     case SPH2D_KEY_PATH: {
         const double *values = pointed(key, owner, &count);
         put_tuples(p, values, count, key->kind == SPH2D_KEY_PATH ? 3 : 2);
+        break;
+    }
+    case SPH2D_KEY_POSES: {
+        const sph2d_pose_point *points = pointed(key, owner, &count);
+        put_poses(p, points, count);
         break;
     }
     case SPH2D_KEY_GROUP:
@@ -249,6 +268,7 @@ static bool differs(const sph2d_key *key, const char *owner, const char *default
         return text_differs(key, owner, defaults);
     case SPH2D_KEY_POINTS:
     case SPH2D_KEY_PATH:
+    case SPH2D_KEY_POSES:
     case SPH2D_KEY_NUMBERS:
     case SPH2D_KEY_LIST:
         return pointed(key, owner, &count) && count > 0;

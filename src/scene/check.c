@@ -151,7 +151,8 @@ static void check_interaction(checker *c, size_t i)
     sph2d__check_path(path, "interactions", i, ".path");
     if (c->scene->interactions[i].path.count == 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
-    sph2d__check_times(c, c->scene->interactions[i].path, path);
+    const sph2d_path *times = &c->scene->interactions[i].path;
+    sph2d__check_times(c, times->count > 0 ? &times->items[0].t : NULL, times->count, 3, path);
 }
 
 /* Maximum number of items of a list, so that a scene is checked in seconds: many are compared with each other. */

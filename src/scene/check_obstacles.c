@@ -49,7 +49,6 @@ static void check_obstacle(checker *c, size_t i)
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
     sph2d__check_wall_name(c, i);
-    sph2d__check_times(c, obstacle->motion.path, sph2d__check_path(path, "obstacles", i, ".motion.path"));
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
@@ -127,53 +126,6 @@ static void check_side(checker *c, size_t i)
     }
 }
 
-/** A jump of velocity [m/s], and its time [s]. */
-typedef struct velocity_jump {
-    double speed, time;
-} velocity_jump;
-
-/** The largest velocity jump of a motion: at a corner of its path, or at the start of an oscillation. */
-static velocity_jump largest_jump(const sph2d_motion *m)
-{
-    double omega = 2 * SPH2D__PI * m->frequency * cos(m->phase);
-    sph2d_vec2 before = {0, 0}, swing = {omega * m->amplitude.x, omega * m->amplitude.y};
-    velocity_jump largest = {hypot(swing.x, swing.y), 0};
-    for (size_t k = 1; k <= m->path.count; ++k) {
-        const sph2d_path_point *p = &m->path.items[k - 1], *q = p + 1;
-        sph2d_vec2 v = {0, 0};
-        if (k < m->path.count)
-            v = (sph2d_vec2){(q->x - p->x) / (q->t - p->t), (q->y - p->y) / (q->t - p->t)};
-        double speed = hypot(v.x - before.x, v.y - before.y);
-        if (speed > largest.speed && p->t >= 0)
-            largest = (velocity_jump){speed, p->t};
-        before = v;
-    }
-    return largest;
-}
-
-/** Warns of velocity jumps of walls with methods that have sound: they compress liquid by v/c0, a pressure of rho c0
- *  v. */
-static void check_velocity_jump(checker *c, size_t i)
-{
-    velocity_jump hit = largest_jump(&c->scene->obstacles[i].motion);
-    if (hit.speed == 0) /* most are at rest, and the sound speed takes a look at all of them */
-        return;
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
-    double c0 = sph2d__method_row_of(&m)->has_sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
-    if (!(hit.speed > m.max_compression * c0))
-        return;
-    char path[PATH_SIZE];
-    sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
-        "its velocity jumps by %.2g m/s at t = %g s, which compresses the liquid in front by %.2g %%, to %.2g Pa",
-        hit.speed, hit.time, 100 * hit.speed / c0, c->scene->fluid.density * c0 * hit.speed);
-    sph2d_diagnostic_hint(
-        w,
-        "let it accelerate over %.2g s or longer, by more points of a path, or start an oscillation at "
-        "rest by `phase: -1.5708`",
-        10 * m.support_ratio * c->scene->spacing / c0);
-}
-
 /* Maximum number of points of all outlines, so that a scene is placed in seconds. */
 static const size_t MAX_ALL_POINTS = 5000;
 
@@ -200,10 +152,11 @@ void sph2d__check_obstacles(checker *c)
     check_all_points(c);
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_obstacle(c, i);
+    sph2d__check_motion_keys(c);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
         check_side(c, i);
-    for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
-        check_velocity_jump(c, i);
+    if (c->errors == 0)
+        sph2d__check_motions(c);
     if (c->errors == 0)
         sph2d__check_thin(c);
 }

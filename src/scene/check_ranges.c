@@ -111,6 +111,9 @@ static void check_key(checker *c, const sph2d_key *key, const char *base, const 
     case SPH2D_KEY_PATH:
         check_numbers(c, key, path, items, 3 * count);
         break;
+    case SPH2D_KEY_POSES:
+        check_numbers(c, key, path, items, 4 * count);
+        break;
     case SPH2D_KEY_NUMBERS:
         check_numbers(c, key, path, items, count);
         break;

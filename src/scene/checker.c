@@ -78,10 +78,10 @@ bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *p
     return true;
 }
 
-void sph2d__check_times(sph2d__checker *c, sph2d_path times, const char *path)
+void sph2d__check_times(sph2d__checker *c, const double *times, size_t count, size_t stride, const char *path)
 {
-    for (size_t k = 1; k < times.count; ++k)
-        if (!(times.items[k].t > times.items[k - 1].t)) {
+    for (size_t k = 1; k < count; ++k)
+        if (!(times[k * stride] > times[(k - 1) * stride])) {
             sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must increase from point to point");
             break;
         }

@@ -36,8 +36,8 @@ bool sph2d__check_count(sph2d__checker *c, sph2d_points points, const char *path
 /** Whether a polygon is valid; counts and reports an error otherwise. */
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path);
 
-/** Checks that the times of a path increase. */
-void sph2d__check_times(sph2d__checker *c, sph2d_path times, const char *path);
+/** Checks that the times of a path increase: `count` of them, `stride` numbers apart. */
+void sph2d__check_times(sph2d__checker *c, const double *times, size_t count, size_t stride, const char *path);
 
 /** Checks that an output's rate is given once, if at all. */
 void sph2d__check_rate(sph2d__checker *c, sph2d_rate rate, const char *prefix);
@@ -50,6 +50,11 @@ void sph2d__check_wall_name(sph2d__checker *c, size_t index);
 
 /** Checks every obstacle, and the side of its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
+
+/** Checks the keys of every obstacle's motion. */
+void sph2d__check_motion_keys(sph2d__checker *c);
+/** Checks that motions start in place, stay within walls and clear of obstacles, and warns of jumps of velocity. */
+void sph2d__check_motions(sph2d__checker *c);
 
 /** Warns of obstacles so thin that liquids on their two sides interact through them. */
 void sph2d__check_thin(sph2d__checker *c);

@@ -50,6 +50,9 @@ static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
         case SPH2D_KEY_PATH:
             ok = copy_items(c, slot, *count, sizeof(sph2d_path_point));
             break;
+        case SPH2D_KEY_POSES:
+            ok = copy_items(c, slot, *count, sizeof(sph2d_pose_point));
+            break;
         case SPH2D_KEY_NUMBERS:
             ok = copy_items(c, slot, *count, sizeof(double));
             break;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file defaults.c
  *  The default of every field of a scene. */
+#include <math.h>
+
 #include "sph2d/scene.h"
 
 sph2d_scene sph2d_scene_default(void)
@@ -40,7 +42,12 @@ sph2d_drain sph2d_drain_default(void)
 
 sph2d_obstacle sph2d_obstacle_default(void)
 {
-    return (sph2d_obstacle){.restitution = 0.5};
+    return (sph2d_obstacle){.restitution = 0.5, .motion = sph2d_motion_default()};
+}
+
+sph2d_motion sph2d_motion_default(void)
+{
+    return (sph2d_motion){.center = {NAN, NAN}};
 }
 
 sph2d_interaction sph2d_interaction_default(void)

@@ -6,8 +6,10 @@
 
 #include <math.h>
 
+#include "base/memory.h"
 #include "scene/basin.h"
 #include "scene/method_table.h"
+#include "scene/motion.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -28,19 +30,28 @@ static double farthest_liquid(const sph2d_scene *scene)
     return distance;
 }
 
+/** Largest speed of an obstacle. Without memory for the cubics of its path they count as straight lines. */
+static double obstacle_speed(const sph2d_obstacle *obstacle)
+{
+    const sph2d_motion *m = &obstacle->motion;
+    if (!sph2d__motion_moves(m))
+        return 0;
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    size_t count = sph2d__motion_bends(m);
+    void *bends = count ? sph2d__alloc(&memory, count, sizeof(sph2d_pose_point)) : NULL;
+    sph2d__course course = sph2d__course_of(m, &obstacle->outline, bends);
+    double speed = sph2d__course_speed(&course, sph2d__outline_distance(&obstacle->outline, course.center));
+    sph2d__release(&memory, &bends, count, sizeof(sph2d_pose_point));
+    return speed;
+}
+
 /** Largest speed of a wall. */
 static double wall_speed(const sph2d_scene *scene)
 {
     const sph2d_side_speeds *s = &scene->wall_speeds;
     double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        const sph2d_motion *m = &scene->obstacles[i].motion;
-        speed = fmax(speed, 2 * SPH2D__PI * m->frequency * hypot(m->amplitude.x, m->amplitude.y));
-        for (size_t k = 1; k < m->path.count; ++k) {
-            const sph2d_path_point *p = &m->path.items[k - 1], *q = &m->path.items[k];
-            speed = fmax(speed, hypot(q->x - p->x, q->y - p->y) / (q->t - p->t));
-        }
-    }
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        speed = fmax(speed, obstacle_speed(&scene->obstacles[i]));
     return speed;
 }
 

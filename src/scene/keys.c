@@ -34,6 +34,11 @@ DEFAULT(obstacle)
 DEFAULT(interaction)
 DEFAULT(probe)
 
+static void swing_set(void *out)
+{
+    *(sph2d_swing *)out = (sph2d_swing){.phase = 0};
+}
+
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
@@ -57,6 +62,7 @@ static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 #define PROBE_WORD(name, word, columns) #word,
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
+static const char *const between_words[] = {"default", "lines", "cubic", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
@@ -162,15 +168,58 @@ static const sph2d_key drain_items[] = {
 };
 KEYS(drain, sph2d_drain, drain_set);
 
+#define SWING(type)                                                                                                    \
+    {"amplitude",                                                                                                      \
+     SPH2D_KEY_POINT,                                                                                                  \
+     false,                                                                                                            \
+     AT(type, amplitude),                                                                                              \
+     ANY,                                                                                                              \
+     .unit = "m",                                                                                                      \
+     .default_text = "[0, 0]",                                                                                         \
+     .text = "of an oscillation: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},                             \
+        {"angle",                                                                                                      \
+         SPH2D_KEY_NUMBER,                                                                                             \
+         false,                                                                                                        \
+         AT(type, angle),                                                                                              \
+         ANY,                                                                                                          \
+         .unit = "rad",                                                                                                \
+         .default_text = "0",                                                                                          \
+         .text = "amplitude of its angle, anticlockwise"},                                                             \
+        {"frequency",                                                                                                  \
+         SPH2D_KEY_NUMBER,                                                                                             \
+         false,                                                                                                        \
+         AT(type, frequency),                                                                                          \
+         FROM_0,                                                                                                       \
+         .unit = "1/s",                                                                                                \
+         .default_text = "0",                                                                                          \
+         .text = "of the oscillation"},                                                                                \
+    {                                                                                                                  \
+        "phase", SPH2D_KEY_NUMBER, false, AT(type, phase), ANY, .unit = "rad", .default_text = "0",                    \
+                                                                .text = "of the oscillation; -1.5708 starts at rest"   \
+    }
+
+static const sph2d_key swing_items[] = {SWING(sph2d_swing)};
+KEYS(swing, sph2d_swing, swing_set);
+
 static const sph2d_key motion_items[] = {
-    {"path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_motion, path.items, path.count), ANY, .unit = "s, m, m",
-     .default_text = "none", .text = "[t, x, y] displacements with straight lines between; at rest before and after"},
-    {"amplitude", SPH2D_KEY_POINT, false, AT(sph2d_motion, amplitude), ANY, .unit = "m", .default_text = "[0, 0]",
-     .text = "of an oscillation: amplitude (sin(2 pi frequency t + phase) - sin(phase))"},
-    {"frequency", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, frequency), FROM_0, .unit = "1/s", .default_text = "0",
-     .text = "of the oscillation"},
-    {"phase", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, phase), ANY, .unit = "rad", .default_text = "0",
-     .text = "of the oscillation; -1.5708 starts at rest"},
+    {"path", SPH2D_KEY_POSES, false, LIST_AT(sph2d_motion, path.items, path.count), ANY, .unit = "s, m, m, rad",
+     .default_text = "none",
+     .text = "[t, x, y] displacements, or [t, x, y, angle] with angles, anticlockwise; at rest before and after"},
+    {"file", SPH2D_KEY_TEXT, false, AT(sph2d_motion, file), .unit = "", .default_text = "none",
+     .text = "a CSV file with columns t and any of x, y, angle: the path"},
+    {"between", SPH2D_KEY_WORD, false, AT(sph2d_motion, between), .words = between_words, .unit = "",
+     .default_text = "lines; from a file cubic",
+     .text = "how it goes from one point of the path to the next: in straight lines, or by cubics without jumps of "
+             "velocity and acceleration"},
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, rate), ANY, .unit = "rad/s", .default_text = "0",
+     .text = "at which it turns, anticlockwise"},
+    SWING(sph2d_motion),
+    {"swings", SPH2D_KEY_LIST, false, LIST_AT(sph2d_motion, swings, swing_count), .keys = &swing_keys, .unit = "",
+     .default_text = "none", .text = "further oscillations, added up"},
+    {"ramp", SPH2D_KEY_NUMBER, false, AT(sph2d_motion, ramp), FROM_0, .unit = "s", .default_text = "0",
+     .text = "time over which oscillations and the rate grow smoothly to their full size"},
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_motion, center), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "the outline's centroid", .text = "the point about which it turns, before it moves"},
 };
 KEYS(motion, sph2d_motion, NULL);
 

@@ -226,3 +226,67 @@ double sph2d__segment_distance(const sph2d__segment *segment, sph2d_vec2 point)
     double x = px - t * ex, y = py - t * ey;
     return sqrt(x * x + y * y); /* hypot takes twice as long, and numbers of scenes neither overflow nor vanish */
 }
+
+/** Centroid of a polygon's area, from its first corner so that a far origin costs no digits. */
+static sph2d_vec2 polygon_centroid(sph2d_points points)
+{
+    sph2d_vec2 o = points.items[0], sum = {0, 0};
+    double twice = 0;
+    for (size_t i = 1; i + 1 < points.count; ++i) {
+        sph2d_vec2 a = points.items[i], b = points.items[i + 1];
+        double part = turn(o, a, b);
+        twice += part;
+        sum.x += part * (a.x - o.x + b.x - o.x);
+        sum.y += part * (a.y - o.y + b.y - o.y);
+    }
+    return twice != 0 ? (sph2d_vec2){o.x + sum.x / (3 * twice), o.y + sum.y / (3 * twice)} : o;
+}
+
+/** Centroid of a line of constant weight. */
+static sph2d_vec2 line_centroid(sph2d_points points)
+{
+    sph2d_vec2 sum = {0, 0};
+    double length = 0;
+    for (size_t i = 1; i < points.count; ++i) {
+        sph2d_vec2 a = points.items[i - 1], b = points.items[i];
+        double part = hypot(b.x - a.x, b.y - a.y);
+        length += part;
+        sum.x += part * (a.x + b.x) / 2;
+        sum.y += part * (a.y + b.y) / 2;
+    }
+    return length > 0 ? (sph2d_vec2){sum.x / length, sum.y / length} : points.items[0];
+}
+
+sph2d_vec2 sph2d__outline_centroid(const sph2d_outline *outline)
+{
+    const sph2d_box *b = &outline->box;
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_CIRCLE:
+        return outline->circle.center;
+    case SPH2D_OUTLINE_BOX:
+        return (sph2d_vec2){(b->min.x + b->max.x) / 2, (b->min.y + b->max.y) / 2};
+    case SPH2D_OUTLINE_POLYGON:
+        return outline->polygon.count > 0 ? polygon_centroid(outline->polygon) : (sph2d_vec2){0, 0};
+    case SPH2D_OUTLINE_LINE:
+        return outline->line.count > 0 ? line_centroid(outline->line) : (sph2d_vec2){0, 0};
+    case SPH2D_OUTLINE_POLYLINE:
+        return outline->polyline.count > 0 ? line_centroid(outline->polyline) : (sph2d_vec2){0, 0};
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return (sph2d_vec2){0, 0};
+}
+
+double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
+{
+    if (outline->kind == SPH2D_OUTLINE_CIRCLE)
+        return hypot(outline->circle.center.x - point.x, outline->circle.center.y - point.y) + outline->circle.radius;
+    double farthest = 0;
+    size_t pieces = sph2d__outline_pieces(outline, 1);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, 1, k);
+        farthest =
+            fmax(farthest, fmax(hypot(s.a.x - point.x, s.a.y - point.y), hypot(s.b.x - point.x, s.b.y - point.y)));
+    }
+    return farthest;
+}

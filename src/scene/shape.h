@@ -33,6 +33,10 @@ bool sph2d__outline_is_open(const sph2d_outline *outline);
 bool sph2d__polygon_is_clockwise(sph2d_points points);
 /** Whether a point lies inside a closed outline (circle, box, polygon); never for lines. */
 bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
+/** Centroid of a closed outline's area, or of a line [m]. */
+sph2d_vec2 sph2d__outline_centroid(const sph2d_outline *outline);
+/** The largest distance of an outline from a point [m]. */
+double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point);
 /** Positive for a point on the left of a to b, negative on the right. */
 double sph2d__segment_side(const sph2d__segment *segment, sph2d_vec2 point);
 /** Distance of a point from a segment [m]. */

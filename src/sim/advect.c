@@ -57,12 +57,19 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec
     return (uint64_t)hits;
 }
 
-/** Keeps a displacement on its side of every moving obstacle. */
-static uint64_t sweep_moving(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+/** The moving obstacles that a batch of particles can meet: those that `count` indices name, or all of them. */
+enum { MOST_NEAR = 16 };
+typedef struct near_obstacles {
+    bool all;
+    size_t count, items[MOST_NEAR];
+} near_obstacles;
+
+/** Keeps a displacement on its side of moving obstacles. */
+static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
     uint64_t hits = 0;
-    for (size_t k = 0; k < sim->moving_count; ++k)
-        hits += sweep_one(sim, &sim->moving[k], from, to, v);
+    for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)
+        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], from, to, v);
     return hits;
 }
 
@@ -100,7 +107,8 @@ static int64_t quanta_between(const sph2d_sim *sim, end more, end less)
 }
 
 /** Moves one particle that may meet a wall or a periodic side. */
-static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec2 *v, events *met)
+static void advect_one(sph2d_sim *sim, const near_obstacles *near, size_t i, double dx, double dy, sph2d_vec2 *v,
+                       events *met)
 {
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
@@ -120,9 +128,9 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     stopped = sweep_fixed(sim, from, &to, v);
     if (reflected + stopped > 0)
         met->stopped += quanta_between(sim, free, (end){to, *v});
-    if (sim->moving_count > 0) {
+    if (near->all || near->count > 0) {
         end before = {to, *v};
-        pushed = sweep_moving(sim, from, &to, v);
+        pushed = sweep_moving(sim, near, from, &to, v);
         if (pushed > 0)
             met->driven += quanta_between(sim, (end){to, *v}, before);
     }
@@ -145,12 +153,15 @@ static void advect_one(sph2d_sim *sim, size_t i, double dx, double dy, sph2d_vec
     f->vy[i] = v->y;
 }
 
-/** Whether no particle of a batch can meet a wall or a periodic side, and all values are finite: the usual case, and
- *  the only cheap one. */
-static bool moves_freely(const sph2d_sim *sim, const sph2d__batch *batch)
+/** Around the ends of a batch's displacements, which are no longer than `longest`. */
+typedef struct reach {
+    sph2d_vec2 low, high;
+    double longest;
+    bool finite;
+} reach;
+
+static reach reach_of(const sph2d_sim *sim, const sph2d__batch *batch)
 {
-    if (sim->system.walls_reflect || sim->moving_count > 0)
-        return false;
     const double *x = sim->system.fluid.x + batch->first, *y = sim->system.fluid.y + batch->first;
     sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
     double longest = 0, sum = 0;
@@ -163,9 +174,33 @@ static bool moves_freely(const sph2d_sim *sim, const sph2d__batch *batch)
         longest = length > longest ? length : longest;
         sum += to_x + to_y + (batch->vx[k] + batch->vy[k]);
     }
+    return (reach){low, high, longest, isfinite(sum)};
+}
+
+/** Finds the moving obstacles in reach of a batch, and of what another one pushes by up to `shift` [m]. */
+static void find_near(const sph2d_sim *sim, const reach *r, double shift, near_obstacles *near)
+{
+    near->count = 0;
+    near->all = sim->system.walls_reflect || !r->finite;
+    for (size_t k = 0; k < sim->moving_count && !near->all; ++k) {
+        if (sph2d__moving_far_from(&sim->moving[k], r->low, r->high, r->longest + shift))
+            continue;
+        if (near->count == MOST_NEAR)
+            near->all = true;
+        else
+            near->items[near->count++] = k;
+    }
+    near->all = near->all && sim->moving_count > 0;
+}
+
+/** Whether no particle of a batch can meet a wall at rest or a periodic side, and all values are finite: the usual case,
+ *  and the only cheap one. */
+static bool moves_freely(const sph2d_sim *sim, const reach *r)
+{
     const sph2d__period *period = &sim->system.fluid_cells.period;
-    return isfinite(sum) && sph2d__period_holds(period, low.x, low.y) && sph2d__period_holds(period, high.x, high.y) &&
-           sph2d__barrier_far_from(&sim->barrier, low, high, longest);
+    return !sim->system.walls_reflect && r->finite && sph2d__period_holds(period, r->low.x, r->low.y) &&
+           sph2d__period_holds(period, r->high.x, r->high.y) &&
+           sph2d__barrier_far_from(&sim->barrier, r->low, r->high, r->longest);
 }
 
 /** Moves a batch that meets no wall or side. */
@@ -180,15 +215,18 @@ static void advect_free(sph2d__store *f, const sph2d__batch *batch)
     memcpy(f->vy + batch->first, batch->vy, batch->count * sizeof(double));
 }
 
-static void advect_batch(sph2d_sim *sim, const sph2d__batch *batch, events *met)
+static void advect_batch(sph2d_sim *sim, double shift, const sph2d__batch *batch, events *met)
 {
-    if (moves_freely(sim, batch)) {
+    reach r = reach_of(sim, batch);
+    near_obstacles near;
+    find_near(sim, &r, shift, &near);
+    if (!near.all && near.count == 0 && moves_freely(sim, &r)) {
         advect_free(&sim->system.fluid, batch);
         return;
     }
     for (size_t k = 0; k < batch->count; ++k) {
         sph2d_vec2 v = {batch->vx[k], batch->vy[k]};
-        advect_one(sim, batch->first + k, batch->dx[k], batch->dy[k], &v, met);
+        advect_one(sim, &near, batch->first + k, batch->dx[k], batch->dy[k], &v, met);
     }
 }
 
@@ -196,6 +234,7 @@ static void advect_batch(sph2d_sim *sim, const sph2d__batch *batch, events *met)
 typedef struct advection {
     sph2d_sim *sim;
     double dt;
+    double shift; /**< the largest by which a moving obstacle can push a particle [m] */
     sph2d__batch_work *set, *after;
     events met;
 } advection;
@@ -210,7 +249,7 @@ static void advect_batches(void *with, size_t first, size_t last)
         batch.first = n * SPH2D__BATCH;
         batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
         a->set(a->sim, a->dt, &batch);
-        advect_batch(a->sim, &batch, &met);
+        advect_batch(a->sim, a->shift, &batch, &met);
         if (a->after)
             a->after(a->sim, a->dt, &batch);
     }
@@ -226,9 +265,17 @@ static void advect_batches(void *with, size_t first, size_t last)
 /* Batches in a chunk of the parallel loop. */
 enum { BATCHES = SPH2D__GRAIN / 4 / SPH2D__BATCH };
 
+static double shift_of_walls(const sph2d_sim *sim)
+{
+    double shift = 0;
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        shift = fmax(shift, sph2d__moving_shift(&sim->moving[k]) + 2 * sim->moving[k].barrier.clearance);
+    return shift;
+}
+
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
-    advection a = {sim, dt, set, after, {0}};
+    advection a = {sim, dt, shift_of_walls(sim), set, after, {0}};
     const size_t batches = (sim->system.fluid.count + SPH2D__BATCH - 1) / SPH2D__BATCH;
     sph2d__share(sim->system.team, batches, BATCHES, advect_batches, &a);
     sim->record.backstop_hits += a.met.hits;

@@ -27,13 +27,16 @@ void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to)
         sph2d__moving_set_drift(&sim->moving[k], from, to);
 }
 
-/** Sorts the boundary particles, starting from the order of their ids, so that the result depends only on their
- *  positions, not on previous sorts. */
-static bool sort_walls(sph2d__system *s)
+/** Moves the boundary particles of moving obstacles, and sorts all of them, starting from the order of their ids, so
+ *  that the result depends only on their positions, not on previous sorts. */
+static bool move_walls(sph2d_sim *sim, double time)
 {
+    sph2d__system *s = &sim->system;
     for (size_t i = 0; i < s->walls.count; ++i)
         s->wall_cells.order[s->walls.id[i]] = (uint32_t)i;
     sph2d__store_reorder(&s->walls, s->wall_cells.order, NULL);
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        sph2d__moving_place(&sim->moving[k], time, &s->walls, &s->wall_cells.period);
     return sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL);
 }
 
@@ -57,9 +60,7 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
     body->gravity_y = r->gravity_y;
     if (sim->moving_count == 0)
         return SPH2D_OK;
-    for (size_t k = 0; k < sim->moving_count; ++k)
-        sph2d__moving_place(&sim->moving[k], time, &sim->system.walls, &sim->system.wall_cells.period);
-    if (!sort_walls(&sim->system))
+    if (!move_walls(sim, time))
         return SPH2D_NOMEM;
     if (sim->method->walls_placed)
         sim->method->walls_placed(&sim->system);

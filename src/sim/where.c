@@ -23,9 +23,9 @@ static void update_nearest(nearest *n, double distance, const char *list, size_t
 sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].motion == &obstacle->motion)
+        if (sim->moving[k].obstacle == obstacle)
             return sim->moving[k].to;
-    return (sph2d__pose){{0, 0}, {0, 0}, {0, 0}};
+    return (sph2d__pose){.cosine = 1};
 }
 
 bool sph2d__sim_crosses_wall(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to)

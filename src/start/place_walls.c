@@ -76,6 +76,23 @@ static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle
     return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, obstacle, barrier, report) : SPH2D_OK;
 }
 
+/** Sets the motion of an obstacle; its boundary particles are placed. */
+static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d_obstacle *obstacle)
+{
+    const sph2d__store *walls = &sim->system.walls;
+    size_t bends = sph2d__motion_bends(&obstacle->motion);
+    bool turns = walls->normal_x && sph2d__motion_turns(&obstacle->motion);
+    sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
+    size_t count = (size_t)(m->end_id - m->first_id) + 1;
+    sph2d_vec2 *normals = turns ? sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *normals) : NULL;
+    if ((bends && !points) || (turns && !normals))
+        return SPH2D_NOMEM;
+    m->obstacle = obstacle;
+    m->course = sph2d__course_of(&obstacle->motion, &obstacle->outline, points);
+    sph2d__moving_start(m, walls, normals);
+    return SPH2D_OK;
+}
+
 static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *report)
 {
     const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
@@ -90,13 +107,12 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
     ids->first = sim->system.walls.count;
     sph2d_status status = place_outline(sim, obstacle, barrier, report);
     ids->end = sim->system.walls.count;
-    if (m) {
-        m->motion = &obstacle->motion;
-        m->wall = SPH2D__WALL_OBSTACLE + (int)index;
-        m->first_id = ids->first;
-        m->end_id = ids->end;
-    }
-    return status;
+    if (!m || status != SPH2D_OK)
+        return status;
+    m->wall = SPH2D__WALL_OBSTACLE + (int)index;
+    m->first_id = ids->first;
+    m->end_id = ids->end;
+    return start_motion(sim, m, obstacle);
 }
 
 /** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]. */

@@ -19,7 +19,8 @@ static const double pi = 3.14159265358979323846;
 
 static bool moves(const sph2d_motion *motion)
 {
-    return motion->path.count > 0 || (motion->frequency > 0 && hypot(motion->amplitude.x, motion->amplitude.y) > 0);
+    return motion->path.count > 0 || motion->rate != 0 ||
+           (motion->frequency > 0 && hypot(motion->amplitude.x, motion->amplitude.y) > 0);
 }
 
 bool scene_is_closed(const sph2d_scene *s)

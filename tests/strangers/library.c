@@ -87,9 +87,9 @@ static void look_at_energy(watch *w, library_run *run)
 static sph2d_vec2 displacement(const sph2d_motion *m, double t)
 {
     sph2d_vec2 at = {0, 0};
-    const sph2d_path *path = &m->path;
+    const sph2d_pose_path *path = &m->path;
     for (size_t i = 0; i < path->count; ++i) {
-        const sph2d_path_point *b = &path->items[i], *a = i > 0 ? b - 1 : b;
+        const sph2d_pose_point *b = &path->items[i], *a = i > 0 ? b - 1 : b;
         if (i > 0 && t < b->t) {
             const double part = fmax(0, (t - a->t) / (b->t - a->t));
             at = (sph2d_vec2){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y)};
@@ -110,8 +110,13 @@ static size_t count_inside(const sph2d_scene *s, const sph2d_sim *sim)
     for (size_t k = 0; k < s->obstacle_count; ++k) {
         const sph2d_outline *o = &s->obstacles[k].outline;
         const sph2d_vec2 moved = displacement(&s->obstacles[k].motion, sph2d_sim_time(sim));
+        const sph2d_vec2 c = o->kind == SPH2D_OUTLINE_CIRCLE
+                                 ? o->circle.center
+                                 : (sph2d_vec2){(o->box.min.x + o->box.max.x) / 2, (o->box.min.y + o->box.max.y) / 2};
+        const double angle = s->obstacles[k].motion.rate * sph2d_sim_time(sim), co = cos(angle), si = sin(angle);
         for (size_t i = 0; i < f.count; ++i) {
-            const double x = f.x[i] - moved.x, y = f.y[i] - moved.y;
+            const double rx = f.x[i] - moved.x - c.x, ry = f.y[i] - moved.y - c.y;
+            const double x = c.x + co * rx + si * ry, y = c.y + co * ry - si * rx;
             if (o->kind == SPH2D_OUTLINE_CIRCLE)
                 count += hypot(x - o->circle.center.x, y - o->circle.center.y) < o->circle.radius - skin;
             else if (o->kind == SPH2D_OUTLINE_BOX)

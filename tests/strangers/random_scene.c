@@ -197,17 +197,20 @@ static void write_full(draft *d)
 
 // ---- what stands and moves in it -----------------------------------------------------------------------------------
 
-static void write_motion(draft *d)
+static void write_motion(draft *d, double half)
 {
     const double speed = between(d, 0.1, 0.6) * sqrt(fmax(d->gravity, 0.1) * d->height);
     const double reach = between(d, 1, 5) * d->spacing;
     d->speed = fmax(d->speed, speed);
     if (chance(d, 0.5))
-        fprintf(d->out, "    motion: {amplitude: [%.3g, %.3g], frequency: %.3g%s}\n", reach * between(d, -1, 1),
+        fprintf(d->out, "    motion: {amplitude: [%.3g, %.3g], frequency: %.3g%s", reach * between(d, -1, 1),
                 reach * between(d, -1, 1), speed / (2 * pi * reach), chance(d, 0.5) ? ", phase: -1.5708" : "");
     else
-        fprintf(d->out, "    motion: {path: [[0, 0, 0], [%.3g, %.3g, %.3g], [%.3g, 0, 0]]}\n", reach / speed,
+        fprintf(d->out, "    motion: {path: [[0, 0, 0], [%.3g, %.3g, %.3g], [%.3g, 0, 0]]", reach / speed,
                 reach * between(d, -1, 1), reach * between(d, -1, 1), 3 * reach / speed);
+    if (chance(d, 0.5))
+        fprintf(d->out, ", rate: %.3g", between(d, -0.7, 0.7) * speed / half);
+    fputs("}\n", d->out);
 }
 
 static void write_obstacles(draft *d, places *taken)
@@ -238,7 +241,7 @@ static void write_obstacles(draft *d, places *taken)
                     : is(d, "wcsph") ? ONE_OF(d, "generalised", "reflect")
                                      : ONE_OF(d, "heavy", "generalised", "reflect"));
         if (chance(d, 0.25))
-            write_motion(d);
+            write_motion(d, half);
     }
 }
 

@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_motion.c
+ *  Checks the motions of obstacles: their keys, jumps of their velocity, and that they stay within the domain and clear
+ *  of other obstacles. */
+#include <math.h>
+#include <stdio.h>
+
+#include "base/memory.h"
+#include "base/pi.h"
+#include "scene/checker.h"
+#include "scene/derive.h"
+#include "scene/method_table.h"
+#include "scene/motion.h"
+#include "scene/resolve.h"
+#include "scene/shape.h"
+
+enum { PATH_SIZE = SPH2D__PATH_SIZE };
+typedef sph2d__checker checker;
+
+/* Maximum number of points of a path, and of swings. */
+enum { MAX_POINTS = 5000, MAX_SWINGS = 100 };
+
+/* ---- keys -------------------------------------------------------------------------------------------------------- */
+
+static void fault(checker *c, size_t i, sph2d_code code, const char *key, const char *message, const char *hint)
+{
+    char path[PATH_SIZE], full[64];
+    snprintf(full, sizeof full, ".motion%s%s", key[0] ? "." : "", key);
+    sph2d_diagnostic *d = sph2d__check_fault(c, code, sph2d__check_path(path, "obstacles", i, full), message);
+    if (hint)
+        sph2d_diagnostic_hint(d, "%s", hint);
+}
+
+static void check_keys(checker *c, size_t i)
+{
+    const sph2d_motion *m = &c->scene->obstacles[i].motion;
+    char path[PATH_SIZE];
+    sph2d__check_times(c, m->path.count > 0 ? &m->path.items[0].t : NULL, m->path.count, 4,
+                       sph2d__check_path(path, "obstacles", i, ".motion.path"));
+    if (m->file && m->path.count > 0)
+        fault(c, i, SPH2D_CODE_CONFLICT, "file", "gives the path, which is given, too", "leave out one of the two");
+    else if (m->file)
+        fault(c, i, SPH2D_CODE_MISSING_KEY, "file", "was not read: only a scene that is read from a file has files",
+              "give its rows as `path`");
+    if (m->path.count > MAX_POINTS)
+        fault(c, i, SPH2D_CODE_OUT_OF_RANGE, "path", "has more than 5000 points",
+              "leave out points; cubics go smoothly through few");
+    if (m->swing_count > MAX_SWINGS)
+        fault(c, i, SPH2D_CODE_OUT_OF_RANGE, "swings", "has more than 100 items", NULL);
+    if (m->between != SPH2D_BETWEEN_DEFAULT && m->path.count == 0)
+        fault(c, i, SPH2D_CODE_CONFLICT, "between", "is about the points of a path, of which there is none", NULL);
+    if (m->ramp > 0 && m->rate == 0 && m->swing_count == 0 && !(m->frequency > 0))
+        fault(c, i, SPH2D_CODE_CONFLICT, "ramp", "is for oscillations and the rate of turn, and there is neither",
+              "let a path begin slowly by more points");
+}
+
+/* ---- velocity ---------------------------------------------------------------------------------------------------- */
+
+/** A jump of velocity [m/s], and its time [s]. */
+typedef struct velocity_jump {
+    double speed, time;
+} velocity_jump;
+
+static void note_jump(velocity_jump *largest, const sph2d__pose *before, const sph2d__pose *after, double radius,
+                      double time)
+{
+    double speed = hypot(after->velocity.x - before->velocity.x, after->velocity.y - before->velocity.y) +
+                   fabs(after->omega - before->omega) * radius;
+    if (speed > largest->speed)
+        *largest = (velocity_jump){speed, time};
+}
+
+/** The largest velocity jump of a motion: at its start, or at a point of its path. */
+static velocity_jump largest_jump(const sph2d__course *course, double radius)
+{
+    const double BEFORE = 1e-9; /* of the time between two points */
+    const sph2d_pose_path *path = &course->motion->path;
+    sph2d__pose rest = {.angle = 0}, start = sph2d__course_at(course, 0);
+    velocity_jump largest = {0, 0};
+    note_jump(&largest, &rest, &start, radius, 0);
+    for (size_t k = 0; k < path->count; ++k) {
+        double t = path->items[k].t, span = k > 0 ? t - path->items[k - 1].t : 1;
+        if (!(t > 0))
+            continue;
+        sph2d__pose before = sph2d__course_at(course, t - BEFORE * span), after = sph2d__course_at(course, t);
+        note_jump(&largest, &before, &after, radius, t);
+    }
+    return largest;
+}
+
+/** Warns of velocity jumps of walls with methods that have sound: they compress liquid by v/c0, a pressure of rho c0
+ *  v. */
+static void check_velocity_jump(checker *c, size_t i, const sph2d__course *course)
+{
+    double radius = sph2d__motion_turns(course->motion)
+                        ? sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center)
+                        : 0;
+    velocity_jump hit = largest_jump(course, radius);
+    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
+    double c0 = sph2d__method_row_of(&m)->has_sound ? sph2d__scene_derive(c->scene).sound_speed : INFINITY;
+    if (!(hit.speed > m.max_compression * c0))
+        return;
+    char path[PATH_SIZE];
+    sph2d_diagnostic *w = sph2d_report_add(
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
+        "its velocity jumps by %.2g m/s at t = %g s, which compresses the liquid in front by %.2g %%, to %.2g Pa",
+        hit.speed, hit.time, 100 * hit.speed / c0, c->scene->fluid.density * c0 * hit.speed);
+    sph2d_diagnostic_hint(
+        w,
+        "let it accelerate over %.2g s or longer: by a `ramp` of oscillations and rates, by `between: "
+        "cubic` or more points of a path, or start an oscillation at rest by `phase: -1.5708`",
+        10 * m.support_ratio * c->scene->spacing / c0);
+}
+
+/* ---- collisions -------------------------------------------------------------------------------------------------- */
+
+/* How often a motion is looked at, and how many pairs of segments are compared in all for one obstacle. Thinner overlaps
+ * than DEPTH spacings pass: corners of a hinged flap dip into the floor, and ends of a paddle slide along walls. */
+static const double MAX_TIMES = 2000, MAX_PAIRS = 2e6, DEPTH = 2;
+
+/** An outline as its pieces, where its obstacle is at a time. */
+static sph2d__segment piece_at(const sph2d_outline *outline, const sph2d__pose *pose, double spacing, size_t k)
+{
+    sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+    return (sph2d__segment){sph2d__pose_apply(pose, s.a), sph2d__pose_apply(pose, s.b)};
+}
+
+/** Whether two segments cross, each by more than a depth on both sides of the other. */
+static bool cross_deeply(const sph2d__segment *s, const sph2d__segment *t, double depth)
+{
+    if (fmax(s->a.x, s->b.x) < fmin(t->a.x, t->b.x) || fmax(t->a.x, t->b.x) < fmin(s->a.x, s->b.x) ||
+        fmax(s->a.y, s->b.y) < fmin(t->a.y, t->b.y) || fmax(t->a.y, t->b.y) < fmin(s->a.y, s->b.y))
+        return false;
+    double length_s = hypot(s->b.x - s->a.x, s->b.y - s->a.y), length_t = hypot(t->b.x - t->a.x, t->b.y - t->a.y);
+    double ta = sph2d__segment_side(s, t->a) / length_s, tb = sph2d__segment_side(s, t->b) / length_s;
+    double sa = sph2d__segment_side(t, s->a) / length_t, sb = sph2d__segment_side(t, s->b) / length_t;
+    return fmin(ta, tb) < -depth && fmax(ta, tb) > depth && fmin(sa, sb) < -depth && fmax(sa, sb) > depth;
+}
+
+/** Whether a point lies in a closed outline, deeper than a depth. */
+static bool lies_deep(const sph2d_outline *outline, double spacing, sph2d_vec2 p, double depth)
+{
+    if (!sph2d__outline_encloses(outline, p))
+        return false;
+    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        if (sph2d__segment_distance(&s, p) <= depth)
+            return false;
+    }
+    return true;
+}
+
+/** An obstacle that moves, and how finely its motion is looked at. */
+typedef struct mover {
+    const sph2d_scene *scene;
+    const sph2d_outline *outline;
+    sph2d__course course;
+    size_t index, pieces;
+    double spacing, depth; /**< of the pieces of circles; that is too deep [m] */
+} mover;
+
+/** Whether the mover in a pose overlaps an obstacle at rest. */
+static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d_obstacle *other)
+{
+    size_t pieces = sph2d__outline_pieces(&other->outline, m->spacing);
+    for (size_t k = 0; k < m->pieces; ++k) {
+        sph2d__segment s = piece_at(m->outline, pose, m->spacing, k);
+        if (lies_deep(&other->outline, m->spacing, s.a, m->depth))
+            return true;
+        for (size_t n = 0; n < pieces; ++n) {
+            sph2d__segment t = sph2d__outline_piece(&other->outline, m->spacing, n);
+            if (cross_deeply(&s, &t, m->depth) ||
+                lies_deep(m->outline, m->spacing, sph2d__pose_invert(pose, t.a), m->depth))
+                return true;
+        }
+    }
+    return false;
+}
+
+/** How far the mover in a pose is beyond a side that is no opening [m], and which. */
+static double beyond_sides(const mover *m, const sph2d__pose *pose, const char **side)
+{
+    const sph2d_box d = m->scene->domain;
+    const sph2d_boundary b = m->scene->boundary;
+    double deepest = 0;
+    for (size_t k = 0; k < m->pieces; ++k) {
+        sph2d_vec2 p = piece_at(m->outline, pose, m->spacing, k).a, q = piece_at(m->outline, pose, m->spacing, k).b;
+        const struct {
+            const char *name;
+            sph2d_side kind;
+            double depth;
+        } sides[4] = {{"left", b.left, d.min.x - fmin(p.x, q.x)},
+                      {"right", b.right, fmax(p.x, q.x) - d.max.x},
+                      {"bottom", b.bottom, d.min.y - fmin(p.y, q.y)},
+                      {"top", b.top, fmax(p.y, q.y) - d.max.y}};
+        for (int n = 0; n < 4; ++n)
+            if (sides[n].kind != SPH2D_SIDE_OPEN && sides[n].depth > deepest) {
+                deepest = sides[n].depth;
+                *side = sides[n].name;
+            }
+    }
+    return deepest;
+}
+
+/** Whether another obstacle stands where the motion could hit it: it rests, and is clear of it at the start. */
+static bool can_hit(const mover *m, size_t other)
+{
+    sph2d__pose start = {.center = m->course.center, .cosine = 1};
+    const sph2d_obstacle *o = &m->scene->obstacles[other];
+    return other != m->index && !sph2d__motion_moves(&o->motion) && !overlaps(m, &start, o);
+}
+
+/** Looks at one time; false once something is hit. */
+static bool is_clear(checker *c, const mover *m, double time, const unsigned char *hits)
+{
+    sph2d__pose pose = sph2d__course_at(&m->course, time);
+    const char *side = "";
+    char message[160];
+    double beyond = beyond_sides(m, &pose, &side);
+    message[0] = '\0';
+    if (beyond > m->depth)
+        snprintf(message, sizeof message, "takes it %.3g m beyond the %s side of the domain at t = %.4g s", beyond,
+                 side, time);
+    for (size_t k = 0; k < m->scene->obstacle_count && !message[0]; ++k)
+        if (hits && hits[k] && overlaps(m, &pose, &m->scene->obstacles[k]))
+            snprintf(message, sizeof message, "takes it through obstacles[%zu] at t = %.4g s", k, time);
+    if (message[0])
+        fault(c, m->index, SPH2D_CODE_OUTSIDE, "", message, "let it turn back before, or move what is in its way");
+    return !message[0];
+}
+
+/** Follows a motion to the end of the run, or of its path if nothing else moves it. */
+static void check_way(checker *c, const mover *m, unsigned char *hits)
+{
+    const sph2d_motion *motion = m->course.motion;
+    double pairs = 0, end = c->scene->run.until;
+    if (motion->path.count > 0 && motion->rate == 0 && motion->swing_count == 0 && !(motion->frequency > 0))
+        end = fmin(end, motion->path.items[motion->path.count - 1].t);
+    for (size_t k = 0; k < c->scene->obstacle_count; ++k) {
+        double here = (double)m->pieces * (double)sph2d__outline_pieces(&c->scene->obstacles[k].outline, m->spacing);
+        hits[k] = pairs + here < MAX_PAIRS / 10 && can_hit(m, k);
+        pairs += hits[k] ? here : 0;
+    }
+    double speed = sph2d__course_speed(&m->course, sph2d__outline_distance(m->outline, m->course.center));
+    double times = fmin(ceil(end * speed / c->scene->spacing), fmin(MAX_TIMES, MAX_PAIRS / fmax(pairs, 1)));
+    for (double k = 0; k <= times; ++k)
+        if (!is_clear(c, m, times > 0 ? end * k / times : 0, hits))
+            return;
+}
+
+/** A motion starts where the scene draws the obstacle: the liquid is placed around it there. */
+static bool starts_in_place(checker *c, const mover *m)
+{
+    sph2d__pose start = sph2d__course_at(&m->course, 0);
+    double radius = sph2d__outline_distance(m->outline, m->course.center);
+    double shift = hypot(start.displacement.x, start.displacement.y) + fabs(start.angle) * radius;
+    if (shift <= c->scene->spacing / 10)
+        return true;
+    char message[120];
+    snprintf(message, sizeof message, "takes it away from its place in the scene by %.3g m already at t = 0", shift);
+    fault(c, m->index, SPH2D_CODE_CONFLICT, "", message,
+          "draw it where it starts, and begin the path with [0, 0, 0]: a path is a displacement");
+    return false;
+}
+
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
+
+static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *hits)
+{
+    const sph2d_obstacle *o = &c->scene->obstacles[i];
+    size_t count = sph2d__motion_bends(&o->motion);
+    void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
+    mover m = {.scene = c->scene,
+               .outline = &o->outline,
+               .course = sph2d__course_of(&o->motion, &o->outline, bends),
+               .index = i,
+               .spacing = o->outline.kind == SPH2D_OUTLINE_CIRCLE ? o->outline.circle.radius / 2 : c->scene->spacing,
+               .depth = DEPTH * c->scene->spacing};
+    m.pieces = sph2d__outline_pieces(m.outline, m.spacing);
+    if (starts_in_place(c, &m)) {
+        check_velocity_jump(c, i, &m.course);
+        check_way(c, &m, hits);
+    }
+    sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
+}
+
+void sph2d__check_motion_keys(checker *c)
+{
+    for (size_t i = 0; i < c->scene->obstacle_count; ++i)
+        check_keys(c, i);
+}
+
+void sph2d__check_motions(checker *c)
+{
+    size_t count = c->scene->obstacle_count;
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    void *hits = sph2d__alloc(&memory, count + 1, 1);
+    for (size_t i = 0; hits && i < count; ++i)
+        if (sph2d__motion_moves(&c->scene->obstacles[i].motion))
+            follow(c, i, &memory, hits);
+    sph2d__release(&memory, &hits, count + 1, 1);
+}
