@@ -51,6 +51,7 @@
     X(sides)                                                                                                           \
     X(thin)                                                                                                            \
     X(pose)                                                                                                            \
+    X(frame)                                                                                                           \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

@@ -79,6 +79,12 @@ static void start(void)
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     scene.spacing = 0.02;
     scene.method.stiffness = 100;
+    scene.gravity_path = (sph2d_path){path, 2};
+    scene.motion.path = (sph2d_pose_path){poses, 2};
+    scene.motion.between = SPH2D_BETWEEN_CUBIC;
+    scene.motion.swings = swings;
+    scene.motion.swing_count = 2;
+    scene.run.until = 0.9; /* it ends at a speed */
     scene.blocks = blocks;
     scene.block_count = 3;
     scene.sources = sources;

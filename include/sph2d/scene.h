@@ -617,6 +617,15 @@ typedef struct sph2d_scene {
     /** Gravity [m/s^2]; default (0, -9.81). */
     sph2d_vec2 gravity;
 
+    /** Gravity in time, in place of `gravity`, which stays that of the potential energy: (t, gx, gy) with straight lines
+     *  between, constant before and after; default none. */
+    sph2d_path gravity_path;
+
+    /** Motion of the tank: of the domain and all walls in it, about the centre of the domain by default. Positions,
+     *  velocities and probes are those seen from the tank, in which the liquid starts; it feels gravity turned, and the
+     *  tank's accelerations. A path is cubic. Default: at rest. */
+    sph2d_motion motion;
+
     /** A force towards a centre that grows with the distance; default none. */
     sph2d_central_force central_force;
 

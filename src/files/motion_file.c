@@ -68,6 +68,8 @@ static sph2d_status read_motion(sph2d_motion *motion, const char *from, sph2d__p
 sph2d_status sph2d__motions_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
+    if (scene->motion.file && scene->motion.path.count == 0)
+        status = read_motion(&scene->motion, from, pool, report);
     for (size_t i = 0; status == SPH2D_OK && i < scene->obstacle_count; ++i) {
         /* the items were converted into the pool, which is writable */
         sph2d_motion *motion = (sph2d_motion *)(uintptr_t)&scene->obstacles[i].motion;

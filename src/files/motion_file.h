@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file motion_file.h
- *  Motions of obstacles from CSV files. */
+ *  Motions of obstacles and of the tank from CSV files. */
 #ifndef SPH2D_FILES_MOTION_FILE_H
 #define SPH2D_FILES_MOTION_FILE_H
 

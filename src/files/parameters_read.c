@@ -12,7 +12,7 @@ enum { PATH_SIZE = 256 };
 
 static void check_range(sph2d__h5_reader *r, const sph2d_key *key, const char *path, double value)
 {
-    if (key->zero_is_unset && value == 0)
+    if ((key->zero_is_unset && value == 0) || (key->nan_is_unset && isnan(value)))
         return;
     if (!isfinite(value) || value < key->min || value > key->max || (key->min_excluded && value <= key->min))
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' is out of range", path);

@@ -201,6 +201,11 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
         return status;
+    size_t bends = sph2d__tank_bends(&sim->scene);
+    sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
+    if (bends && !points)
+        return SPH2D_NOMEM;
+    sim->tank = sph2d__tank_course(&sim->scene, points);
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
     return SPH2D_OK;

@@ -9,7 +9,7 @@
 
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {
-    double g = hypot(scene->gravity.x, scene->gravity.y);
+    double g = d->gravity;
     char part[16] = ""; /* effective part of the stiffness in pair forces */
     if (d->stiffness_part != 1)
         snprintf(part, sizeof part, "%.3g * ", d->stiffness_part);

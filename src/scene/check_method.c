@@ -211,9 +211,7 @@ static void check_sound_speed(sph2d__checker *c)
         !(left_out.sound_speed > 0 || left_out.stiffness > 0)) /* what is derived needs a valid scene */
         return;
     sph2d__derived derived = sph2d__scene_derive(c->scene);
-    double head = drives_only(c->scene)
-                      ? derived.head - hypot(c->scene->gravity.x, c->scene->gravity.y) * derived.height
-                      : derived.head;
+    double head = drives_only(c->scene) ? derived.head - derived.gravity * derived.height : derived.head;
     double compression = head / (derived.sound_speed * derived.sound_speed);
     if (!(compression > MAX_HEAD_COMPRESSION))
         return;

@@ -3,12 +3,14 @@
  *  Checks the motions of obstacles: their keys, jumps of their velocity, and that they stay within the domain and clear
  *  of other obstacles. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "base/memory.h"
 #include "base/pi.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
+#include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/resolve.h"
@@ -22,21 +24,25 @@ enum { MAX_POINTS = 5000, MAX_SWINGS = 100 };
 
 /* ---- keys -------------------------------------------------------------------------------------------------------- */
 
+/* In place of the index of an obstacle. */
+static const size_t TANK = SIZE_MAX;
+
 static void fault(checker *c, size_t i, sph2d_code code, const char *key, const char *message, const char *hint)
 {
     char path[PATH_SIZE], full[64];
     snprintf(full, sizeof full, ".motion%s%s", key[0] ? "." : "", key);
-    sph2d_diagnostic *d = sph2d__check_fault(c, code, sph2d__check_path(path, "obstacles", i, full), message);
+    sph2d_diagnostic *d =
+        sph2d__check_fault(c, code, i == TANK ? full + 1 : sph2d__check_path(path, "obstacles", i, full), message);
     if (hint)
         sph2d_diagnostic_hint(d, "%s", hint);
 }
 
 static void check_keys(checker *c, size_t i)
 {
-    const sph2d_motion *m = &c->scene->obstacles[i].motion;
+    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->scene->obstacles[i].motion;
     char path[PATH_SIZE];
     sph2d__check_times(c, m->path.count > 0 ? &m->path.items[0].t : NULL, m->path.count, 4,
-                       sph2d__check_path(path, "obstacles", i, ".motion.path"));
+                       i == TANK ? "motion.path" : sph2d__check_path(path, "obstacles", i, ".motion.path"));
     if (m->file && m->path.count > 0)
         fault(c, i, SPH2D_CODE_CONFLICT, "file", "gives the path, which is given, too", "leave out one of the two");
     else if (m->file)
@@ -285,8 +291,33 @@ static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *h
     sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
 }
 
+/** The tank's velocity must not jump while it runs: liquid in it would not feel the jump. */
+static void check_tank(checker *c, sph2d__memory *memory)
+{
+    const double SMALL = 1e-2; /* of the largest speed: the ends of splines through measured points */
+    const sph2d_scene *scene = c->scene;
+    size_t count = sph2d__tank_bends(scene);
+    void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
+    sph2d__course tank = sph2d__tank_course(scene, bends);
+    double radius = hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y) / 2;
+    velocity_jump hit = largest_jump(&tank, radius);
+    if (hit.time > 0 && hit.time < scene->run.until && hit.speed > SMALL * sph2d__course_speed(&tank, radius)) {
+        char message[160];
+        snprintf(message, sizeof message,
+                 "the tank's velocity jumps by %.2g m/s at t = %.4g s, which liquid in it cannot "
+                 "feel: only accelerations act on it",
+                 hit.speed, hit.time);
+        fault(c, TANK, SPH2D_CODE_CONFLICT, "path", message,
+              "use `between: cubic`, and let the path begin and end at rest by three equal points");
+    }
+    sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
+}
+
 void sph2d__check_motion_keys(checker *c)
 {
+    check_keys(c, TANK);
+    sph2d__check_times(c, c->scene->gravity_path.count > 0 ? &c->scene->gravity_path.items[0].t : NULL,
+                       c->scene->gravity_path.count, 3, "gravity_path");
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_keys(c, i);
 }
@@ -296,6 +327,8 @@ void sph2d__check_motions(checker *c)
     size_t count = c->scene->obstacle_count;
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
     void *hits = sph2d__alloc(&memory, count + 1, 1);
+    if (sph2d__motion_moves(&c->scene->motion))
+        check_tank(c, &memory);
     for (size_t i = 0; hits && i < count; ++i)
         if (sph2d__motion_moves(&c->scene->obstacles[i].motion))
             follow(c, i, &memory, hits);

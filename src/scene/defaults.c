@@ -13,6 +13,7 @@ sph2d_scene sph2d_scene_default(void)
         .boundary = {SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN},
         .wall_damping = 0.1,
         .gravity = {0.0, -9.81},
+        .motion = {.center = {NAN, NAN}},
         .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
         .method = {.name = SPH2D_METHOD_WCSPH,
                    .density_diffusion = 0.1,

@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "scene/basin.h"
+#include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/resolve.h"
@@ -55,6 +56,19 @@ static double wall_speed(const sph2d_scene *scene)
     return speed;
 }
 
+/** Height from which the liquid can fall: in a tank that tilts, by the rise of its floor more than at rest, and at most
+ *  the domain's diagonal. */
+static double height_of(const sph2d_scene *scene, const sph2d__drive *drive, double extra_head)
+{
+    double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    double g0 = hypot(scene->gravity.x, scene->gravity.y);
+    if (!(g0 > 0))
+        return drive->gravity > 0 ? hypot(width, height) : 0;
+    double across = (width * fabs(scene->gravity.y) + height * fabs(scene->gravity.x)) / g0;
+    double still = sph2d__basin_height(scene, extra_head);
+    return drive->tilt > 0 ? fmin(still + across * drive->tilt, hypot(width, height)) : still;
+}
+
 double sph2d__scene_reach(const sph2d_scene *scene)
 {
     double support = sph2d__method_resolve(scene->method).support_ratio;
@@ -68,7 +82,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.support_radius = method.support_ratio * scene->spacing;
     d.reach = sph2d__scene_reach(scene);
     d.mass = scene->fluid.density * scene->spacing * scene->spacing;
-    double g = hypot(scene->gravity.x, scene->gravity.y);
+    const sph2d__drive drive = sph2d__scene_drive(scene);
+    double g = d.gravity = drive.gravity;
     for (size_t i = 0; i < scene->block_count; ++i)
         d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y) +
                                     fabs(scene->blocks[i].start.speed));
@@ -76,12 +91,12 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
-    d.speed = fmax(d.speed, wall_speed(scene));
+    d.speed = fmax(fmax(d.speed, wall_speed(scene)), drive.speed);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     double central_speed = scene->central_force.rate * farthest_liquid(scene);
     d.pull += central_speed * central_speed / 2;
-    d.height = g > 0 ? sph2d__basin_height(scene, (d.speed * d.speed / 2 + d.pull) / g) : 0;
+    d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
     const sph2d__method_row *row = sph2d__method_row_of(&method);

@@ -16,6 +16,7 @@ typedef struct sph2d__derived {
     double support_radius; /**< H = support_ratio * spacing [m] */
     double reach;          /**< search radius: H, with surface tension at least two outer radii of its band [m] */
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
+    double gravity;        /**< largest gravity, with the acceleration of a tank that moves [m/s^2] */
     double height;         /**< largest height of liquid above the lowest point that it can reach, along gravity [m] */
     double speed;          /**< largest speed at the start, of a source or of a wall [m/s] */
     double pull; /**< depth of attractive potentials [m^2/s^2]: acceleration * radius / 2 of the strongest interaction,

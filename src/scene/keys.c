@@ -487,6 +487,15 @@ static const sph2d_key scene_items[] = {
      .default_text = "0.1", .text = "spring walls: damping over critical damping"},
     {"gravity", SPH2D_KEY_POINT, false, AT(sph2d_scene, gravity), ANY, .unit = "m/s^2", .default_text = "[0, -9.81]",
      .text = "acceleration"},
+    {"gravity_path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_scene, gravity_path.items, gravity_path.count), ANY,
+     .unit = "s, m/s^2, m/s^2", .default_text = "none",
+     .text =
+         "gravity in time in place of `gravity`: [t, gx, gy] points with straight lines between, constant before and "
+         "after"},
+    {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_scene, motion), .keys = &motion_keys, .unit = "",
+     .default_text = "none",
+     .text =
+         "of the tank with all in it: positions, velocities and probes are those seen from the tank; a path is cubic"},
     {"central_force", SPH2D_KEY_GROUP, false, AT(sph2d_scene, central_force), .keys = &central_force_keys, .unit = "",
      .default_text = "none", .text = "a pull towards a centre, proportional to distance"},
     {"spacing", SPH2D_KEY_NUMBER, true, AT(sph2d_scene, spacing), ABOVE_0, .unit = "m", .text = "between particles"},

@@ -58,6 +58,7 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
     body->point_count = count;
     body->gravity_x = r->gravity_x;
     body->gravity_y = r->gravity_y;
+    body->frame = sph2d__frame_at(&sim->scene, &sim->tank, time);
     if (sim->moving_count == 0)
         return SPH2D_OK;
     if (!move_walls(sim, time))

@@ -25,6 +25,7 @@ struct sph2d_sim {
     sph2d__system system;
     const sph2d__method *method;
     sph2d__barrier barrier;
+    sph2d__course tank;    /**< of the domain: scene/frame.h */
     sph2d__moving *moving; /**< capacity: every obstacle */
     size_t moving_count;
     sph2d__ids *obstacle_ids;   /**< of each obstacle */

@@ -5,7 +5,7 @@
  *  Powers are sampled every so many steps, and integrated over time by the trapezoidal rule,
  *
  *      walls      sum_b v_b . F_b            F_b force of boundary particle b on the liquid by pressure and friction
- *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, gravity along a period
+ *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, the frame of a tank, gravity along a period
  *      viscosity  sum_i m v_i . (a_i(v) - a_i(-v))/2
  *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt minus drho_i/dt without diffusion)
  *
@@ -93,7 +93,7 @@ double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
-/** Power of interactions and of gravity along periods. */
+/** Power of interactions, of a tank that moves, and of gravity along periods. */
 static double power_of_forces(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
@@ -101,10 +101,12 @@ static double power_of_forces(const sph2d_sim *sim)
     const sph2d__store *f = &s->fluid;
     const sph2d__period *p = &s->fluid_cells.period;
     double gx = p->length_x > 0 ? b->gravity_x : 0, gy = p->length_y > 0 ? b->gravity_y : 0, power = 0;
-    if (b->point_count == 0 && gx == 0 && gy == 0)
+    if (b->point_count == 0 && gx == 0 && gy == 0 && !b->frame.moves)
         return 0;
     for (size_t i = 0; i < f->count; ++i) {
         double ax = gx, ay = gy;
+        if (b->frame.moves)
+            sph2d__frame_add(&b->frame, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
         for (size_t k = 0; k < b->point_count; ++k)
             sph2d__point_force_add(&b->points[k], f->x[i], f->y[i], &ax, &ay);
         power += f->vx[i] * ax + f->vy[i] * ay;

@@ -74,15 +74,17 @@ static bool diffuses_excess(const sph2d_method_options *m)
     return m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS;
 }
 
-/** Work of gravity and the central force from the domain's corner to (x, y) [m^2/s^2]: times rho0/c0^2 it is the
+/** Work of gravity, the central force and the centrifugal force of a tank from the domain's corner to (x, y) [m^2/s^2]: times rho0/c0^2 it is the
  *  hydrostatic density there, up to a constant. None in periodic directions. */
 static double work_from(const sph2d__system *s, double x, double y)
 {
     const sph2d__period *p = &s->fluid_cells.period;
     const sph2d__body *b = &s->body;
-    double gx = p->length_x > 0 ? 0 : b->gravity_x, gy = p->length_y > 0 ? 0 : b->gravity_y;
-    double rx = x - b->center_x, ry = y - b->center_y;
-    return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry);
+    double gx = p->length_x > 0 ? 0 : b->gravity_x + b->frame.uniform.x;
+    double gy = p->length_y > 0 ? 0 : b->gravity_y + b->frame.uniform.y;
+    double rx = x - b->center_x, ry = y - b->center_y, sx = x - b->frame.center.x, sy = y - b->frame.center.y;
+    return gx * (x - p->low_x) + gy * (y - p->low_y) - b->central_rate2 / 2 * (rx * rx + ry * ry) +
+           b->frame.omega * b->frame.omega / 2 * (sx * sx + sy * sy);
 }
 
 /** Sets volumes, in the precision in which pair loops read them. */

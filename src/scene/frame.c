@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/** @file frame.c */
+#include "scene/frame.h"
+
+#include <math.h>
+
+#include "base/memory.h"
+#include "scene/shape.h"
+
+bool sph2d__scene_is_driven(const sph2d_scene *scene)
+{
+    return scene->gravity_path.count > 0 || sph2d__motion_moves(&scene->motion);
+}
+
+size_t sph2d__tank_bends(const sph2d_scene *scene)
+{
+    sph2d_motion motion = scene->motion;
+    if (motion.between == SPH2D_BETWEEN_DEFAULT)
+        motion.between = SPH2D_BETWEEN_CUBIC;
+    return sph2d__motion_bends(&motion);
+}
+
+sph2d__course sph2d__tank_course(const sph2d_scene *scene, sph2d_pose_point *bends)
+{
+    sph2d_outline tank = {.kind = SPH2D_OUTLINE_BOX, .box = scene->domain};
+    return sph2d__course_of(&scene->motion, &tank, bends);
+}
+
+/** Gravity at a time: straight lines between the points of its path, constant before and after. */
+static sph2d_vec2 gravity_at(const sph2d_scene *scene, double time)
+{
+    const sph2d_path *path = &scene->gravity_path;
+    if (path->count == 0)
+        return scene->gravity;
+    const sph2d_path_point *p = path->items, *last = &p[path->count - 1];
+    if (time <= p->t)
+        return (sph2d_vec2){p->x, p->y};
+    while (p < last && time >= p[1].t)
+        ++p;
+    if (p == last)
+        return (sph2d_vec2){p->x, p->y};
+    double part = (time - p->t) / (p[1].t - p->t);
+    return (sph2d_vec2){p->x + part * (p[1].x - p->x), p->y + part * (p[1].y - p->y)};
+}
+
+sph2d__frame sph2d__frame_at(const sph2d_scene *scene, const sph2d__course *tank, double time)
+{
+    if (!sph2d__scene_is_driven(scene))
+        return (sph2d__frame){.moves = false};
+    sph2d__pose pose = sph2d__course_at(tank, time);
+    sph2d_vec2 g = gravity_at(scene, time);
+    g = sph2d__pose_turn_back(&pose, (sph2d_vec2){g.x - pose.acceleration.x, g.y - pose.acceleration.y});
+    return (sph2d__frame){.moves = true,
+                          .center = pose.center,
+                          .uniform = {g.x - scene->gravity.x, g.y - scene->gravity.y},
+                          .omega = pose.omega,
+                          .alpha = pose.alpha};
+}
+
+/* ---- extremes ---------------------------------------------------------------------------------------------------- */
+
+/* Looks at a run: so many, and so many in each period of its fastest oscillation. */
+static const double FEWEST_LOOKS = 1000, MOST_LOOKS = 20000, LOOKS_PER_PERIOD = 40;
+
+static double fastest_swing(const sph2d_motion *m)
+{
+    double frequency = m->frequency;
+    for (size_t k = 0; k < m->swing_count; ++k)
+        frequency = fmax(frequency, m->swings[k].frequency);
+    return frequency;
+}
+
+static void look(const sph2d_scene *scene, const sph2d__course *tank, double time, sph2d__drive *drive)
+{
+    sph2d__frame f = sph2d__frame_at(scene, tank, time);
+    sph2d_vec2 g0 = scene->gravity, g = {f.uniform.x + g0.x, f.uniform.y + g0.y};
+    double size = hypot(g.x, g.y), size0 = hypot(g0.x, g0.y), along = g.x * g0.x + g.y * g0.y;
+    drive->gravity = fmax(drive->gravity, size);
+    if (size > 0 && size0 > 0)
+        drive->tilt = fmax(drive->tilt, along > 0 ? fabs(g.x * g0.y - g.y * g0.x) / (size * size0) : 1);
+}
+
+sph2d__drive sph2d__scene_drive(const sph2d_scene *scene)
+{
+    const sph2d_box d = scene->domain;
+    sph2d__drive drive = {hypot(scene->gravity.x, scene->gravity.y), 0, 0};
+    if (!sph2d__scene_is_driven(scene))
+        return drive;
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    size_t count = sph2d__tank_bends(scene);
+    void *bends = count ? sph2d__alloc(&memory, count, sizeof(sph2d_pose_point)) : NULL;
+    sph2d__course tank = sph2d__tank_course(scene, bends);
+    const sph2d_motion *m = &scene->motion;
+    double end = scene->run.until, looks = fmax(FEWEST_LOOKS, LOOKS_PER_PERIOD * fastest_swing(m) * end);
+    looks = fmin(looks, MOST_LOOKS);
+    for (double k = 0; k <= looks; ++k)
+        look(scene, &tank, end * k / looks, &drive);
+    for (size_t k = 0; k < scene->gravity_path.count; ++k)
+        look(scene, &tank, scene->gravity_path.items[k].t, &drive);
+    sph2d_vec2 far = {fmax(tank.center.x - d.min.x, d.max.x - tank.center.x),
+                      fmax(tank.center.y - d.min.y, d.max.y - tank.center.y)};
+    drive.speed = sph2d__course_speed(&tank, hypot(far.x, far.y));
+    sph2d__release(&memory, &bends, count, sizeof(sph2d_pose_point));
+    return drive;
+}
