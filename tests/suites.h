@@ -52,6 +52,7 @@
     X(thin)                                                                                                            \
     X(pose)                                                                                                            \
     X(frame)                                                                                                           \
+    X(turning)                                                                                                         \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

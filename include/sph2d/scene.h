@@ -462,7 +462,8 @@ typedef struct sph2d_motion {
 
 /** A wall of boundary particles. No particle passes it, at any speed. Heavy and reflecting ones are one particle thick
  *  and act on both sides. Generalised ones have layers of boundary particles with a total thickness of the support
- *  radius: closed outlines are solids, with layers inside; lines and polylines have the liquid on one side and the
+ *  radius: closed outlines are solids, with layers inside, unless the liquid is inside (`liquid`): these are hollow, with
+ *  layers around them; lines and polylines have the liquid on one side and the
  *  layers on the other, which no particle enters from behind either. */
 typedef struct sph2d_obstacle {
     /** A name for probes: letters, digits, `_` and `-`, unique, not that of a side (left, right, bottom, top). Default

@@ -223,7 +223,7 @@ typedef enum sph2d_outline_kind {
     SPH2D_OUTLINE_POLYGON
 } sph2d_outline_kind;
 
-/** On which side of a line or polyline with layers the liquid is, looking from its first point to its last. */
+/** On which side of an outline with layers the liquid is, for lines looking from the first point to the last. */
 typedef enum sph2d_liquid_side {
     /** The side of blocks or sources: of those next to the line, or else of the nearest; left if there are none.
      *  Rejected if blocks are on both sides within the thickness of the layers. */
@@ -237,7 +237,10 @@ typedef enum sph2d_liquid_side {
 
     /** On both: the line becomes a solid as thick as its layers, half of it on either side; blocks leave that space
      *  empty. */
-    SPH2D_LIQUID_BOTH = 3
+    SPH2D_LIQUID_BOTH = 3,
+
+    /** Closed outlines: inside, the obstacle is hollow and its layers are around it. Liquid may be outside of these, too. */
+    SPH2D_LIQUID_INSIDE = 4
 } sph2d_liquid_side;
 
 /** Liquids by name, at 20 C and atmospheric pressure. */

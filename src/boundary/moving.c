@@ -89,6 +89,8 @@ void sph2d__moving_place(const sph2d__moving *m, double time, sph2d__store *wall
         walls->vy[i] = v.y;
         walls->ax[i] = a.x;
         walls->ay[i] = a.y;
+        if (m->spins)
+            m->spins[i - m->first_id] = pose.omega;
         if (m->normals) {
             sph2d_vec2 n = sph2d__pose_turn(&pose, m->normals[i - m->first_id]);
             walls->normal_x[i] = n.x;

@@ -24,6 +24,7 @@ typedef struct sph2d__moving {
     int wall;                       /**< its number (scene/wall_names.h) */
     uint64_t first_id, end_id;      /**< its boundary particles: first_id to end_id - 1 */
     sph2d_vec2 *normals;            /**< of these, in the initial position; NULL if they have none, or it never turns */
+    double *spins;                  /**< of these, their angular velocity [rad/s]; NULL if it never turns */
     sph2d__barrier barrier;         /**< in the obstacle's initial position */
     sph2d_box bounds;               /**< of the barrier */
     sph2d__pose from, to;           /**< at the start and end of the present or last drift */

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "scene/liquid_side.h"
 
 /* Cells a spacing, and the kernel's support radius in spacings and cells. */
 enum { CELLS = SPH2D__COVERAGE_CELLS, SUPPORT = SPH2D__COVERAGE_SUPPORT, REACH = SUPPORT * CELLS };
@@ -58,7 +59,7 @@ static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
     for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
         const sph2d_obstacle *o = &sim->scene.obstacles[k];
         sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        if (sph2d__outline_encloses(&o->outline, sph2d__pose_invert(&pose, p)))
+        if (sph2d__obstacle_fills(&sim->scene, o, sph2d__pose_invert(&pose, p)))
             return true;
     }
     return false;

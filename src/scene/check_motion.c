@@ -11,6 +11,7 @@
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
+#include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/resolve.h"
@@ -55,9 +56,6 @@ static void check_keys(checker *c, size_t i)
         fault(c, i, SPH2D_CODE_OUT_OF_RANGE, "swings", "has more than 100 items", NULL);
     if (m->between != SPH2D_BETWEEN_DEFAULT && m->path.count == 0)
         fault(c, i, SPH2D_CODE_CONFLICT, "between", "is about the points of a path, of which there is none", NULL);
-    if (m->ramp > 0 && m->rate == 0 && m->swing_count == 0 && !(m->frequency > 0))
-        fault(c, i, SPH2D_CODE_CONFLICT, "ramp", "is for oscillations and the rate of turn, and there is neither",
-              "let a path begin slowly by more points");
 }
 
 /* ---- velocity ---------------------------------------------------------------------------------------------------- */
@@ -143,10 +141,11 @@ static bool cross_deeply(const sph2d__segment *s, const sph2d__segment *t, doubl
     return fmin(ta, tb) < -depth && fmax(ta, tb) > depth && fmin(sa, sb) < -depth && fmax(sa, sb) > depth;
 }
 
-/** Whether a point lies in a closed outline, deeper than a depth. */
-static bool lies_deep(const sph2d_outline *outline, double spacing, sph2d_vec2 p, double depth)
+/** Whether a point lies in a solid, deeper than a depth. */
+static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2 p, double depth)
 {
-    if (!sph2d__outline_encloses(outline, p))
+    const sph2d_outline *outline = &obstacle->outline;
+    if (sph2d__obstacle_is_hollow(obstacle) || !sph2d__outline_encloses(outline, p))
         return false;
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
@@ -172,12 +171,12 @@ static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d_obstac
     size_t pieces = sph2d__outline_pieces(&other->outline, m->spacing);
     for (size_t k = 0; k < m->pieces; ++k) {
         sph2d__segment s = piece_at(m->outline, pose, m->spacing, k);
-        if (lies_deep(&other->outline, m->spacing, s.a, m->depth))
+        if (lies_deep(other, m->spacing, s.a, m->depth))
             return true;
         for (size_t n = 0; n < pieces; ++n) {
             sph2d__segment t = sph2d__outline_piece(&other->outline, m->spacing, n);
             if (cross_deeply(&s, &t, m->depth) ||
-                lies_deep(m->outline, m->spacing, sph2d__pose_invert(pose, t.a), m->depth))
+                lies_deep(&m->scene->obstacles[m->index], m->spacing, sph2d__pose_invert(pose, t.a), m->depth))
                 return true;
         }
     }

@@ -109,6 +109,9 @@ static void check_side(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     char path[PATH_SIZE];
     sph2d_diagnostic *d;
+    if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__outline_is_open(&obstacle->outline))
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".liquid"),
+                           "a line has no inside: use left, right or both");
     if (!sph2d__obstacle_has_side(c->scene, obstacle) || sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
         return;
     bool line = obstacle->outline.kind == SPH2D_OUTLINE_LINE;

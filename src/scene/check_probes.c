@@ -8,6 +8,8 @@
 
 #include "base/suggest.h"
 #include "scene/checker.h"
+#include "scene/motion.h"
+#include "scene/resolve.h"
 #include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
@@ -79,6 +81,23 @@ static void refuse_name(checker *c, const char *path, const char *name)
                         "the name of an obstacle or side:");
 }
 
+/** Warns of the torque on a wall that turns in liquid whose viscosity has Morris' form: its stress is mu grad u in place
+ *  of mu (grad u + its transpose), which on a surface that turns at omega differs by mu omega. In circular Couette flow
+ *  with a drum that turns the torque on it was 67.5 N in place of 26.2 (tests/test_turning.c has Monaghan's form). */
+static void warn_of_torque(checker *c, int obstacle, const char *path)
+{
+    const sph2d_scene *scene = c->scene;
+    if (scene->method.name != SPH2D_METHOD_WCSPH || scene->wall_slip != SPH2D_SLIP_NONE ||
+        !sph2d__motion_turns(&scene->obstacles[obstacle].motion) ||
+        sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
+        return;
+    sph2d_diagnostic *d = sph2d_report_add(
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, path,
+        "this wall turns: with viscosity_form morris its torque and work contain 2 viscosity omega area more");
+    sph2d_diagnostic_hint(d,
+                          "use `method: {viscosity_form: monaghan, support_ratio: 4}`; velocities are right by both");
+}
+
 /** Checks what a probe of kind force or work is on. */
 static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
 {
@@ -104,6 +123,8 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
         refuse_name(c, path, probe->on);
     else if (wall < SPH2D__WALL_OBSTACLE && sph2d__side_of(c->scene, wall) != SPH2D_SIDE_WALL)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
+    else if (wall >= SPH2D__WALL_OBSTACLE)
+        warn_of_torque(c, wall - SPH2D__WALL_OBSTACLE, path);
 }
 
 void sph2d__check_probe(checker *c, size_t i)

@@ -104,7 +104,7 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_outline *outline, sp
 static bool find_in_obstacle(const sph2d_scene *scene, const sph2d_obstacle *obstacle, thin *found)
 {
     const sph2d_outline *outline = &obstacle->outline;
-    if (sph2d__obstacle_has_side(scene, obstacle))
+    if (sph2d__obstacle_has_side(scene, obstacle) || sph2d__obstacle_is_hollow(obstacle))
         return false;
     double required = required_thickness(scene, obstacle);
     size_t pieces = sph2d__outline_pieces(outline, scene->spacing);

@@ -63,7 +63,7 @@ static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const between_words[] = {"default", "lines", "cubic", NULL};
-static const char *const liquid_words[] = {"auto", "left", "right", "both", NULL};
+static const char *const liquid_words[] = {"auto", "left", "right", "both", "inside", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
 static const sph2d_key box_items[] = {
@@ -240,8 +240,10 @@ static const sph2d_key obstacle_items[] = {
      .text = "a solid: corners, 3 or more, closed by itself"},
     {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
      .default_text = "auto",
-     .text = "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
-             "sources lie; both: a solid of the layers' thickness, centred on the line"},
+     .text =
+         "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
+         "sources lie; both: a solid of the layers' thickness, centred on the line; inside: a hollow circle, box or "
+         "polygon with its layers around it"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .default_text = "the method's",
      .text = "heavy (not wcsph), generalised (not muller): repels by pressure; reflect: reverses velocities, for large "

@@ -16,6 +16,12 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p);
 /** Whether an obstacle is an open line with layers, so that it has a wet side. */
 bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle);
 
+/** Whether an obstacle is a closed outline with the liquid inside. */
+bool sph2d__obstacle_is_hollow(const sph2d_obstacle *obstacle);
+
+/** Whether a position lies in the solid of an obstacle: in a closed outline, or in the layers around a hollow one. */
+bool sph2d__obstacle_fills(const sph2d_scene *scene, const sph2d_obstacle *obstacle, sph2d_vec2 p);
+
 /** The wet side of such an obstacle: given by the scene, or found from blocks and sources. BOTH if the scene says so,
  *  or if there is liquid within the layers' thickness on both sides. */
 sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle);

@@ -7,8 +7,8 @@
 
 #include "scene/shape.h"
 
-/* What counts as near an obstacle [spacings]: more than all clearances of the liquid. */
-static const double NEAR = 3;
+/* What counts as near an obstacle [spacings]: more than all clearances of the liquid, and the thickness of layers. */
+static const double NEAR = 6;
 
 /* Boxes along each side of the domain. */
 static const double MOST_BOXES = 64;

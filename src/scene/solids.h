@@ -21,11 +21,11 @@ typedef struct sph2d__solid_list {
     size_t count;
 } sph2d__solid_list;
 
-/** Sorts the obstacles of a scene, with what is within three spacings of them, into an arena. False when memory is
+/** Sorts the obstacles of a scene, with what is within six spacings of them, into an arena. False when memory is
  *  short. */
 bool sph2d__solids_build(sph2d__solids *solids, const sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory);
 
-/** The obstacles that can enclose a position or be within three spacings of it, without periodic images. */
+/** The obstacles that can enclose a position or be within six spacings of it, without periodic images. */
 sph2d__solid_list sph2d__solids_near(const sph2d__solids *solids, sph2d_vec2 position);
 
 #endif

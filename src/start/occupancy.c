@@ -3,6 +3,7 @@
  *  Which positions are free of obstacles. */
 #include <math.h>
 
+#include "scene/liquid_side.h"
 #include "scene/resolve.h"
 #include "start/start.h"
 
@@ -26,8 +27,9 @@ static bool is_far(const sph2d__segment *s, double distance, sph2d_vec2 p)
 /** Whether a position is within a distance of an outline. */
 static bool is_near(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
 {
+    const sph2d_disc *c = &outline->circle;
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
-        return is_in_disc(outline->circle.center, outline->circle.radius + distance, p);
+        return is_in_disc(c->center, c->radius + distance, p) && !is_in_disc(c->center, c->radius - distance, p);
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
@@ -41,7 +43,7 @@ static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle 
 {
     bool layers = sph2d__obstacle_form(&sim->scene, obstacle) == SPH2D_WALL_GENERALISED;
     double distance = factor * (layers ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
-    if (sph2d__outline_encloses(&obstacle->outline, p))
+    if (sph2d__obstacle_fills(&sim->scene, obstacle, p))
         return layers ? SPH2D__ENCLOSED : SPH2D__NEAR_LINE;
     if (!is_near(&obstacle->outline, sim->scene.spacing, distance, p))
         return SPH2D__FREE;

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "scene/liquid_side.h"
 #include "start/near.h"
 #include "start/start.h"
 
@@ -66,8 +67,8 @@ typedef struct contour {
     const sph2d_outline *outline;
     double spacing;
     size_t pieces;
-    bool closed;
-    double side; /**< +1: layers on the left, -1: on the right */
+    bool closed, hollow; /**< hollow: closed, with the layers around it */
+    double side;         /**< +1: layers on the left, -1: on the right */
 } contour;
 
 static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
@@ -79,7 +80,8 @@ static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
     else if (!closed)
         left = obstacle->liquid == SPH2D_LIQUID_RIGHT;
     double dx = sim->scene.spacing;
-    return (contour){outline, dx, sph2d__outline_pieces(outline, dx), closed, left ? 1 : -1};
+    bool hollow = sph2d__obstacle_is_hollow(obstacle);
+    return (contour){outline, dx, sph2d__outline_pieces(outline, dx), closed, hollow, left != hollow ? 1 : -1};
 }
 
 static sph2d_vec2 direction_of(sph2d__segment s)
@@ -133,13 +135,13 @@ static bool is_opposite(const contour *c, size_t index, size_t other)
 static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     if (c->outline->kind == SPH2D_OUTLINE_CIRCLE)
-        return d >= c->outline->circle.radius;
+        return !c->hollow && d >= c->outline->circle.radius;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         if (sph2d__segment_distance(&piece, p) < 0.999 * d && !is_opposite(c, index, k))
             return true;
     }
-    return c->outline->kind == SPH2D_OUTLINE_POLYGON && !sph2d__outline_encloses(c->outline, p);
+    return c->outline->kind == SPH2D_OUTLINE_POLYGON && sph2d__outline_encloses(c->outline, p) == c->hollow;
 }
 
 /** The part of a layer's thickness, d - 1/2 to d + 1/2 spacings deep, on this side of the midline of a solid: 1 except
@@ -147,7 +149,7 @@ static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, d
 static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     double other = INFINITY;
-    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE) /* no piece is opposite, and there are many */
+    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE || c->hollow) /* no piece is opposite, and there are many */
         return 1;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
@@ -215,7 +217,7 @@ static sph2d_status place_layer(sph2d_sim *sim, const contour *c, double d, cons
     return SPH2D_OK;
 }
 
-/** Adds the back and the two ends of an open line's layers to its barrier, so that liquid from behind cannot enter the
+/** Adds the back of the layers of a line or of a hollow outline, and the two ends of a line, to its barrier, so that liquid from behind cannot enter the
  *  layers. Where a sharp corner puts the back in front of another piece it is left out. */
 static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
 {
@@ -228,8 +230,9 @@ static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
             is_nearer_to_another(c, k, middle, thickness))
             continue;
         if (!sph2d__barrier_add(barrier, back, &sim->memory) ||
-            (k == 0 && !sph2d__barrier_add(barrier, (sph2d__segment){front.a, back.a}, &sim->memory)) ||
-            (k + 1 == c->pieces && !sph2d__barrier_add(barrier, (sph2d__segment){front.b, back.b}, &sim->memory)))
+            (k == 0 && !c->closed && !sph2d__barrier_add(barrier, (sph2d__segment){front.a, back.a}, &sim->memory)) ||
+            (k + 1 == c->pieces && !c->closed &&
+             !sph2d__barrier_add(barrier, (sph2d__segment){front.b, back.b}, &sim->memory)))
             return false;
     }
     return true;
@@ -240,7 +243,7 @@ sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obsta
 {
     contour c = contour_of(sim, obstacle);
     sph2d__near earlier;
-    if ((!c.closed && !add_back(sim, &c, barrier)) || !find_earlier(sim, &earlier))
+    if (((!c.closed || c.hollow) && !add_back(sim, &c, barrier)) || !find_earlier(sim, &earlier))
         return SPH2D_NOMEM;
     sph2d_status status = SPH2D_OK;
     for (int k = 0; status == SPH2D_OK && k < layer_count(sim); ++k)

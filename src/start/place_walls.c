@@ -213,6 +213,21 @@ static void set_springs(sph2d_sim *sim)
     w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
 }
 
+/** Makes the array of angular velocities, if any obstacle turns. False when memory is short. */
+static bool make_spins(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    bool turns = false;
+    for (size_t k = 0; k < sim->moving_count; ++k)
+        turns = turns || sph2d__motion_turns(sim->moving[k].course.motion);
+    if (!turns || !s->walls.depth)
+        return true;
+    s->wall_spin = sph2d__arena_alloc(&sim->arena, &sim->memory, s->walls.count + 1, sizeof *s->wall_spin);
+    for (size_t k = 0; s->wall_spin && k < sim->moving_count; ++k)
+        sim->moving[k].spins = &s->wall_spin[sim->moving[k].first_id];
+    return s->wall_spin;
+}
+
 /** Sorts the boundary particles, once all are placed, and builds the barriers. */
 static bool finish_walls(sph2d_sim *sim)
 {
@@ -229,7 +244,7 @@ static bool finish_walls(sph2d_sim *sim)
     for (size_t k = 0; k < sim->moving_count; ++k)
         if (!sph2d__barrier_build(&sim->moving[k].barrier, bucket, clearance, &sim->memory))
             return false;
-    return sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
+    return make_spins(sim) && sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
            (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL));
 }
 

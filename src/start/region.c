@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "scene/liquid_side.h"
 #include "scene/resolve.h"
 
 /* A side that is at most so many cells from a grid line lies on it. */
@@ -32,7 +33,7 @@ bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
             sph2d_vec2 image = {p.x + image_x * length_x, p.y + image_y * length_y};
             sph2d__solid_list near = sph2d__solids_near(&r->sim->solids, image);
             for (size_t k = 0; k < near.count; ++k)
-                if (sph2d__outline_encloses(&scene->obstacles[near.obstacle[k]].outline, image))
+                if (sph2d__obstacle_fills(scene, &scene->obstacles[near.obstacle[k]], image))
                     return false;
         }
     return true;

@@ -20,7 +20,8 @@ typedef struct sph2d__system {
     sph2d__neighbours neighbours, wall_neighbours; /**< lists of fluid and boundary particles, if the method has them */
     bool walls_press;                              /**< some boundary particles exert pressure */
     bool walls_move;                               /**< some boundary particles move */
-    bool walls_reflect;                            /**< some boundary particles reflect */
+    double *wall_spin;  /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
+    bool walls_reflect; /**< some boundary particles reflect */
 
     double spacing;         /**< dx [m] */
     double support;         /**< support radius H [m] */
@@ -66,5 +67,16 @@ typedef struct sph2d__system {
     sph2d__team *team; /**< threads that share the loops; NULL: one thread */
     sph2d_isa isa;
 } sph2d__system;
+
+/** Velocity of the wall's surface in front of boundary particle b, where liquid sticks to it: the wall may turn, and the
+ *  particle lies deeper. */
+static inline sph2d_vec2 sph2d__surface_velocity(const sph2d__system *s, size_t b)
+{
+    const sph2d__store *w = &s->walls;
+    double spin = s->wall_spin ? s->wall_spin[w->id[b]] : 0;
+    if (spin == 0) /* in corners of the domain there is no single surface */
+        return (sph2d_vec2){w->vx[b], w->vy[b]};
+    return (sph2d_vec2){w->vx[b] - spin * w->depth[b] * w->normal_y[b], w->vy[b] + spin * w->depth[b] * w->normal_x[b]};
+}
 
 #endif

@@ -162,7 +162,8 @@ static void add_wall(const sph2d__system *s, size_t i, size_t b, double x, doubl
     }
     if (w->depth[b] > FIRST_LAYER * s->spacing)
         return;
-    double known[2] = {w->vx[b] - f->vx[i], w->vy[b] - f->vy[i]};
+    sph2d_vec2 surface = sph2d__surface_velocity(s, b);
+    double known[2] = {surface.x - f->vx[i], surface.y - f->vy[i]};
     double foot_x = (x + w->depth[b] * w->normal_x[b]) * k->inverse_support;
     double foot_y = (y + w->depth[b] * w->normal_y[b]) * k->inverse_support;
     add_surface(velocity_sums, lane, foot_x, foot_y, known);

@@ -69,13 +69,14 @@ static double drag_of(const sph2d__system *s, size_t b, const sph2d__ranges *ran
 {
     const sph2d__store *f = &s->fluid, *w = &s->walls;
     double weights = 0, slip = 0, distance = 0;
+    sph2d_vec2 wall = sph2d__surface_velocity(s, b);
     SPH2D__FOR_NEIGHBOURS (ranges, r, i) {
         double dx = f->x[i] - (w->x[b] + ranges->x[r]), dy = f->y[i] - (w->y[b] + ranges->y[r]);
         double weight = weight_of(s, b, dx, dy);
         if (weight == 0)
             continue;
         weights += weight;
-        slip += weight * (w->normal_x[b] * (f->vy[i] - w->vy[b]) - w->normal_y[b] * (f->vx[i] - w->vx[b]));
+        slip += weight * (w->normal_x[b] * (f->vy[i] - wall.y) - w->normal_y[b] * (f->vx[i] - wall.x));
         distance += weight * (w->normal_x[b] * dx + w->normal_y[b] * dy - w->depth[b]);
     }
     if (!(weights > 1e-9 * full))

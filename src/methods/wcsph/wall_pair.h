@@ -59,11 +59,14 @@ SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *
 }
 
 /** Sets the image velocity for no slip at the surface: that of the liquid in front, mirrored. */
-SPH2D__INLINE void finish_image(sph2d__store *w, size_t b, const wall_sums *sums, int l, double share)
+SPH2D__INLINE void finish_image(const sph2d__system *s, sph2d__store *w, size_t b, const wall_sums *sums, int l,
+                                double share)
 {
     bool wet = share > 0; /* of dry walls their own velocity */
-    w->image_vx[b] = wet ? 2 * w->vx[b] - share * (double)sums->vx[l] : w->vx[b];
-    w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] : w->vy[b];
+    /* A wall that turns: what is mirrored is the velocity of the liquid relative to the wall's at the same place. */
+    double turn = s->wall_spin ? s->wall_spin[w->id[b]] * share / s->rest_density : 0;
+    w->image_vx[b] = wet ? 2 * w->vx[b] - share * (double)sums->vx[l] + turn * (double)sums->weight_y[l] : w->vx[b];
+    w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] - turn * (double)sums->weight_x[l] : w->vy[b];
 }
 
 /** Sets wall_rate, and the velocity of the wall in the rate of density: its own plus the slip along it. */
@@ -91,7 +94,7 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const wall_sums *sums
     else
         finish_pressure(s, b, sums, l, share);
     if (what == PRESSURES_AND_IMAGES)
-        finish_image(w, b, sums, l, share);
+        finish_image(s, w, b, sums, l, share);
 }
 
 /** The boundary particles of a group: their velocities, and the direction along the wall. */
