@@ -103,7 +103,7 @@ static const double MOST_PARTICLES = 1e5, HALVING_OBSTACLES = 250, TRIED = 10;
 
 static double most_particles(const sph2d_scene *scene)
 {
-    return MOST_PARTICLES / (1 + (double)scene->obstacle_count / HALVING_OBSTACLES);
+    return MOST_PARTICLES / (1 + (double)(scene->obstacle_count + scene->body_count) / HALVING_OBSTACLES);
 }
 
 /* The factor of the spacing; 1 for scenes of single particles, which have no coarser form. */
@@ -201,6 +201,7 @@ static void print_active(const sph2d_scene *scene)
                  {scene->source_count, "sources"},
                  {scene->drain_count, "drains"},
                  {scene->obstacle_count, "obstacles"},
+                 {scene->body_count, "bodies"},
                  {scene->interaction_count, "interactions"},
                  {scene->probe_count, "probes"}};
     printf("%-22s pressure", "active");

@@ -19,7 +19,7 @@ static double ratio(double numerator, double denominator)
 
 double summary_energy_change(const sph2d_summary *s)
 {
-    return s->kinetic + s->potential + s->elastic - s->energy_start - s->energy_fed;
+    return s->kinetic + s->potential + s->elastic + s->bodies - s->energy_start - s->energy_fed;
 }
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
@@ -63,10 +63,12 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     else
         text_row("energy", "%+.4g J/m", change);
     text_row("", "start %.6g, now %.6g, net input by particles %.6g J/m", s->energy_start,
-             s->kinetic + s->potential + s->elastic, s->energy_fed);
+             s->kinetic + s->potential + s->elastic + s->bodies, s->energy_fed);
     text_row(
         "", "work of walls %.4g, forces %.4g; lost to viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
         s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped, s->energy_pressed);
+    if (scene->body_count > 0)
+        text_row("", "of bodies and their springs %.4g; lost to their contacts %.4g J/m", s->bodies, s->energy_contacts);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
         text_row("energy error", "%+.3g %% of the scene's %.4g J/m unaccounted for",
                  100 * s->energy_error / s->energy_scale, s->energy_scale);
@@ -184,6 +186,7 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_number(line, "energy_kinetic", s->kinetic);
     json_number(line, "energy_potential", s->potential);
     json_number(line, "energy_elastic", s->elastic);
+    json_number(line, "energy_bodies", s->bodies);
     json_number(line, "energy_fed", s->energy_fed);
     json_number(line, "energy_rise", s->energy_rise);
     json_number(line, "energy_error", s->energy_error);
@@ -194,6 +197,7 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_number(line, "energy_diffused", s->energy_diffused);
     json_number(line, "energy_stopped", s->energy_stopped);
     json_number(line, "energy_pressed", s->energy_pressed);
+    json_number(line, "energy_contacts", s->energy_contacts);
     json_number(line, "energy_scale", s->energy_scale);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
     json_number(line, "speed_max", s->speed_max);

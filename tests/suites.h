@@ -84,6 +84,7 @@
     X(elevation)                                                                                                       \
     X(gauge)                                                                                                           \
     X(loads)                                                                                                           \
+    X(bodies)                                                                                                          \
     X(viscosity_form)                                                                                                  \
     X(coverage)                                                                                                        \
     X(series)                                                                                                          \

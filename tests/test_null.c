@@ -70,6 +70,10 @@ START_TEST(simulations)
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
     REFUSED_SILENTLY(sph2d_sim_set_pointer(NULL, at, 1, 1));
+    REFUSED_SILENTLY(sph2d_sim_set_body_velocity(NULL, 0, at, 1));
+    REFUSED_SILENTLY(sph2d_sim_set_contacts(NULL, NULL, NULL));
+    UNKNOWN(sph2d_sim_body(NULL, 0).center.x);
+    UNKNOWN(sph2d_sim_obstacle(NULL, 0).center.x);
     sph2d_sim_destroy(NULL);
     sph2d_sim_output_done(NULL, 0);
     NOTHING(sph2d_sim_time(NULL) != 0 || sph2d_sim_time_step(NULL) != 0);

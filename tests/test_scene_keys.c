@@ -22,6 +22,8 @@ static sph2d_block blocks[3];
 static sph2d_source sources[1];
 static sph2d_drain drains[3];
 static sph2d_obstacle obstacles[4];
+static sph2d_body bodies[3];
+static sph2d_spring body_springs[1];
 static sph2d_interaction interactions[1];
 static sph2d_probe probes[2];
 static sph2d_scene scene;
@@ -72,6 +74,25 @@ static void fill_lists(void)
     probes[1].rate.per_second = 10;
 }
 
+static void set_up_bodies(void)
+{
+    static sph2d_vec2 bow[3] = {{0.85, 0.8}, {0.95, 0.8}, {0.9, 0.9}};
+    body_springs[0] = sph2d_spring_default();
+    body_springs[0].to = (sph2d_vec2){0.3, 0.9};
+    body_springs[0].stiffness = 10;
+    for (int i = 0; i < 3; ++i) {
+        bodies[i] = sph2d_body_default();
+        bodies[i].density = 500;
+        bodies[i].springs = body_springs;
+        bodies[i].spring_count = 1;
+    }
+    bodies[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.3, 0.7}, 0.05}};
+    bodies[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.55, 0.5}, {0.65, 0.6}}};
+    bodies[2].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {bow, 3}};
+    scene.bodies = bodies;
+    scene.body_count = 3;
+}
+
 static void start(void)
 {
     fill_lists();
@@ -93,6 +114,7 @@ static void start(void)
     scene.drain_count = 3;
     scene.obstacles = obstacles;
     scene.obstacle_count = 4;
+    set_up_bodies();
     scene.interactions = interactions;
     scene.interaction_count = 1;
     scene.probes = probes;

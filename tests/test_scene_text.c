@@ -105,6 +105,20 @@ static const char *const goldens[] = {
     "  - box:\n      min: [0.25, 0.25]\n      max: [0.75, 0.75]\n"
     "run:\n  snapshots:\n    every: 0.5\n  frames:\n    per_second: 25\n",
 
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.05\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 0.5]\n"
+    "bodies:\n"
+    "  - name: boat\n    polygon: [[0.25, 0.5], [0.5, 0.25], [0.75, 0.5]]\n    density: 300\n    inertia: 2\n"
+    "    center: [0.5, 0.4]\n    velocity: [0.5, 0]\n    rate: -0.25\n    hold:\n      y: on\n"
+    "    springs:\n      - at: [0.75, 0.5]\n        to: [1, 0.5]\n        stiffness: 100\n        damping: 2\n"
+    "        length: 0.25\n        slack: on\n      - to: [0, 0]\n        stiffness: 5\n"
+    "    motor:\n      rate: 6\n      torque: 0.5\n    friction: 0.5\n    restitution: 0.25\n    form: generalised\n"
+    "  - circle:\n      center: [0.5, 0.75]\n      radius: 0.125\n    mass: 20\n    hold:\n      x: on\n      angle: on\n"
+    "  - box:\n      min: [0.125, 0.75]\n      max: [0.25, 1]\n    density: 2700\n"
+    "probes:\n"
+    "  - name: boat\n    kind: body\n    on: boat\n    every: 0.5\n",
+
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nwall_slip: smooth\nslip_length: 0.001\n"
     "wall_speeds:\n  bottom: 0.5\nspacing: 0.05\n"
     "blocks:\n"

@@ -485,7 +485,96 @@ typedef struct sph2d_obstacle {
 
     /** Reflect only: normal speed after over before, 0 to 1; default 0.5. */
     double restitution;
+
+    /** Leave it NULL. In the library's own copies of a scene, bodies follow the obstacles as obstacles with this set. */
+    const struct sph2d_body *body;
 } sph2d_obstacle;
+
+/** A spring between a point of a body and a fixed point: a force along the line between the two, stiffness times its
+ *  stretch plus damping times the rate of it. */
+typedef struct sph2d_spring {
+    /** The point of the body, where it is in the scene [m]; default NaN, of sph2d_spring_default(): the centre of mass. */
+    sph2d_vec2 at;
+
+    /** The fixed point [m]; must be given. */
+    sph2d_vec2 to;
+
+    /** Force over stretch, per metre of depth [N/m^2], >= 0; must be given. */
+    double stiffness;
+
+    /** Force over the rate of stretch [N s/m^2], >= 0; default 0. */
+    double damping;
+
+    /** Length without force [m], >= 0; default NaN: the distance of the two points in the scene. */
+    double length;
+
+    /** Whether it only pulls, like a rope or chain; default off. */
+    sph2d_switch slack;
+} sph2d_spring;
+
+/** Which motions of a body are held at zero: off or on; default off. */
+typedef struct sph2d_hold {
+    /** Along x and y, of the centre of mass, and turning. */
+    sph2d_switch x, y, angle;
+} sph2d_hold;
+
+/** What drives the turning of a body, or brakes it. */
+typedef struct sph2d_motor {
+    /** The angular velocity that it seeks, anticlockwise [rad/s]; default 0: a brake. */
+    double rate;
+
+    /** The largest torque by which it does so, per metre of depth [N], >= 0; default 0: none. */
+    double torque;
+} sph2d_motor;
+
+/** A rigid body that the liquid moves, and that moves the liquid: a solid of boundary particles like a closed obstacle.
+ *  Its mass, inertia and all forces are per metre of depth. Bodies meet each other and walls where the program has a
+ *  solver for contacts (sph2d_sim_set_contacts()); the command has. Not with fitted operators. */
+typedef struct sph2d_body {
+    /** A name for probes, as of an obstacle; default NULL: none. */
+    const char *name;
+
+    /** A circle, box or polygon; must be given. */
+    sph2d_outline outline;
+
+    /** Density [kg/m^3], > 0; this or the mass must be given. Default 0: mass over area. */
+    double density;
+
+    /** Mass per metre of depth [kg/m], > 0; default 0: density times area. */
+    double mass;
+
+    /** Moment of inertia about the centre of mass, per metre of depth [kg m], > 0; default 0: that of an even density. */
+    double inertia;
+
+    /** Centre of mass in the scene [m]; default NaN, of sph2d_body_default(): the centroid. */
+    sph2d_vec2 center;
+
+    /** Velocity of the centre of mass at the start [m/s]; default (0, 0). */
+    sph2d_vec2 velocity;
+
+    /** Angular velocity at the start, anticlockwise [rad/s]; default 0. */
+    double rate;
+
+    /** Motions that are held at zero; default none. */
+    sph2d_hold hold;
+
+    /** Springs and moorings, borrowed; default none. */
+    const sph2d_spring *springs;
+    /** Number of these. */
+    size_t spring_count;
+
+    /** A motor or brake; default none. */
+    sph2d_motor motor;
+
+    /** Contacts: coefficient of dry friction, 0 to 10; default 0.3. Of two bodies the geometric mean counts. */
+    double friction;
+
+    /** Contacts: normal speed after over before, 0 to 1; default 0. Of two bodies the larger one counts. */
+    double restitution;
+
+    /** Form of its surface: heavy (not wcsph) or generalised (not muller); default: the method's. */
+    sph2d_wall_form form;
+} sph2d_body;
 
 /** Attraction to a moving point, or repulsion: acceleration * (1 - r/radius) inside `radius`. */
 typedef struct sph2d_interaction {
@@ -511,7 +600,8 @@ typedef struct sph2d_probe {
      *  which moves with an obstacle that does. Default (0, 0). */
     sph2d_vec2 at;
 
-    /** force, work: the wall, an obstacle's name or the word of a side of the domain; default NULL: all walls together.
+    /** force, work: the wall, an obstacle's or body's name or the word of a side of the domain; default NULL: all walls
+     *  together; body: the body's name, which must be given.
      *  In corners of the domain forces along x are those of the left or right side, along y of the other one. */
     const char *on;
 
@@ -658,6 +748,10 @@ typedef struct sph2d_scene {
     const sph2d_obstacle *obstacles;
     size_t obstacle_count;
 
+    /** Bodies that the liquid moves. */
+    const sph2d_body *bodies;
+    size_t body_count;
+
     /** Attraction to moving points, or repulsion. */
     const sph2d_interaction *interactions;
     size_t interaction_count;
@@ -677,6 +771,8 @@ SPH2D_API sph2d_source sph2d_source_default(void);
 SPH2D_API sph2d_drain sph2d_drain_default(void);
 SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_motion sph2d_motion_default(void);
+SPH2D_API sph2d_body sph2d_body_default(void);
+SPH2D_API sph2d_spring sph2d_spring_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
 

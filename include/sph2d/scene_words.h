@@ -312,7 +312,10 @@ typedef enum sph2d_arrangement {
  *             torque: about `at`, anticlockwise; impulse, angular_impulse: of the force and torque since the last row,
  *             summed over all steps. With the impulse of gravity and of other forces they are the change of the
  *             liquid's momentum, but for tensile control (method.tensile_control) and mixed precision
- *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest */
+ *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest
+ *  body       place of a body's centre of mass, the angle by which it has turned, its velocity; force of the liquid, and
+ *             its torque about the centre of mass, in the mean over the last step; kinetic and potential energy of the
+ *             body and its springs */
 #define SPH2D_PROBE_MAP(X)                                                                                             \
     X(ENERGY, energy,                                                                                                  \
       "kinetic [J/m],potential [J/m],momentum_x [kg/s],momentum_y [kg/s],particles,speed_max [m/s],elastic [J/m],"     \
@@ -330,7 +333,9 @@ typedef enum sph2d_arrangement {
     X(FORCE, force,                                                                                                    \
       "fx [N/m],fy [N/m],torque [N],pressure_x [N/m],pressure_y [N/m],friction_x [N/m],friction_y [N/m],"              \
       "contact_x [N/m],contact_y [N/m],impulse_x [kg/s],impulse_y [kg/s],angular_impulse [kg m/s]")                    \
-    X(WORK, work, "power [W/m],work [J/m]")
+    X(WORK, work, "power [W/m],work [J/m]")                                                                            \
+    X(BODY, body,                                                                                                      \
+      "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")
 
 /** What a probe measures. */
 typedef enum sph2d_probe_kind {

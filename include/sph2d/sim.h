@@ -184,6 +184,66 @@ SPH2D_API sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
  *  range. */
 SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
 
+/* ---- bodies ------------------------------------------------------------------------------------------------------ */
+
+/** Where a body is, and how it moves. */
+typedef struct sph2d_body_state {
+    /** Centre of mass [m]; of an obstacle the point about which it turns. */
+    sph2d_vec2 center;
+
+    /** Angle by which it has turned since the start, anticlockwise [rad]. */
+    double angle;
+
+    /** Velocity of that point [m/s]. */
+    sph2d_vec2 velocity;
+
+    /** Angular velocity, anticlockwise [rad/s]. */
+    double rate;
+
+    /** Force of the liquid on a body, in the mean over the last step, per metre of depth [N/m]; 0 for obstacles. */
+    sph2d_vec2 force;
+
+    /** Its torque about the centre of mass [N]. */
+    double torque;
+} sph2d_body_state;
+
+/** Body `index` of the scene; all NaN for a bad index. */
+SPH2D_API sph2d_body_state sph2d_sim_body(const sph2d_sim *sim, size_t index);
+
+/** Obstacle `index` of the scene, at the end of the last step; all NaN for a bad index. */
+SPH2D_API sph2d_body_state sph2d_sim_obstacle(const sph2d_sim *sim, size_t index);
+
+/** Sets the velocity and angular velocity of a body from the next step on, like a blow; motions that are held stay 0. The
+ *  change of energy counts as energy_fed. Errors: SPH2D_INVALID for a bad index or a value that is not finite. */
+SPH2D_API sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec2 velocity, double rate);
+
+/** A body about to move, as a solver for contacts or an engine for rigid bodies sees it. */
+typedef struct sph2d_contact_body {
+    /** One over its mass, along x and y [m/kg], and over its moment of inertia [1/(kg m)]; 0 where the scene holds it. */
+    double inverse_mass_x, inverse_mass_y, inverse_inertia;
+
+    /** Centre of mass [m] and angle [rad]. */
+    sph2d_vec2 center;
+    double angle;
+
+    /** Velocity and angular velocity with which it will move over the step, with all forces on it but those of contacts
+     *  [m/s, rad/s]: what the solver changes. */
+    sph2d_vec2 velocity;
+    double rate;
+} sph2d_contact_body;
+
+/** Changes velocities of bodies that meet each other or walls, once per step of length dt [s], such that they do not
+ *  overlap when each has moved by dt times its velocity. `sim` can be read: the scene has the outlines, and
+ *  sph2d_sim_obstacle() says where walls that move are. What it returns other than SPH2D_OK ends the step. Results must
+ *  follow from its arguments alone: a resumed run calls it with the same ones. */
+typedef sph2d_status sph2d_contact_solver(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies,
+                                          size_t count);
+
+/** Sets the solver for contacts of bodies, which is called with `user` in every step from the next one on; NULL: none,
+ *  bodies then pass through each other and through walls. The kinetic energy that it takes counts as energy_contacts.
+ *  Errors: SPH2D_INVALID for NULL. */
+SPH2D_API sph2d_status sph2d_sim_set_contacts(sph2d_sim *sim, sph2d_contact_solver *solver, void *user);
+
 /* ---- outputs ----------------------------------------------------------------------------------------------------- */
 
 /** The outputs of a scene. Probe p is SPH2D_OUTPUT_PROBE + p. */
@@ -273,6 +333,12 @@ typedef struct sph2d_summary {
 
     /** Energy removed by the swept test against walls at rest and by reflections [J/m]. */
     double energy_stopped;
+
+    /** Kinetic and potential energy of the bodies now, and of their springs [J/m]; part of energy_start and energy_rise. */
+    double bodies;
+
+    /** Energy that contacts of bodies took: impacts and dry friction [J/m]. */
+    double energy_contacts;
 
     /** Energy dissipated by the pressures of methods pcisph and constraint, with which impacts are inelastic: their
      *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */

@@ -60,10 +60,15 @@ static sph2d_box swept_box(const sph2d__moving *m)
     return (sph2d_box){{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
+sph2d__pose sph2d__moving_at(const sph2d__moving *m, double time)
+{
+    return m->rigid ? sph2d__rigid_at(m->rigid, time) : sph2d__course_at(&m->course, time);
+}
+
 void sph2d__moving_set_drift(sph2d__moving *m, double from, double to)
 {
-    m->from = sph2d__course_at(&m->course, from);
-    m->to = sph2d__course_at(&m->course, to);
+    m->from = sph2d__moving_at(m, from);
+    m->to = sph2d__moving_at(m, to);
     m->span = to - from;
     m->swept = swept_box(m);
 }
@@ -79,7 +84,7 @@ bool sph2d__moving_far_from(const sph2d__moving *m, sph2d_vec2 low, sph2d_vec2 h
 
 void sph2d__moving_place(const sph2d__moving *m, double time, sph2d__store *walls, const sph2d__period *period)
 {
-    sph2d__pose pose = sph2d__course_at(&m->course, time);
+    sph2d__pose pose = sph2d__moving_at(m, time);
     for (uint64_t i = m->first_id; i < m->end_id; ++i) {
         sph2d_vec2 p = sph2d__pose_apply(&pose, (sph2d_vec2){walls->start_x[i], walls->start_y[i]});
         sph2d_vec2 v = sph2d__pose_velocity(&pose, p), a = sph2d__pose_acceleration(&pose, p);

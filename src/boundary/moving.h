@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file moving.h
- *  A moving obstacle: its boundary particles, their motion, and a barrier that moves with them.
+ *  A moving obstacle, or a body that the liquid moves: its boundary particles, their motion, and a barrier that moves with them.
  *
  *  A displacement is swept against the barrier in the frame of the obstacle, in which it is bent where the obstacle
  *  turns. It is swept as chords of that curve, each over a turn of at most SPH2D__LARGEST_TURN: by the chords a closed
@@ -10,6 +10,7 @@
 #define SPH2D_BOUNDARY_MOVING_H
 
 #include "boundary/barrier.h"
+#include "boundary/rigid.h"
 #include "particles/period.h"
 #include "particles/store.h"
 #include "scene/motion.h"
@@ -19,7 +20,8 @@
 enum { SPH2D__MOST_CHORDS = 64 };
 
 typedef struct sph2d__moving {
-    sph2d__course course;
+    sph2d__course course;           /**< of an obstacle with a motion */
+    const sph2d__rigid *rigid;      /**< a body, which the liquid moves; NULL: none */
     const sph2d_obstacle *obstacle; /**< of the scene */
     int wall;                       /**< its number (scene/wall_names.h) */
     uint64_t first_id, end_id;      /**< its boundary particles: first_id to end_id - 1 */
@@ -35,6 +37,9 @@ typedef struct sph2d__moving {
 /** Keeps the normals of its boundary particles, of which the first is at `first`, once they are placed, and the bounds
  *  of its barrier. `normals` has room for them, or is NULL. */
 void sph2d__moving_start(sph2d__moving *moving, const sph2d__store *walls, sph2d_vec2 *normals);
+
+/** The pose at a time [s]; of a body at one of its present way. */
+sph2d__pose sph2d__moving_at(const sph2d__moving *moving, double time);
 
 /** Sets the time interval of the next drift [s]; it may go back in time. */
 void sph2d__moving_set_drift(sph2d__moving *moving, double from, double to);

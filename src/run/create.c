@@ -4,8 +4,10 @@
 #include <math.h>
 
 #include "base/null.h"
+#include "methods/projection/body_rows.h"
 #include "probes/probes.h"
 #include "run/run.h"
+#include "scene/bodies.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
@@ -89,6 +91,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
     sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : friction);
     s->walls.carried = walls;
+    if (sim->method->project && scene->body_count > 0)
+        walls |= SPH2D__BIT(push);
     s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
     s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_gradient) : 0);
     s->fluid_cells.period = s->wall_cells.period =
@@ -154,12 +158,14 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
             sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
     if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
-    if (!sim->method->project) /* pressures of the others are those of a step */
+    if (!sim->method->project) { /* pressures of the others are those of a step */
+        sph2d__bodies_start(sim);
         sph2d__loads_find(sim, 1);
+    }
     sph2d_summary start;
     sim->record.energy_elastic = INFINITY;
     sph2d__sim_sum_energy(sim, &start);
-    sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic;
+    sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic + start.bodies;
     sim->record.energy_elastic = start.elastic;
     sph2d__sim_start_gauges(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
@@ -185,6 +191,7 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     status = sph2d__sim_update_forcing(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
         status = recompute_gradients(sim);
+    sph2d__bodies_know(sim, false);
     return status;
 }
 
@@ -194,6 +201,8 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sph2d_status status = sph2d__scene_copy(scene, &sim->arena, &sim->memory, &sim->scene);
     if (status != SPH2D_OK)
         return status;
+    if (!sph2d__append_bodies(&sim->scene, &sim->arena, &sim->memory))
+        return SPH2D_NOMEM;
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
     sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
     sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
@@ -201,6 +210,8 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
         return status;
+    sim->given = sim->scene;
+    sim->given.obstacle_count = sph2d__obstacles_without_bodies(&sim->scene);
     size_t bends = sph2d__tank_bends(&sim->scene);
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     if (bends && !points)
@@ -224,6 +235,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = allocate_arrays(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
+    if (status == SPH2D_OK)
+        status = sph2d__bodies_create(sim);
     if (status == SPH2D_OK)
         status = sph2d__loads_create(sim);
     sim->system.walls_move = sim->moving_count > 0;
@@ -301,6 +314,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__cells_free(&s->wall_cells, memory);
     sph2d__neighbours_free(&s->neighbours, memory);
     sph2d__neighbours_free(&s->wall_neighbours, memory);
+    sph2d__body_pairs_free(&s->body_pairs, memory);
     void *blocks[2] = {sim->to_remove, sim->state_arrays};
     sph2d__release(memory, &blocks[0], sim->to_remove_capacity, 1);
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));

@@ -12,7 +12,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 4
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 5
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -26,6 +26,12 @@ static sph2d__lent run_array(const char *name, const char *description, sph2d_ty
                                    .stride = 1,
                                    .data = {data, NULL}},
                          .data = {data, NULL}};
+}
+
+static sph2d__lent bodies_array(sph2d_sim *sim)
+{
+    return run_array("Bodies", "of each body: place, velocity, acceleration, what holds it up, force of the liquid",
+                     SPH2D_F64, SPH2D__RIGID_VALUES * sim->bodies.count, sim->bodies.states);
 }
 
 /** Writes all arrays of the state and returns their number. */
@@ -53,6 +59,8 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
     if (sph2d__loads_wanted(sim))
         out[n++] = run_array("WallLoads", "of each probe of kind force or work: forces, impulses, power, work",
                              SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
+    if (sim->bodies.count > 0)
+        out[n++] = bodies_array(sim);
     return n;
 }
 
@@ -210,6 +218,20 @@ static void check_record(loader *l, const sph2d_sim *sim)
         }
 }
 
+/** Bodies say where their boundary particles are. */
+static bool load_bodies(loader *l, sph2d_sim *sim)
+{
+    if (sim->bodies.count == 0)
+        return true;
+    const sph2d__lent bodies = bodies_array(sim);
+    const sph2d_array *from = find_array(l, &bodies.array, bodies.array.count);
+    if (from)
+        copy_values(l, from, sim->bodies.states, 0);
+    sph2d__bodies_stand(sim, sim->record.time);
+    sph2d__bodies_know(sim, true); /* until the run goes on */
+    return l->ok;
+}
+
 sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
     loader l = {state, report, true};
@@ -230,6 +252,8 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
         return SPH2D_FORMAT;
     copy_values(&l, time, &sim->record.time, 0);
     if (!l.ok)
+        return SPH2D_FORMAT;
+    if (!load_bodies(&l, sim))
         return SPH2D_FORMAT;
     if (sph2d__sim_update_forcing(sim, sim->record.time) != SPH2D_OK)
         return SPH2D_NOMEM;

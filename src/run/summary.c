@@ -107,6 +107,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .energy_viscous = r->energy_viscous,
         .energy_diffused = r->energy_diffused,
         .energy_stopped = r->energy_stopped,
+        .energy_contacts = r->energy_contacts,
         .energy_pressed = r->energy_pressed,
         .energy_scale = sph2d__sim_energy_scale(sim),
         .fed = r->fed,

@@ -48,11 +48,14 @@ double sph2d__sim_first_step_factor(const sph2d_sim *sim)
 void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration)
 {
     sph2d__record *r = &sim->record;
-    double speed = fmax(fastest, source_speed(sim));
+    double speed = fmax(fmax(fastest, source_speed(sim)), sph2d__bodies_speed(sim));
     sph2d__limit limit = SPH2D__LIMIT_FIXED;
     double dt = sim->scene.method.time_step;
     if (!(dt > 0)) {
         dt = sim->method->stable_step(&sim->system, speed, acceleration, &limit);
+        double bodies = sph2d__bodies_step(sim);
+        limit = bodies < dt ? SPH2D__LIMIT_FORCE : limit;
+        dt = fmin(dt, bodies);
         if (r->last_step > 0 && dt > STEP_GROWTH * r->last_step)
             dt = STEP_GROWTH * r->last_step;
         dt *= sph2d__sim_first_step_factor(sim);

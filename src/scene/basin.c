@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "scene/bodies.h"
 #include "scene/motion.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
@@ -85,7 +86,7 @@ static void mark_walls(grid *g)
 {
     for (size_t i = 0; i < g->scene->obstacle_count; ++i) {
         const sph2d_outline *outline = &g->scene->obstacles[i].outline;
-        size_t pieces = !sph2d__motion_moves(&g->scene->obstacles[i].motion)
+        size_t pieces = !sph2d__obstacle_moves(&g->scene->obstacles[i])
                             ? sph2d__outline_pieces(outline, g->scene->spacing)
                             : 0;
         for (size_t k = 0; k < pieces; ++k) {
@@ -215,7 +216,7 @@ double sph2d__basin_height(const sph2d_scene *scene, double extra_head)
     g.lowest = heights_of(&g, d).x;
     size_t fixed = 0;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
-        fixed += !sph2d__motion_moves(&scene->obstacles[i].motion);
+        fixed += !sph2d__obstacle_moves(&scene->obstacles[i]);
     double nx = fmax(ceil((d.max.x - d.min.x) / scene->spacing - 1e-9), 1);
     double ny = fmax(ceil((d.max.y - d.min.y) / scene->spacing - 1e-9), 1);
     double liquids = (double)scene->block_count + (double)scene->source_count + 1;

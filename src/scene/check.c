@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/null.h"
+#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/shape.h"
@@ -166,7 +167,8 @@ static void check_lists(checker *c)
         size_t count;
     } lists[] = {{"blocks", s->block_count}, {"sources", s->source_count},
                  {"drains", s->drain_count}, {"obstacles", s->obstacle_count},
-                 {"probes", s->probe_count}, {"interactions", s->interaction_count}};
+                 {"bodies", s->body_count},   {"probes", s->probe_count},
+                 {"interactions", s->interaction_count}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; ++k) {
         char message[80];
         snprintf(message, sizeof message, "has %zu items, more than %d", lists[k].count, MAX_ITEMS);
@@ -195,6 +197,32 @@ static void check_contents(checker *c)
     }
 }
 
+/** Checks consistency: ranges are checked. */
+static void check_consistency(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    for (size_t i = 0; i < scene->block_count; ++i)
+        check_block(c, i);
+    sph2d__check_particles(c);
+    for (size_t i = 0; i < scene->source_count; ++i)
+        check_source(c, i);
+    for (size_t i = 0; i < scene->drain_count; ++i) {
+        check_shape(c, &scene->drains[i].shape, "drains", i, false);
+        check_times(c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
+    }
+    sph2d__check_obstacles(c);
+    for (size_t i = 0; i < scene->interaction_count; ++i)
+        check_interaction(c, i);
+    for (size_t i = 0; i < scene->probe_count; ++i)
+        sph2d__check_probe(c, i);
+    sph2d__check_rate(c, scene->run.snapshots.rate, "run.snapshots");
+    sph2d__check_rate(c, scene->run.frames.rate, "run.frames");
+    sph2d__check_method(c);
+    check_contents(c);
+    if (c->errors == 0)
+        sph2d__check_weak(c);
+}
+
 sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
 {
     checker c = {.scene = scene, .report = report};
@@ -212,25 +240,13 @@ sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
     if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c) ||
         !check_spacing(&c))
         return SPH2D_SCENE; /* the other checks depend on these */
-    for (size_t i = 0; i < scene->block_count; ++i)
-        check_block(&c, i);
-    sph2d__check_particles(&c);
-    for (size_t i = 0; i < scene->source_count; ++i)
-        check_source(&c, i);
-    for (size_t i = 0; i < scene->drain_count; ++i) {
-        check_shape(&c, &scene->drains[i].shape, "drains", i, false);
-        check_times(&c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
-    }
-    sph2d__check_obstacles(&c);
-    for (size_t i = 0; i < scene->interaction_count; ++i)
-        check_interaction(&c, i);
-    for (size_t i = 0; i < scene->probe_count; ++i)
-        sph2d__check_probe(&c, i);
-    sph2d__check_rate(&c, scene->run.snapshots.rate, "run.snapshots");
-    sph2d__check_rate(&c, scene->run.frames.rate, "run.frames");
-    sph2d__check_method(&c);
-    check_contents(&c);
-    if (c.errors == 0)
-        sph2d__check_weak(&c);
-    return c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    sph2d__arena arena = {0};
+    sph2d_scene with_bodies = *scene;
+    bool ok = sph2d__append_bodies(&with_bodies, &arena, &memory);
+    c.scene = &with_bodies;
+    if (ok)
+        check_consistency(&c);
+    sph2d__arena_free(&arena, &memory);
+    return !ok ? SPH2D_NOMEM : c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }

@@ -244,7 +244,7 @@ static void check_walls(sph2d__checker *c)
     check_form(c, "walls", c->scene->walls);
     for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
         char path[SPH2D__PATH_SIZE];
-        check_form(c, sph2d__check_path(path, "obstacles", i, ".form"), c->scene->obstacles[i].form);
+        check_form(c, sph2d__check_wall_path(c, path, i, ".form"), c->scene->obstacles[i].form);
     }
 }
 

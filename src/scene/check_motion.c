@@ -8,12 +8,14 @@
 
 #include "base/memory.h"
 #include "base/pi.h"
+#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
+#include "scene/overlap.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -122,40 +124,6 @@ static void check_velocity_jump(checker *c, size_t i, const sph2d__course *cours
  * than DEPTH spacings pass: corners of a hinged flap dip into the floor, and ends of a paddle slide along walls. */
 static const double MAX_TIMES = 2000, MAX_PAIRS = 2e6, DEPTH = 2;
 
-/** An outline as its pieces, where its obstacle is at a time. */
-static sph2d__segment piece_at(const sph2d_outline *outline, const sph2d__pose *pose, double spacing, size_t k)
-{
-    sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
-    return (sph2d__segment){sph2d__pose_apply(pose, s.a), sph2d__pose_apply(pose, s.b)};
-}
-
-/** Whether two segments cross, each by more than a depth on both sides of the other. */
-static bool cross_deeply(const sph2d__segment *s, const sph2d__segment *t, double depth)
-{
-    if (fmax(s->a.x, s->b.x) < fmin(t->a.x, t->b.x) || fmax(t->a.x, t->b.x) < fmin(s->a.x, s->b.x) ||
-        fmax(s->a.y, s->b.y) < fmin(t->a.y, t->b.y) || fmax(t->a.y, t->b.y) < fmin(s->a.y, s->b.y))
-        return false;
-    double length_s = hypot(s->b.x - s->a.x, s->b.y - s->a.y), length_t = hypot(t->b.x - t->a.x, t->b.y - t->a.y);
-    double ta = sph2d__segment_side(s, t->a) / length_s, tb = sph2d__segment_side(s, t->b) / length_s;
-    double sa = sph2d__segment_side(t, s->a) / length_t, sb = sph2d__segment_side(t, s->b) / length_t;
-    return fmin(ta, tb) < -depth && fmax(ta, tb) > depth && fmin(sa, sb) < -depth && fmax(sa, sb) > depth;
-}
-
-/** Whether a point lies in a solid, deeper than a depth. */
-static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2 p, double depth)
-{
-    const sph2d_outline *outline = &obstacle->outline;
-    if (sph2d__obstacle_is_hollow(obstacle) || !sph2d__outline_encloses(outline, p))
-        return false;
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
-    for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
-        if (sph2d__segment_distance(&s, p) <= depth)
-            return false;
-    }
-    return true;
-}
-
 /** An obstacle that moves, and how finely its motion is looked at. */
 typedef struct mover {
     const sph2d_scene *scene;
@@ -168,44 +136,7 @@ typedef struct mover {
 /** Whether the mover in a pose overlaps an obstacle at rest. */
 static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d_obstacle *other)
 {
-    size_t pieces = sph2d__outline_pieces(&other->outline, m->spacing);
-    for (size_t k = 0; k < m->pieces; ++k) {
-        sph2d__segment s = piece_at(m->outline, pose, m->spacing, k);
-        if (lies_deep(other, m->spacing, s.a, m->depth))
-            return true;
-        for (size_t n = 0; n < pieces; ++n) {
-            sph2d__segment t = sph2d__outline_piece(&other->outline, m->spacing, n);
-            if (cross_deeply(&s, &t, m->depth) ||
-                lies_deep(&m->scene->obstacles[m->index], m->spacing, sph2d__pose_invert(pose, t.a), m->depth))
-                return true;
-        }
-    }
-    return false;
-}
-
-/** How far the mover in a pose is beyond a side that is no opening [m], and which. */
-static double beyond_sides(const mover *m, const sph2d__pose *pose, const char **side)
-{
-    const sph2d_box d = m->scene->domain;
-    const sph2d_boundary b = m->scene->boundary;
-    double deepest = 0;
-    for (size_t k = 0; k < m->pieces; ++k) {
-        sph2d_vec2 p = piece_at(m->outline, pose, m->spacing, k).a, q = piece_at(m->outline, pose, m->spacing, k).b;
-        const struct {
-            const char *name;
-            sph2d_side kind;
-            double depth;
-        } sides[4] = {{"left", b.left, d.min.x - fmin(p.x, q.x)},
-                      {"right", b.right, fmax(p.x, q.x) - d.max.x},
-                      {"bottom", b.bottom, d.min.y - fmin(p.y, q.y)},
-                      {"top", b.top, fmax(p.y, q.y) - d.max.y}};
-        for (int n = 0; n < 4; ++n)
-            if (sides[n].kind != SPH2D_SIDE_OPEN && sides[n].depth > deepest) {
-                deepest = sides[n].depth;
-                *side = sides[n].name;
-            }
-    }
-    return deepest;
+    return sph2d__obstacles_overlap(&m->scene->obstacles[m->index], pose, other, m->spacing, m->depth);
 }
 
 /** Whether another obstacle stands where the motion could hit it: it rests, and is clear of it at the start. */
@@ -213,7 +144,7 @@ static bool can_hit(const mover *m, size_t other)
 {
     sph2d__pose start = {.center = m->course.center, .cosine = 1};
     const sph2d_obstacle *o = &m->scene->obstacles[other];
-    return other != m->index && !sph2d__motion_moves(&o->motion) && !overlaps(m, &start, o);
+    return other != m->index && !sph2d__obstacle_moves(o) && !overlaps(m, &start, o);
 }
 
 /** Looks at one time; false once something is hit. */
@@ -222,7 +153,7 @@ static bool is_clear(checker *c, const mover *m, double time, const unsigned cha
     sph2d__pose pose = sph2d__course_at(&m->course, time);
     const char *side = "";
     char message[160];
-    double beyond = beyond_sides(m, &pose, &side);
+    double beyond = sph2d__beyond_sides(m->scene, m->outline, &pose, m->spacing, &side);
     message[0] = '\0';
     if (beyond > m->depth)
         snprintf(message, sizeof message, "takes it %.3g m beyond the %s side of the domain at t = %.4g s", beyond,

@@ -51,26 +51,26 @@ static void check_obstacle(checker *c, size_t i)
     sph2d__check_wall_name(c, i);
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d =
-            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "obstacles", i, ".form"),
+            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".form"),
                                "only sides of the domain can be springs");
         sph2d_diagnostic_hint(d, "use heavy or reflect");
     }
     switch (outline->kind) {
     case SPH2D_OUTLINE_LINE:
-        check_outline_points(c, outline->line, true, sph2d__check_path(path, "obstacles", i, ".line"));
+        check_outline_points(c, outline->line, true, sph2d__check_wall_path(c, path, i, ".line"));
         break;
     case SPH2D_OUTLINE_POLYLINE:
-        check_outline_points(c, outline->polyline, false, sph2d__check_path(path, "obstacles", i, ".polyline"));
+        check_outline_points(c, outline->polyline, false, sph2d__check_wall_path(c, path, i, ".polyline"));
         break;
     case SPH2D_OUTLINE_CIRCLE:
         if (!sph2d__check_in_domain(c->scene, outline->circle.center))
-            sph2d__check_outside(c, sph2d__check_path(path, "obstacles", i, ".circle.center"), outline->circle.center);
+            sph2d__check_outside(c, sph2d__check_wall_path(c, path, i, ".circle.center"), outline->circle.center);
         if (outline->circle.radius > domain_diagonal(c->scene))
-            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "obstacles", i, ".circle.radius"),
+            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_wall_path(c, path, i, ".circle.radius"),
                                "is larger than the domain");
         break;
     case SPH2D_OUTLINE_BOX:
-        sph2d__check_path(path, "obstacles", i, ".box");
+        sph2d__check_wall_path(c, path, i, ".box");
         if (sph2d__check_box(c, outline->box, path)) {
             if (!sph2d__check_in_domain(c->scene, outline->box.min))
                 sph2d__check_outside(c, path, outline->box.min);
@@ -79,15 +79,15 @@ static void check_obstacle(checker *c, size_t i)
         }
         break;
     case SPH2D_OUTLINE_POLYGON:
-        sph2d__check_path(path, "obstacles", i, ".polygon");
+        sph2d__check_wall_path(c, path, i, ".polygon");
         if (sph2d__check_polygon(c, outline->polygon, path))
             check_points_inside(c, outline->polygon, path);
         break;
     case SPH2D_OUTLINE_NONE:
     default: {
-        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "obstacles", i, ""),
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""),
                                                  "has no outline");
-        sph2d_diagnostic_hint(d, "give one of line, polyline, circle, box, polygon");
+        sph2d_diagnostic_hint(d, "give one of %s", obstacle->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon");
         break;
     }
     }
@@ -110,12 +110,12 @@ static void check_side(checker *c, size_t i)
     char path[PATH_SIZE];
     sph2d_diagnostic *d;
     if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__outline_is_open(&obstacle->outline))
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".liquid"),
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".liquid"),
                            "a line has no inside: use left, right or both");
     if (!sph2d__obstacle_has_side(c->scene, obstacle) || sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
         return;
     bool line = obstacle->outline.kind == SPH2D_OUTLINE_LINE;
-    sph2d__check_path(path, "obstacles", i, line ? ".line" : ".polyline");
+    sph2d__check_wall_path(c, path, i, line ? ".line" : ".polyline");
     if (obstacle->liquid == SPH2D_LIQUID_AUTO) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "liquid lies on both sides of it, where the layers of boundary particles must be");
@@ -156,6 +156,7 @@ void sph2d__check_obstacles(checker *c)
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_obstacle(c, i);
     sph2d__check_motion_keys(c);
+    sph2d__check_bodies(c);
     for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
         check_side(c, i);
     if (c->errors == 0)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
+#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/motion.h"
 #include "scene/resolve.h"
@@ -76,9 +77,9 @@ static void refuse_name(checker *c, const char *path, const char *name)
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
         names[count++] = sph2d__side_word(side);
     char message[160];
-    snprintf(message, sizeof message, "no wall has the name '%.64s'", name);
+    snprintf(message, sizeof message, "no wall or body has the name '%.64s'", name);
     sph2d__suggest_word(sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, message), name, names,
-                        "the name of an obstacle or side:");
+                        "the name of an obstacle, body or side:");
 }
 
 /** Warns of the torque on a wall that turns in liquid whose viscosity has Morris' form: its stress is mu grad u in place
@@ -88,7 +89,7 @@ static void warn_of_torque(checker *c, int obstacle, const char *path)
 {
     const sph2d_scene *scene = c->scene;
     if (scene->method.name != SPH2D_METHOD_WCSPH || scene->wall_slip != SPH2D_SLIP_NONE ||
-        !sph2d__motion_turns(&scene->obstacles[obstacle].motion) ||
+        !sph2d__obstacle_turns(&scene->obstacles[obstacle]) ||
         sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
         return;
     sph2d_diagnostic *d = sph2d_report_add(
@@ -98,15 +99,34 @@ static void warn_of_torque(checker *c, int obstacle, const char *path)
                           "use `method: {viscosity_form: monaghan, support_ratio: 4}`; velocities are right by both");
 }
 
+/** Checks that a probe of kind body names one. */
+static void check_body(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE];
+    sph2d__check_path(path, "probes", i, ".on");
+    if (!probe->on) {
+        sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "must be the name of a body"),
+                              "give the body a `name`");
+        return;
+    }
+    int wall = sph2d__wall_named(c->scene, probe->on);
+    if (wall < SPH2D__WALL_OBSTACLE || !c->scene->obstacles[wall - SPH2D__WALL_OBSTACLE].body)
+        refuse_name(c, path, probe->on);
+}
+
 /** Checks what a probe of kind force or work is on. */
 static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
 {
     char path[PATH_SIZE];
+    if (probe->kind == SPH2D_PROBE_BODY) {
+        check_body(c, probe, i);
+        return;
+    }
     bool on_wall = probe->kind == SPH2D_PROBE_FORCE || probe->kind == SPH2D_PROBE_WORK;
     sph2d__check_path(path, "probes", i, ".on");
     if (!on_wall) {
         if (probe->on)
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force and work");
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force, work and body");
         return;
     }
     if (c->scene->method.operators == SPH2D_OPERATORS_FITTED) {
@@ -157,12 +177,12 @@ void sph2d__check_wall_name(checker *c, size_t i)
     char path[PATH_SIZE];
     if (!name)
         return;
-    sph2d__check_path(path, "obstacles", i, ".name");
+    sph2d__check_wall_path(c, path, i, ".name");
     int wall = sph2d__wall_named(scene, name);
     if (!is_valid_name(name))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     else if (wall < SPH2D__WALL_OBSTACLE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");
     else if (wall != SPH2D__WALL_OBSTACLE + (int)i)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle has this name");
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle or body has this name");
 }

@@ -104,7 +104,7 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_outline *outline, sp
 static bool find_in_obstacle(const sph2d_scene *scene, const sph2d_obstacle *obstacle, thin *found)
 {
     const sph2d_outline *outline = &obstacle->outline;
-    if (sph2d__obstacle_has_side(scene, obstacle) || sph2d__obstacle_is_hollow(obstacle))
+    if (obstacle->body || sph2d__obstacle_has_side(scene, obstacle) || sph2d__obstacle_is_hollow(obstacle))
         return false;
     double required = required_thickness(scene, obstacle);
     size_t pieces = sph2d__outline_pieces(outline, scene->spacing);
@@ -137,7 +137,7 @@ void sph2d__check_thin(sph2d__checker *c)
         snprintf(more, sizeof more, "; the same holds for %zu more", count - 1);
     sph2d_diagnostic *w = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT,
-        sph2d__check_path(path, "obstacles", first, kinds[obstacle->outline.kind]),
+        sph2d__check_wall_path(c, path, first, kinds[obstacle->outline.kind]),
         "liquids whose surfaces are %.2g m apart in height press on each other through it, near (%.3g, %.3g), where it "
         "is %.2g m thick%s",
         place.apart, place.at.x, place.at.y, place.thickness, more);

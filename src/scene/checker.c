@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "scene/bodies.h"
 #include "scene/shape.h"
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
@@ -17,6 +18,11 @@ const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, siz
 {
     snprintf(path, SPH2D__PATH_SIZE, "%s[%zu]%s", list, index, rest);
     return path;
+}
+
+const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index, const char *rest)
+{
+    return sph2d__obstacle_path(path, SPH2D__PATH_SIZE, c->scene, index, rest);
 }
 
 bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path)

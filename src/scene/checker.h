@@ -22,6 +22,11 @@ sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const c
 /** "blocks[2].box" from "blocks", 2, ".box". */
 const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
 
+/** "obstacles[2].line", or "bodies[0].circle", of obstacle `index` of the checker's scene, in which bodies follow the
+ *  obstacles. */
+const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index,
+                                   const char *rest);
+
 /** Whether a position is in the domain, up to round-off. */
 bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p);
 
@@ -55,6 +60,9 @@ void sph2d__check_obstacles(sph2d__checker *c);
 void sph2d__check_motion_keys(sph2d__checker *c);
 /** Checks that motions start in place, stay within walls and clear of obstacles, and warns of jumps of velocity. */
 void sph2d__check_motions(sph2d__checker *c);
+
+/** Checks the mass, freedoms and place of every body. */
+void sph2d__check_bodies(sph2d__checker *c);
 
 /** Warns of obstacles so thin that liquids on their two sides interact through them. */
 void sph2d__check_thin(sph2d__checker *c);

@@ -51,6 +51,16 @@ sph2d_motion sph2d_motion_default(void)
     return (sph2d_motion){.center = {NAN, NAN}};
 }
 
+sph2d_body sph2d_body_default(void)
+{
+    return (sph2d_body){.center = {NAN, NAN}, .friction = 0.3};
+}
+
+sph2d_spring sph2d_spring_default(void)
+{
+    return (sph2d_spring){.at = {NAN, NAN}, .length = NAN};
+}
+
 sph2d_interaction sph2d_interaction_default(void)
 {
     return (sph2d_interaction){0};

@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "scene/basin.h"
+#include "scene/bodies.h"
 #include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
@@ -53,7 +54,27 @@ static double wall_speed(const sph2d_scene *scene)
     double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         speed = fmax(speed, obstacle_speed(&scene->obstacles[i]));
+    for (size_t k = 0; k < scene->body_count; ++k) {
+        const sph2d_body *body = &scene->bodies[k];
+        double radius = sph2d__outline_distance(&body->outline, sph2d__body_mass(body).center);
+        speed = fmax(speed, hypot(body->velocity.x, body->velocity.y) + fabs(body->rate) * radius);
+    }
     return speed;
+}
+
+/** The largest height of a body's centre of mass above the lowest corner of the domain, from which it falls. */
+static double height_of_bodies(const sph2d_scene *scene)
+{
+    double g = hypot(scene->gravity.x, scene->gravity.y), height = 0;
+    sph2d_vec2 up = {-scene->gravity.x / g, -scene->gravity.y / g};
+    sph2d_vec2 low = {up.x > 0 ? scene->domain.min.x : scene->domain.max.x,
+                      up.y > 0 ? scene->domain.min.y : scene->domain.max.y};
+    for (size_t k = 0; k < scene->body_count; ++k) {
+        sph2d_vec2 c = sph2d__body_mass(&scene->bodies[k]).center;
+        if (scene->bodies[k].hold.x == SPH2D_SWITCH_OFF || scene->bodies[k].hold.y == SPH2D_SWITCH_OFF)
+            height = fmax(height, (c.x - low.x) * up.x + (c.y - low.y) * up.y);
+    }
+    return height;
 }
 
 /** Height from which the liquid can fall: in a tank that tilts, by the rise of its floor more than at rest, and at most
@@ -65,7 +86,7 @@ static double height_of(const sph2d_scene *scene, const sph2d__drive *drive, dou
     if (!(g0 > 0))
         return drive->gravity > 0 ? hypot(width, height) : 0;
     double across = (width * fabs(scene->gravity.y) + height * fabs(scene->gravity.x)) / g0;
-    double still = sph2d__basin_height(scene, extra_head);
+    double still = fmax(sph2d__basin_height(scene, extra_head), height_of_bodies(scene));
     return drive->tilt > 0 ? fmin(still + across * drive->tilt, hypot(width, height)) : still;
 }
 

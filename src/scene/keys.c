@@ -31,6 +31,8 @@ DEFAULT(block)
 DEFAULT(source)
 DEFAULT(drain)
 DEFAULT(obstacle)
+DEFAULT(body)
+DEFAULT(spring)
 DEFAULT(interaction)
 DEFAULT(probe)
 
@@ -255,6 +257,76 @@ static const sph2d_key obstacle_items[] = {
 };
 KEYS(obstacle, sph2d_obstacle, obstacle_set);
 
+static const sph2d_key spring_items[] = {
+    {"at", SPH2D_KEY_POINT, false, AT(sph2d_spring, at), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "the centre of mass", .text = "point of the body, where it starts"},
+    {"to", SPH2D_KEY_POINT, true, AT(sph2d_spring, to), ANY, .unit = "m", .text = "the fixed point"},
+    {"stiffness", SPH2D_KEY_NUMBER, true, AT(sph2d_spring, stiffness), FROM_0, .unit = "N/m^2",
+     .text = "force over stretch, per metre of depth"},
+    {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_spring, damping), FROM_0, .unit = "N s/m^2", .default_text = "0",
+     .text = "force over the rate of stretch"},
+    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_spring, length), FROM_0, .nan_is_unset = true, .unit = "m",
+     .default_text = "as in the scene", .text = "length without force"},
+    {"slack", SPH2D_KEY_WORD, false, AT(sph2d_spring, slack), .words = switch_words, .unit = "", .default_text = "off",
+     .text = "whether it only pulls, like a rope or chain"},
+};
+KEYS(spring, sph2d_spring, spring_set);
+
+static const sph2d_key hold_items[] = {
+    {"x", SPH2D_KEY_WORD, false, AT(sph2d_hold, x), .words = switch_words, .unit = "", .default_text = "off",
+     .text = "whether the centre of mass does not move along x"},
+    {"y", SPH2D_KEY_WORD, false, AT(sph2d_hold, y), .words = switch_words, .unit = "", .default_text = "off",
+     .text = "the same along y"},
+    {"angle", SPH2D_KEY_WORD, false, AT(sph2d_hold, angle), .words = switch_words, .unit = "", .default_text = "off",
+     .text = "whether the body does not turn"},
+};
+KEYS(hold, sph2d_hold, NULL);
+
+static const sph2d_key motor_items[] = {
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_motor, rate), ANY, .unit = "rad/s", .default_text = "0: a brake",
+     .text = "the angular velocity that it seeks, anticlockwise"},
+    {"torque", SPH2D_KEY_NUMBER, false, AT(sph2d_motor, torque), FROM_0, .unit = "N", .default_text = "0",
+     .text = "the largest torque by which it does so, per metre of depth"},
+};
+KEYS(motor, sph2d_motor, NULL);
+
+static const sph2d_key body_items[] = {
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_body, name), .unit = "", .default_text = "none",
+     .text = "for probes: letters, digits, _ and -"},
+    {"circle", SPH2D_KEY_GROUP, false, AT(sph2d_body, outline.circle),
+     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_CIRCLE), .keys = &disc_keys, .unit = "", .text = "a circle"},
+    {"box", SPH2D_KEY_GROUP, false, AT(sph2d_body, outline.box), CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_BOX),
+     .keys = &box_keys, .unit = "", .text = "a rectangle"},
+    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_body, outline.polygon.items, outline.polygon.count), ANY,
+     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"},
+    {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_body, density), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
+     .unit = "kg/m^3", .default_text = "mass over area", .text = "density; this or the mass must be given"},
+    {"mass", SPH2D_KEY_NUMBER, false, AT(sph2d_body, mass), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
+     .unit = "kg/m", .default_text = "density times area", .text = "mass per metre of depth"},
+    {"inertia", SPH2D_KEY_NUMBER, false, AT(sph2d_body, inertia), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
+     .unit = "kg m", .default_text = "of an even density",
+     .text = "moment of inertia about the centre of mass, per metre of depth"},
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_body, center), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "the centroid", .text = "centre of mass, where it starts"},
+    {"velocity", SPH2D_KEY_POINT, false, AT(sph2d_body, velocity), ANY, .unit = "m/s", .default_text = "[0, 0]",
+     .text = "of the centre of mass at the start"},
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_body, rate), ANY, .unit = "rad/s", .default_text = "0",
+     .text = "at which it turns at the start, anticlockwise"},
+    {"hold", SPH2D_KEY_GROUP, false, AT(sph2d_body, hold), .keys = &hold_keys, .unit = "", .default_text = "none",
+     .text = "motions that are held at zero"},
+    {"springs", SPH2D_KEY_LIST, false, LIST_AT(sph2d_body, springs, spring_count), .keys = &spring_keys, .unit = "",
+     .default_text = "none", .text = "springs and moorings to fixed points"},
+    {"motor", SPH2D_KEY_GROUP, false, AT(sph2d_body, motor), .keys = &motor_keys, .unit = "", .default_text = "none",
+     .text = "what drives its turning, or brakes it"},
+    {"friction", SPH2D_KEY_NUMBER, false, AT(sph2d_body, friction), BETWEEN(0, 10), .unit = "", .default_text = "0.3",
+     .text = "contacts with walls and bodies: coefficient of dry friction"},
+    {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_body, restitution), BETWEEN(0, 1), .unit = "",
+     .default_text = "0", .text = "contacts: ratio of normal speeds after and before"},
+    {"form", SPH2D_KEY_WORD, false, AT(sph2d_body, form), .words = wall_words, .unit = "",
+     .default_text = "the method's", .text = "heavy (not wcsph) or generalised (not muller)"},
+};
+KEYS(body, sph2d_body, body_set);
+
 static const sph2d_key interaction_items[] = {
     {"path", SPH2D_KEY_PATH, true, LIST_AT(sph2d_interaction, path.items, path.count), ANY, .unit = "s, m, m",
      .text = "[t, x, y] points with straight lines between; a single one applies at all times"},
@@ -283,12 +355,12 @@ static const sph2d_key probe_items[] = {
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
      .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
-             "speed, pressure, elevation of the surface; of walls: force, work"},
+             "speed, pressure, elevation of the surface; of walls: force, work; body"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "position, for the kinds at a point; force: the point about which the torque is taken, moving with the "
              "obstacle"},
     {"on", SPH2D_KEY_TEXT, false, AT(sph2d_probe, on), .unit = "", .default_text = "all walls",
-     .text = "force, work: an obstacle's name, or left, right, bottom, top"},
+     .text = "force, work: an obstacle's or body's name, or left, right, bottom, top; body: its name"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",
@@ -510,6 +582,7 @@ static const sph2d_key scene_items[] = {
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
     LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),
+    LIST("bodies", bodies, body, "rigid bodies that the liquid moves"),
     LIST("interactions", interactions, interaction, "pull or push at a moving point"),
     LIST("probes", probes, probe, "time series"),
     {"run", SPH2D_KEY_GROUP, false, AT(sph2d_scene, run), .keys = &run_keys, .unit = "",

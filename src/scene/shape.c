@@ -290,3 +290,19 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
     }
     return farthest;
 }
+
+sph2d_box sph2d__outline_bounds(const sph2d_outline *outline, double spacing)
+{
+    sph2d_box b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    size_t pieces = outline->kind == SPH2D_OUTLINE_CIRCLE ? 0 : sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        b.min = (sph2d_vec2){fmin(b.min.x, fmin(s.a.x, s.b.x)), fmin(b.min.y, fmin(s.a.y, s.b.y))};
+        b.max = (sph2d_vec2){fmax(b.max.x, fmax(s.a.x, s.b.x)), fmax(b.max.y, fmax(s.a.y, s.b.y))};
+    }
+    if (outline->kind == SPH2D_OUTLINE_CIRCLE) {
+        sph2d_disc c = outline->circle;
+        b = (sph2d_box){{c.center.x - c.radius, c.center.y - c.radius}, {c.center.x + c.radius, c.center.y + c.radius}};
+    }
+    return b;
+}

@@ -37,6 +37,8 @@ bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
 sph2d_vec2 sph2d__outline_centroid(const sph2d_outline *outline);
 /** The largest distance of an outline from a point [m]. */
 double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point);
+/** Smallest rectangle around an outline. */
+sph2d_box sph2d__outline_bounds(const sph2d_outline *outline, double spacing);
 /** Positive for a point on the left of a to b, negative on the right. */
 double sph2d__segment_side(const sph2d__segment *segment, sph2d_vec2 point);
 /** Distance of a point from a segment [m]. */

@@ -47,10 +47,32 @@ static double energy_at(const sph2d_sim *sim, sph2d_vec2 at, sph2d_vec2 v)
     return sph2d__sim_energy_of(sim, at.x, at.y, v.x, v.y);
 }
 
-static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+/** Brings a place to the period in which a body is drawn: bodies cross periodic sides whole. */
+static sph2d_vec2 to_image(const sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 p)
 {
-    sph2d_vec2 at = *to, before = *v;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    sph2d_vec2 arm = sph2d__pose_arm(&moving->to, p);
+    return (sph2d_vec2){p.x + sph2d__period_nearest(arm.x, period->length_x) - arm.x,
+                        p.y + sph2d__period_nearest(arm.y, period->length_y) - arm.y};
+}
+
+static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                          double *to_bodies)
+{
+    sph2d_vec2 at = *to, before = *v, shift = {0, 0};
+    if (moving->rigid) {
+        sph2d_vec2 image = to_image(sim, moving, from);
+        shift = (sph2d_vec2){image.x - from.x, image.y - from.y};
+        from = image;
+        *to = (sph2d_vec2){to->x + shift.x, to->y + shift.y};
+    }
     int hits = sph2d__moving_sweep(moving, from, to, v);
+    if (moving->rigid)
+        *to = hits > 0 ? (sph2d_vec2){to->x - shift.x, to->y - shift.y} : at;
+    if (hits > 0 && moving->rigid) {
+        *to_bodies += energy_at(sim, *to, *v) - energy_at(sim, at, before);
+        sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
+    }
     if (hits > 0 && sph2d__loads_wanted(sim))
         sph2d__loads_contact(sim, moving->wall, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
                              energy_at(sim, *to, *v) - energy_at(sim, at, before));
@@ -65,11 +87,12 @@ typedef struct near_obstacles {
 } near_obstacles;
 
 /** Keeps a displacement on its side of moving obstacles. */
-static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                             double *to_bodies)
 {
     uint64_t hits = 0;
     for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)
-        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], from, to, v);
+        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], from, to, v, to_bodies);
     return hits;
 }
 
@@ -97,13 +120,17 @@ typedef struct end {
 /* No particle of a valid run has this many quanta. */
 static const double MAX_QUANTA = 1e15;
 
+static int64_t quanta_of(const sph2d_sim *sim, double energy)
+{
+    double quanta = energy / sph2d__sim_energy_quantum(sim);
+    return fabs(quanta) < MAX_QUANTA ? (int64_t)quanta : 0;
+}
+
 /** The difference of a particle's energy between two of them, in quanta. */
 static int64_t quanta_between(const sph2d_sim *sim, end more, end less)
 {
-    double energy = sph2d__sim_energy_of(sim, more.at.x, more.at.y, more.v.x, more.v.y) -
-                    sph2d__sim_energy_of(sim, less.at.x, less.at.y, less.v.x, less.v.y);
-    double quanta = energy / sph2d__sim_energy_quantum(sim);
-    return fabs(quanta) < MAX_QUANTA ? (int64_t)quanta : 0;
+    return quanta_of(sim, sph2d__sim_energy_of(sim, more.at.x, more.at.y, more.v.x, more.v.y) -
+                              sph2d__sim_energy_of(sim, less.at.x, less.at.y, less.v.x, less.v.y));
 }
 
 /** Moves one particle that may meet a wall or a periodic side. */
@@ -130,9 +157,13 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, size_t i, dou
         met->stopped += quanta_between(sim, free, (end){to, *v});
     if (near->all || near->count > 0) {
         end before = {to, *v};
-        pushed = sweep_moving(sim, near, from, &to, v);
-        if (pushed > 0)
-            met->driven += quanta_between(sim, (end){to, *v}, before);
+        double to_bodies = 0;
+        pushed = sweep_moving(sim, near, from, &to, v, &to_bodies);
+        if (pushed > 0) {
+            int64_t bodies = quanta_of(sim, to_bodies);
+            met->driven += quanta_between(sim, (end){to, *v}, before) - bodies;
+            met->stopped -= bodies;
+        }
     }
     sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
                      sph2d__period_wrap(to.y, period->low_y, period->length_y)};
@@ -177,13 +208,26 @@ static reach reach_of(const sph2d_sim *sim, const sph2d__batch *batch)
     return (reach){low, high, longest, isfinite(sum)};
 }
 
+/** Whether no particle of a batch can meet a moving obstacle. A body may be drawn in another period. */
+static bool is_far(const sph2d_sim *sim, const sph2d__moving *moving, const reach *r, double shift)
+{
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    if (!moving->rigid || (!(p->length_x > 0) && !(p->length_y > 0)))
+        return sph2d__moving_far_from(moving, r->low, r->high, r->longest + shift);
+    double across = fmax(moving->rigid->radius, 0) + r->longest + shift + 2 * sph2d__moving_shift(moving);
+    sph2d_vec2 middle = {(r->low.x + r->high.x) / 2, (r->low.y + r->high.y) / 2};
+    sph2d_vec2 arm = sph2d__pose_arm(&moving->to, middle);
+    return fabs(sph2d__period_nearest(arm.x, p->length_x)) > across + (r->high.x - r->low.x) / 2 ||
+           fabs(sph2d__period_nearest(arm.y, p->length_y)) > across + (r->high.y - r->low.y) / 2;
+}
+
 /** Finds the moving obstacles in reach of a batch, and of what another one pushes by up to `shift` [m]. */
 static void find_near(const sph2d_sim *sim, const reach *r, double shift, near_obstacles *near)
 {
     near->count = 0;
     near->all = sim->system.walls_reflect || !r->finite;
     for (size_t k = 0; k < sim->moving_count && !near->all; ++k) {
-        if (sph2d__moving_far_from(&sim->moving[k], r->low, r->high, r->longest + shift))
+        if (is_far(sim, &sim->moving[k], r, shift))
             continue;
         if (near->count == MOST_NEAR)
             near->all = true;

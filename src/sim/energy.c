@@ -17,15 +17,20 @@ static double spring_energy(const sph2d__spring_walls *w, double distance)
 }
 
 /* Gravity along a period has no potential: its work is summed over time (work.c). */
-double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
+double sph2d__sim_potential_of(const sph2d_sim *sim, double x, double y)
 {
     sph2d_vec2 corner = sim->scene.domain.min;
     const sph2d__body *body = &sim->system.body;
-    const sph2d__spring_walls *w = &body->springs;
     const sph2d__period *p = &sim->system.fluid_cells.period;
     double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
     double rx = x - body->center_x, ry = y - body->center_y;
-    double potential = -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
+    return -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
+}
+
+double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
+{
+    const sph2d__spring_walls *w = &sim->system.body.springs;
+    double potential = sph2d__sim_potential_of(sim, x, y);
     if (w->stiffness > 0)
         potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
                      spring_energy(w, w->top - y);
@@ -61,6 +66,7 @@ void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
     out->potential = total - m * kinetic;
     if (sim->system.surface_tension > 0)
         out->potential += sph2d__sim_is_broken(sim) ? NAN : sph2d__tension_energy(&sim->system);
+    out->bodies = sph2d__bodies_energy(sim);
     out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * elastic, sim->record.energy_elastic) : m * elastic;
     out->momentum[0] = m * px;
     out->momentum[1] = m * py;

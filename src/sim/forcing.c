@@ -37,7 +37,9 @@ static bool move_walls(sph2d_sim *sim, double time)
     sph2d__store_reorder(&s->walls, s->wall_cells.order, NULL);
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__moving_place(&sim->moving[k], time, &s->walls, &s->wall_cells.period);
-    return sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL);
+    bool sorted = sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL);
+    sph2d__bodies_index(sim, time);
+    return sorted;
 }
 
 sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
@@ -63,6 +65,7 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
         return SPH2D_OK;
     if (!move_walls(sim, time))
         return SPH2D_NOMEM;
+    sph2d__bodies_expect(sim, time);
     if (sim->method->walls_placed)
         sim->method->walls_placed(&sim->system);
     return SPH2D_OK;

@@ -264,6 +264,24 @@ static int64_t count_of(double value, double quantum)
     return fabs(count) < MAX_QUANTA ? (int64_t)nearbyint(count) : 0;
 }
 
+void sph2d__loads_strike(const sph2d_sim *sim, sph2d__strikes *to, sph2d_vec2 point, sph2d_vec2 at, sph2d_vec2 change)
+{
+    double m = sim->system.mass, unit;
+    const sph2d__pull q = quanta(sim, &unit);
+    sph2d__pull pull = {0, 0, 0};
+    add_pull(&pull, arm_to(sim, point, at.x, at.y), -m * change.x, -m * change.y);
+    to->x += count_of(pull.x, q.x);
+    to->y += count_of(pull.y, q.y);
+    to->turn += count_of(pull.torque, q.torque);
+}
+
+sph2d__twist sph2d__loads_impulse(const sph2d_sim *sim, const sph2d__strikes *of)
+{
+    double unit;
+    const sph2d__pull q = quanta(sim, &unit);
+    return (sph2d__twist){(double)of->x * q.x, (double)of->y * q.y, (double)of->turn * q.torque};
+}
+
 /** Counts an impulse of the liquid on the walls of the two directions. */
 static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph2d_vec2 change, double work)
 {

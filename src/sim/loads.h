@@ -71,6 +71,17 @@ void sph2d__loads_contact(sph2d_sim *sim, int wall, sph2d_vec2 at, sph2d_vec2 ch
 /** The same of boundary particle b. */
 void sph2d__loads_reflect(sph2d_sim *sim, size_t b, sph2d_vec2 at, sph2d_vec2 change);
 
+/** Impulses of particles that a body has stopped, in quanta. */
+typedef struct sph2d__strikes {
+    int64_t x, y, turn;
+} sph2d__strikes;
+
+/** Counts the impulse of a particle at a position, whose velocity a body has changed, about a point, by the shortest way
+ *  across periodic sides. */
+void sph2d__loads_strike(const sph2d_sim *sim, sph2d__strikes *to, sph2d_vec2 point, sph2d_vec2 at, sph2d_vec2 change);
+/** The impulse that was counted [kg/s, kg m/s]. */
+sph2d__twist sph2d__loads_impulse(const sph2d_sim *sim, const sph2d__strikes *of);
+
 /** Adds up impulses and work at the end of a step. */
 void sph2d__loads_close(sph2d_sim *sim, double dt);
 

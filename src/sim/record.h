@@ -28,6 +28,7 @@
     X(energy_viscous, "EnergyViscous", 1, 1, -2, "energy dissipated by viscosity, per metre")                          \
     X(energy_diffused, "EnergyDiffused", 1, 1, -2, "elastic energy dissipated by density diffusion, per metre")        \
     X(energy_stopped, "EnergyStopped", 1, 1, -2, "energy lost by continuous collision and reflections, per metre")     \
+    X(energy_contacts, "EnergyContacts", 1, 1, -2, "energy that contacts of bodies took, per metre")                   \
     X(energy_pressed, "EnergyPressed", 1, 1, -2, "energy dissipated by the pressure projection, per metre")            \
     X(work_pressed, "WorkPressed", 1, 1, -2,                                                                           \
       "work of the projection's pressure, less that of walls, since the last sample, per metre")                       \

@@ -7,6 +7,7 @@
 #include "boundary/moving.h"
 #include "methods/common/method.h"
 #include "scene/solids.h"
+#include "sim/bodies.h"
 #include "sim/loads.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
@@ -17,7 +18,8 @@ typedef struct sph2d__ids {
 } sph2d__ids;
 
 struct sph2d_sim {
-    sph2d_scene scene; /**< a deep copy, in `arena` */
+    sph2d_scene scene; /**< a deep copy, in `arena`, with bodies after the obstacles (scene/bodies.h) */
+    sph2d_scene given; /**< the same without them: for callers */
     sph2d__arena arena;
     sph2d__memory memory;
     sph2d_plan plan;
@@ -30,6 +32,7 @@ struct sph2d_sim {
     size_t moving_count;
     sph2d__ids *obstacle_ids;   /**< of each obstacle */
     sph2d__loads loads;         /**< forces on walls that probes measure */
+    sph2d__bodies bodies;       /**< that the liquid moves */
     sph2d__solids solids;       /**< the obstacles as they are when the liquid is placed */
     sph2d__point_force *points; /**< capacity: every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has emitted */
@@ -99,6 +102,11 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
 
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
+
+/** Potential at a position, of gravity without periodic directions and of the central force [J/kg]. */
+double sph2d__sim_potential_of(const sph2d_sim *sim, double x, double y);
+/** Acceleration there by forces that have no potential: work.c [m/s^2]. */
+sph2d_vec2 sph2d__sim_driving_acceleration(const sph2d_sim *sim, double x, double y, double vx, double vy);
 
 /** Elastic energy of a kilogram of particle i (state_equation.h, projection.h) [J/kg]. */
 double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i);

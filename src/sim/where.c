@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "scene/bodies.h"
 #include "sim/simulation.h"
 
 /** The nearest part so far. */
@@ -49,6 +50,15 @@ static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, 
     return least;
 }
 
+static void update_nearest_wall(nearest *n, const sph2d_sim *sim, size_t k, sph2d_vec2 p)
+{
+    double distance = distance_to(sim, &sim->scene.obstacles[k], p);
+    if (!(distance < n->distance))
+        return;
+    n->distance = distance;
+    sph2d__obstacle_path(n->name, sizeof n->name, &sim->scene, k, "");
+}
+
 static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -69,7 +79,7 @@ static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
             snprintf(n.name, sizeof n.name, "the %s", sides[k].name);
         }
     for (size_t k = 0; k < scene->obstacle_count; ++k)
-        update_nearest(&n, distance_to(sim, &scene->obstacles[k], p), "obstacles", k);
+        update_nearest_wall(&n, sim, k, p);
     return n;
 }
 

@@ -63,6 +63,8 @@ static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
     const sph2d__wall_force force = sph2d__sim_force_of_wall(sim, b);
     double friction_power = w->vx[b] * force.friction.x + w->vy[b] * force.friction.y;
     power->friction += friction_power;
+    if (w->id[b] >= sim->bodies.first && w->id[b] < sim->bodies.end)
+        return; /* the energy of bodies is part of the balance */
     power->all += w->vx[b] * force.pressure.x + w->vy[b] * force.pressure.y + friction_power;
 }
 
@@ -93,25 +95,33 @@ double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
+sph2d_vec2 sph2d__sim_driving_acceleration(const sph2d_sim *sim, double x, double y, double vx, double vy)
+{
+    const sph2d__body *b = &sim->system.body;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    double ax = p->length_x > 0 ? b->gravity_x : 0, ay = p->length_y > 0 ? b->gravity_y : 0;
+    if (b->frame.moves)
+        sph2d__frame_add(&b->frame, x, y, vx, vy, &ax, &ay);
+    for (size_t k = 0; k < b->point_count; ++k)
+        sph2d__point_force_add(&b->points[k], x, y, &ax, &ay);
+    return (sph2d_vec2){ax, ay};
+}
+
 /** Power of interactions, of a tank that moves, and of gravity along periods. */
 static double power_of_forces(const sph2d_sim *sim)
 {
-    const sph2d__system *s = &sim->system;
-    const sph2d__body *b = &s->body;
-    const sph2d__store *f = &s->fluid;
-    const sph2d__period *p = &s->fluid_cells.period;
-    double gx = p->length_x > 0 ? b->gravity_x : 0, gy = p->length_y > 0 ? b->gravity_y : 0, power = 0;
-    if (b->point_count == 0 && gx == 0 && gy == 0 && !b->frame.moves)
-        return 0;
+    const sph2d__body *b = &sim->system.body;
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d__period *p = &sim->system.fluid_cells.period;
+    bool along = (p->length_x > 0 && b->gravity_x != 0) || (p->length_y > 0 && b->gravity_y != 0);
+    double power = 0, bodies = sph2d__bodies_power(sim);
+    if (b->point_count == 0 && !along && !b->frame.moves)
+        return bodies;
     for (size_t i = 0; i < f->count; ++i) {
-        double ax = gx, ay = gy;
-        if (b->frame.moves)
-            sph2d__frame_add(&b->frame, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
-        for (size_t k = 0; k < b->point_count; ++k)
-            sph2d__point_force_add(&b->points[k], f->x[i], f->y[i], &ax, &ay);
-        power += f->vx[i] * ax + f->vy[i] * ay;
+        sph2d_vec2 a = sph2d__sim_driving_acceleration(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
+        power += f->vx[i] * a.x + f->vy[i] * a.y;
     }
-    return s->mass * power;
+    return sim->system.mass * power + bodies;
 }
 
 void sph2d__sim_book_external_work(sph2d_sim *sim)

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "scene/bodies.h"
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
 #include "start/start.h"
@@ -134,7 +135,7 @@ static size_t layers_around(const sph2d_sim *sim, size_t i)
 static void name_outline(const sph2d_sim *sim, size_t k, char path[64])
 {
     static const char *const keys[] = {"", ".line", ".polyline", ".circle", ".box", ".polygon"};
-    snprintf(path, 64, "obstacles[%zu]%s", k, keys[sim->scene.obstacles[k].outline.kind]);
+    sph2d__obstacle_path(path, 64, &sim->scene, k, keys[sim->scene.obstacles[k].outline.kind]);
 }
 
 static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "scene/bodies.h"
 #include "scene/resolve.h"
 #include "scene/wall_names.h"
 #include "start/start.h"
@@ -81,7 +82,7 @@ static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d_o
 {
     const sph2d__store *walls = &sim->system.walls;
     size_t bends = sph2d__motion_bends(&obstacle->motion);
-    bool turns = walls->normal_x && sph2d__motion_turns(&obstacle->motion);
+    bool turns = walls->normal_x && sph2d__obstacle_turns(obstacle);
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     size_t count = (size_t)(m->end_id - m->first_id) + 1;
     sph2d_vec2 *normals = turns ? sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *normals) : NULL;
@@ -98,7 +99,7 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
     const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
     sph2d__barrier *barrier = &sim->barrier;
     sph2d__moving *m = NULL;
-    if (sph2d__motion_moves(&obstacle->motion)) {
+    if (sph2d__obstacle_moves(obstacle)) {
         m = &sim->moving[sim->moving_count++];
         barrier = &m->barrier;
     }
@@ -219,7 +220,7 @@ static bool make_spins(sph2d_sim *sim)
     sph2d__system *s = &sim->system;
     bool turns = false;
     for (size_t k = 0; k < sim->moving_count; ++k)
-        turns = turns || sph2d__motion_turns(sim->moving[k].course.motion);
+        turns = turns || sph2d__obstacle_turns(sim->moving[k].obstacle);
     if (!turns || !s->walls.depth)
         return true;
     s->wall_spin = sph2d__arena_alloc(&sim->arena, &sim->memory, s->walls.count + 1, sizeof *s->wall_spin);

@@ -116,7 +116,7 @@ static sph2d_status take_summary(runner *r)
     for (int side = 0; side < 4; ++side)
         record->left += s.left_open[side];
     double start = fabs(s.energy_start), steps = (double)s.steps;
-    double change = s.kinetic + s.potential + s.elastic - s.energy_start - s.energy_fed;
+    double change = s.kinetic + s.potential + s.elastic + s.bodies - s.energy_start - s.energy_fed;
     double *values = record->summary;
     values[SPH2D_SUMMARY_COMPRESSION] = s.compression_p99;
     values[SPH2D_SUMMARY_COMPRESSION_MEAN] = s.compression_mean;

@@ -53,6 +53,9 @@ typedef struct sph2d__method {
     /** Elastic energy of particle i [J/kg]; `stepped`: it has a pressure of the last step. NULL: by the equation of
      *  state (state_equation.h). */
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
+    /** Whether bodies take part in the solution for the pressure of their boundary particles, so that light ones are as
+     *  stable as heavy ones. */
+    bool couples_bodies;
     /** Largest stable step [s] for the largest speed [m/s] and acceleration [m/s^2], and what limits it. */
     double (*stable_step)(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 } sph2d__method;

@@ -14,6 +14,21 @@
 /** Intervals and upper end of sph2d__system's pair_gain. */
 enum { SPH2D__PAIR_GAINS = 96, SPH2D__PAIR_GAIN_TOP = 4 };
 
+struct sph2d__rigid;
+
+/** A pair of a fluid particle with a boundary particle of a body, and the gradient of its kernel (projection.h). */
+typedef struct sph2d__body_pair {
+    uint32_t fluid, wall;
+    float gx, gy;
+} sph2d__body_pair;
+
+typedef struct sph2d__body_pairs {
+    sph2d__body_pair *items;
+    size_t capacity;
+    size_t *first; /**< of each body, and the end of the last */
+    size_t bodies; /**< room in `first`, less 1 */
+} sph2d__body_pairs;
+
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
@@ -22,6 +37,10 @@ typedef struct sph2d__system {
     bool walls_move;                               /**< some boundary particles move */
     double *wall_spin;  /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
     bool walls_reflect; /**< some boundary particles reflect */
+    struct sph2d__rigid *rigids; /**< the bodies that the liquid moves (boundary/rigid.h) */
+    size_t rigid_count;
+    sph2d__body_pairs body_pairs; /**< of their boundary particles with the liquid, in methods that solve for pressure */
+    uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
 
     double spacing;         /**< dx [m] */
     double support;         /**< support radius H [m] */

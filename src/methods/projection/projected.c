@@ -142,6 +142,7 @@ static void split(sph2d_sim *sim, double dt)
 {
     double mass = sim->system.mass, walls = sph2d__sim_book_wall_work(sim, dt) / mass;
     sph2d__slab_sum w = sph2d__over_fluid(&sim->system, sum_work, NULL);
+    sph2d__bodies_add_work(sim, dt, &w);
     double above = w.first - walls, whole = w.second + w.third, curve = 2 * (w.second - w.third - w.first);
     sim->split = above > 0 ? fmin(theta_of(above, whole, w.second, curve), limit_of(sim, w.third)) : 0;
     sim->record.split_mean += (sim->split - sim->record.split_mean) / MEAN_STEPS;
@@ -160,6 +161,7 @@ static sph2d_status go(sph2d_sim *sim, double dt, sph2d__batch_work *set, double
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
 {
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
+    sph2d__bodies_drift(sim, dt);
     sph2d__sim_set_drift_interval(sim, start, middle);
     sph2d_status status = go(sim, dt, drift, middle);
     if (status != SPH2D_OK)
@@ -171,8 +173,12 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sph2d__over_fluid(&sim->system, keep_slab, NULL);
     sim->method->project(&sim->system);
     sph2d__projection_average(&sim->system);
+    sph2d__bodies_press(sim);
     split(sim, dt);
     sph2d__loads_find(sim, 1 - sim->split);
+    status = sph2d__bodies_project(sim, dt, sim->split);
+    if (status != SPH2D_OK)
+        return status;
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_MOVE);
     sim->record.iterations += sim->system.iterations;
     sim->record.unconverged += sim->system.unconverged;

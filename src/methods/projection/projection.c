@@ -3,6 +3,8 @@
  *  The pair loops of projection.h for the instruction set in use, and what comes before them. */
 #include "methods/projection/projection.h"
 
+#include "methods/projection/body_rows.h"
+
 #include <math.h>
 
 #include "kernels/kernel.h"
@@ -61,8 +63,9 @@ bool sph2d__projection_gather(sph2d__system *s)
             break;
     }
     sph2d__tension_add(s);
+    bool done = sph2d__body_rows_gather(s);
     sph2d__profile_enter(&s->profile, before);
-    return true;
+    return done;
 }
 
 /* ---- sums over neighbours ---------------------------------------------------------------------------------------- */
@@ -121,6 +124,7 @@ void sph2d__projection_apply_transpose(sph2d__system *s)
 {
     lead_nothing(s);
     sph2d__over_fluid(s, spread_slab, NULL);
+    sph2d__body_rows_apply_transpose(s);
     push_nothing(&s->fluid);
 }
 
@@ -128,6 +132,7 @@ void sph2d__projection_remaining_motion(sph2d__system *s, double keep, double fa
 {
     lead_nothing(s);
     sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
+    sph2d__body_rows_remaining_motion(s, fall);
     push_nothing(&s->fluid);
 }
 
@@ -140,6 +145,7 @@ void sph2d__projection_apply(sph2d__system *s, const sph2d__slab *slab, double s
 void sph2d__projection_next_positions(sph2d__system *s)
 {
     sph2d__over_fluid(s, move_slab, NULL);
+    sph2d__body_rows_predict(s);
     put_far(&s->fluid, s->fluid.next_x, s->fluid.next_y);
 }
 
@@ -191,6 +197,7 @@ void sph2d__projection_end(sph2d__system *s)
     const double share = 1 / (s->step * s->step);
     sph2d__over_rows(s, end_slab, NULL);
     sph2d__over_fluid(s, press_slab, &share);
+    sph2d__body_rows_end(s);
 }
 
 void sph2d__projection_average(sph2d__system *s)

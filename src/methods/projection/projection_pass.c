@@ -148,6 +148,8 @@ static void apply_fluid(sph2d__system *s, double share, double *out, size_t firs
             if (share != 0)
                 wall = sph2d__float2_of(share * sph2d__lanes_gather(w->vx, n->index + k),
                                         share * sph2d__lanes_gather(w->vy, n->index + k));
+            if (s->rigid_count > 0)
+                wall += sph2d__float2_gather(w->push, n->index + k);
             sum += apply_pair(u, wall, sph2d__float2_load(n->gradient + k));
         }
         sph2d__lanes_store(out + i, sph2d__float2_x(sum) + sph2d__float2_y(sum));
@@ -161,6 +163,8 @@ static void apply_walls(sph2d__system *s, double share, double *out, size_t firs
     FOR_SLICES (first, last, b) {
         ends at = ends_of(n, b);
         sph2d__float2 u = sph2d__float2_of(share * sph2d__lanes_load(w->vx + b), share * sph2d__lanes_load(w->vy + b));
+        if (s->rigid_count > 0)
+            u += sph2d__float2_load(w->push + b);
         sph2d__float2 sum = apply_over(n, at.begin, at.fluid, u, s->fluid.push);
         sph2d__lanes_store(out + b, sph2d__float2_x(sum) + sph2d__float2_y(sum));
     }

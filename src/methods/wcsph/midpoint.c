@@ -47,8 +47,11 @@ static void advance_density(sph2d_sim *sim, double dt, sph2d__batch *w)
 sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
 {
     double start = sim->record.time, middle = start + dt / 2, end = start + dt;
+    sph2d_status status = sph2d__bodies_kick(sim, dt);
+    if (status != SPH2D_OK)
+        return status;
     sph2d__sim_set_drift_interval(sim, start, middle);
-    sph2d_status status = sph2d__advect(sim, dt, kick, NULL);
+    status = sph2d__advect(sim, dt, kick, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK && sim->moving_count > 0)
@@ -70,6 +73,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
     sph2d__loads_find(sim, 1);
+    sph2d__bodies_second_kick(sim, dt); /* first: forces depend on the velocities that were predicted */
     sph2d__second_kick(&sim->system, dt);
     return SPH2D_OK;
 }

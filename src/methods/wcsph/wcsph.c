@@ -158,6 +158,11 @@ static bool evaluate(sph2d__system *s)
     sph2d__pack_fluid(s);
     if (s->walls_press) {
         RUN(wall, s, &s->walls);
+        if (s->rigid_count > 0) {
+            if (!sph2d__wcsph_move_bodies(s))
+                return false;
+            RUN(wall, s, &s->walls);
+        }
         sph2d__pack_walls(s);
         sph2d__friction_set(s);
     }
@@ -239,5 +244,6 @@ const sph2d__method sph2d__wcsph = {
     .evaluate = evaluate,
     .density_rate = density_rate,
     .wall_force = wall_force,
+    .couples_bodies = true,
     .stable_step = stable_step,
 };

@@ -150,6 +150,10 @@ static inline double sph2d__connection(double filling)
     return t * t * (3 - 2 * t);
 }
 
+/** Finds the accelerations of bodies, of which there are some, and gives them to their boundary particles, whose pressures
+ *  must then be found anew (wall_bodies.c). False when memory is short. */
+bool sph2d__wcsph_move_bodies(sph2d__system *system);
+
 /** A pair loop over a span of particles, compiled once for each instruction set, precision and kernel. */
 typedef struct sph2d__wcsph_pass {
     sph2d__span_work *by_kernel[SPH2D_KERNEL_COUNT];

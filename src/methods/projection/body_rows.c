@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: MIT */
+/** @file body_rows.c */
+#include "methods/projection/body_rows.h"
+
+#include <string.h>
+
+#include "boundary/rigid.h"
+#include "simd/lanes.h"
+
+/* ---- pairs ------------------------------------------------------------------------------------------------------- */
+
+void sph2d__body_pairs_free(sph2d__body_pairs *pairs, sph2d__memory *memory)
+{
+    void *blocks[2] = {pairs->items, pairs->first};
+    sph2d__release(memory, &blocks[0], pairs->capacity, sizeof *pairs->items);
+    sph2d__release(memory, &blocks[1], pairs->first ? pairs->bodies + 1 : 0, sizeof *pairs->first);
+    *pairs = (sph2d__body_pairs){0};
+}
+
+/** The body of a boundary particle; the count for none. Bodies' ids follow each other. */
+static size_t body_of(const sph2d__system *s, uint64_t id)
+{
+    size_t low = 0, high = s->rigid_count;
+    if (id < s->rigids[0].first_id || id >= s->rigids[high - 1].end_id)
+        return high;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        *(s->rigids[middle].first_id <= id ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/** Counts the pairs of each body in first[body + 1], or enters them from first[body] on. */
+static void visit(sph2d__system *s, bool enter)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    sph2d__body_pairs *pairs = &s->body_pairs;
+    for (size_t i = 0; i < s->fluid.count; ++i) {
+        const sph2d__slice *at = &n->slices[i / n->lanes];
+        size_t k = at->begin + at->fluid * n->lanes + i % n->lanes, end = at->begin + (at->fluid + at->walls) * n->lanes;
+        for (; k < end; k += n->lanes) {
+            float g[2];
+            memcpy(g, &n->gradient[k], sizeof g);
+            size_t body = g[0] != 0 || g[1] != 0 ? body_of(s, s->walls.id[n->index[k]]) : s->rigid_count;
+            if (body == s->rigid_count)
+                continue;
+            if (enter)
+                pairs->items[pairs->first[body]++] = (sph2d__body_pair){(uint32_t)i, n->index[k], g[0], g[1]};
+            else
+                ++pairs->first[body + 1];
+        }
+    }
+}
+
+/** Makes room for the pairs that were counted. */
+static bool reserve(sph2d__system *s, size_t count)
+{
+    sph2d__body_pairs *p = &s->body_pairs;
+    void *block = p->items;
+    size_t capacity = count + count / 2;
+    if (count <= p->capacity)
+        return true;
+    if (!sph2d__resize(s->memory, &block, p->capacity, capacity, sizeof *p->items))
+        return false;
+    p->items = block;
+    p->capacity = capacity;
+    return true;
+}
+
+static sph2d_vec2 arm_of(const sph2d__system *s, const sph2d__rigid *r, size_t b)
+{
+    const sph2d__period *p = &s->wall_cells.period;
+    sph2d_vec2 center = sph2d__rigid_center(r, r->now);
+    return (sph2d_vec2){sph2d__period_nearest(s->walls.x[b] - center.x, p->length_x),
+                        sph2d__period_nearest(s->walls.y[b] - center.y, p->length_y)};
+}
+
+/** (m/M, m/M, m/I) where the body is free. */
+static sph2d__twist ease_of(const sph2d__system *s, const sph2d__rigid *r)
+{
+    return sph2d__rigid_accelerate(r, (sph2d__twist){s->mass, s->mass, s->mass});
+}
+
+/** Adds a body to the diagonal: for each liquid particle |sum of G_ib|^2 by its ease. Pairs are in the order of these. */
+static void add_to_diagonal(sph2d__system *s, size_t body)
+{
+    const sph2d__body_pairs *p = &s->body_pairs;
+    const sph2d__rigid *r = &s->rigids[body];
+    sph2d__twist ease = ease_of(s, r);
+    for (size_t k = p->first[body]; k < p->first[body + 1];) {
+        uint32_t i = p->items[k].fluid;
+        sph2d__twist sum = {0, 0, 0};
+        for (; k < p->first[body + 1] && p->items[k].fluid == i; ++k) {
+            sph2d_vec2 arm = arm_of(s, r, p->items[k].wall);
+            double gx = p->items[k].gx, gy = p->items[k].gy;
+            sum = sph2d__twist_add(sum, 1, (sph2d__twist){gx, gy, arm.x * gy - arm.y * gx});
+        }
+        s->fluid.diagonal[i] += ease.x * sum.x * sum.x + ease.y * sum.y * sum.y + ease.turn * sum.turn * sum.turn;
+    }
+}
+
+bool sph2d__body_rows_gather(sph2d__system *s)
+{
+    sph2d__body_pairs *p = &s->body_pairs;
+    if (s->rigid_count == 0)
+        return true;
+    if (!p->first) {
+        p->first = sph2d__alloc(s->memory, s->rigid_count + 1, sizeof *p->first);
+        p->bodies = s->rigid_count;
+    }
+    if (!p->first)
+        return false;
+    memset(p->first, 0, (s->rigid_count + 1) * sizeof *p->first);
+    visit(s, false);
+    for (size_t k = 0; k < s->rigid_count; ++k)
+        p->first[k + 1] += p->first[k];
+    if (!reserve(s, p->first[s->rigid_count]))
+        return false;
+    visit(s, true);
+    for (size_t k = s->rigid_count; k > 0; --k) /* entering moved each to where the next begins */
+        p->first[k] = p->first[k - 1];
+    p->first[0] = 0;
+    for (size_t k = 0; k < s->rigid_count; ++k)
+        add_to_diagonal(s, k);
+    memset(s->walls.push, 0, (s->walls.count + SPH2D__PADDING) * sizeof *s->walls.push);
+    return true;
+}
+
+/* ---- motion ------------------------------------------------------------------------------------------------------ */
+
+/** What a pass over the bodies does. */
+typedef struct pass {
+    sph2d__system *s;
+    bool ends;         /**< multipliers in place of directions */
+    bool predicts;     /**< sets velocities in place of pushes */
+    double keep, fall; /**< push = keep D' y + fall a */
+} pass;
+
+/** (D' y)_body with the directions, which are floats, or the multipliers. */
+static sph2d__twist transpose(const pass *p, size_t body)
+{
+    const sph2d__system *s = p->s;
+    const sph2d__body_pairs *pairs = &s->body_pairs;
+    const sph2d__rigid *r = &s->rigids[body];
+    sph2d__twist sum = {0, 0, 0};
+    for (size_t k = pairs->first[body]; k < pairs->first[body + 1]; ++k) {
+        const sph2d__body_pair *pair = &pairs->items[k];
+        double y = p->ends ? s->fluid.multiplier[pair->fluid] + s->walls.multiplier[pair->wall]
+                           : sph2d__splat_value(s->fluid.direction[pair->fluid]) +
+                                 sph2d__splat_value(s->walls.direction[pair->wall]);
+        sph2d_vec2 arm = arm_of(s, r, pair->wall);
+        double fx = -y * (double)pair->gx, fy = -y * (double)pair->gy;
+        sum = sph2d__twist_add(sum, 1, (sph2d__twist){fx, fy, arm.x * fy - arm.y * fx});
+    }
+    return sum;
+}
+
+static double pack(double x, double y)
+{
+    const float both[2] = {(float)x, (float)y};
+    double packed;
+    memcpy(&packed, both, sizeof packed);
+    return packed;
+}
+
+/** Moves the boundary particles of a body by a push, or to a velocity. */
+static void move(const pass *p, const sph2d__rigid *r, sph2d__twist by)
+{
+    sph2d__system *s = p->s;
+    uint64_t first = s->rigids[0].first_id;
+    for (uint64_t id = r->first_id; id < r->end_id; ++id) {
+        size_t b = s->rigid_index[id - first];
+        sph2d_vec2 arm = arm_of(s, r, b);
+        double x = by.x - by.turn * arm.y, y = by.y + by.turn * arm.x;
+        if (p->predicts) {
+            s->walls.vx[b] = x;
+            s->walls.vy[b] = y;
+        } else {
+            s->walls.push[b] = pack(x, y);
+        }
+    }
+}
+
+static void pass_some(void *with, size_t first, size_t last)
+{
+    const pass *p = with;
+    for (size_t k = first; k < last; ++k) {
+        const sph2d__rigid *r = &p->s->rigids[k];
+        sph2d__twist ease = ease_of(p->s, r), sum = transpose(p, k);
+        sph2d__twist push = {p->keep * ease.x * sum.x, p->keep * ease.y * sum.y, p->keep * ease.turn * sum.turn};
+        if (p->fall != 0)
+            push = sph2d__twist_add(push, p->fall, sph2d__rigid_accelerate(r, r->other));
+        move(p, r, p->predicts ? sph2d__twist_add(r->state->velocity, 1, push) : push);
+    }
+}
+
+static void over_bodies(pass p)
+{
+    if (p.s->rigid_count > 0)
+        sph2d__share(p.s->team, p.s->rigid_count, 1, pass_some, &p);
+}
+
+void sph2d__body_rows_apply_transpose(sph2d__system *s)
+{
+    over_bodies((pass){.s = s, .keep = 1});
+}
+
+void sph2d__body_rows_remaining_motion(sph2d__system *s, double fall)
+{
+    over_bodies((pass){.s = s, .keep = -1, .fall = fall});
+}
+
+void sph2d__body_rows_predict(sph2d__system *s)
+{
+    over_bodies((pass){.s = s, .predicts = true, .keep = -1 / s->step, .fall = s->step});
+}
+
+void sph2d__body_rows_end(sph2d__system *s)
+{
+    over_bodies((pass){.s = s, .ends = true, .predicts = true, .keep = -1 / s->step, .fall = s->step});
+}

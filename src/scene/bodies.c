@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+/** @file bodies.c */
+#include "scene/bodies.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/pi.h"
+#include "scene/motion.h"
+#include "scene/shape.h"
+
+/** Area and second moment about the centroid of a closed outline. */
+typedef struct moments {
+    double area, second; /**< [m^2], [m^4] */
+} moments;
+
+/** Of a polygon: sums over the triangles with a point, (a x b)/2 and (a x b)(a.a + a.b + b.b)/12. */
+static moments polygon_moments(sph2d_points points, sph2d_vec2 o)
+{
+    moments sum = {0, 0};
+    for (size_t i = 0; i < points.count; ++i) {
+        sph2d_vec2 p = points.items[i], q = points.items[(i + 1) % points.count];
+        sph2d_vec2 a = {p.x - o.x, p.y - o.y}, b = {q.x - o.x, q.y - o.y};
+        double cross = a.x * b.y - a.y * b.x;
+        sum.area += cross / 2;
+        sum.second += cross * (a.x * a.x + a.y * a.y + a.x * b.x + a.y * b.y + b.x * b.x + b.y * b.y) / 12;
+    }
+    return (moments){fabs(sum.area), fabs(sum.second)};
+}
+
+static moments moments_of(const sph2d_outline *outline)
+{
+    double r2 = outline->circle.radius * outline->circle.radius;
+    double a = outline->box.max.x - outline->box.min.x, b = outline->box.max.y - outline->box.min.y;
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_CIRCLE:
+        return (moments){SPH2D__PI * r2, SPH2D__PI * r2 * r2 / 2};
+    case SPH2D_OUTLINE_BOX:
+        return (moments){a * b, a * b * (a * a + b * b) / 12};
+    case SPH2D_OUTLINE_POLYGON:
+        return polygon_moments(outline->polygon, sph2d__outline_centroid(outline));
+    case SPH2D_OUTLINE_LINE:
+    case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return (moments){0, 0};
+}
+
+sph2d__mass_data sph2d__body_mass(const sph2d_body *body)
+{
+    moments m = moments_of(&body->outline);
+    sph2d__mass_data data = {.area = m.area, .center = body->center};
+    data.mass = body->mass > 0 ? body->mass : body->density * m.area;
+    data.inertia = body->inertia > 0 ? body->inertia : data.mass * m.second / m.area;
+    if (isnan(body->center.x) || isnan(body->center.y))
+        data.center = sph2d__outline_centroid(&body->outline);
+    return data;
+}
+
+static sph2d_obstacle obstacle_of(const sph2d_body *body)
+{
+    sph2d_obstacle obstacle = sph2d_obstacle_default();
+    obstacle.name = body->name;
+    obstacle.outline = body->outline;
+    obstacle.form = body->form;
+    obstacle.body = body;
+    return obstacle;
+}
+
+bool sph2d__append_bodies(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+{
+    size_t before = scene->obstacle_count, count = before + scene->body_count;
+    if (scene->body_count == 0)
+        return true;
+    sph2d_obstacle *all = sph2d__arena_alloc(arena, memory, count, sizeof *all);
+    if (!all)
+        return false;
+    if (before > 0)
+        memcpy(all, scene->obstacles, before * sizeof *all);
+    for (size_t k = 0; k < scene->body_count; ++k)
+        all[before + k] = obstacle_of(&scene->bodies[k]);
+    scene->obstacles = all;
+    scene->obstacle_count = count;
+    return true;
+}
+
+bool sph2d__obstacle_moves(const sph2d_obstacle *obstacle)
+{
+    return obstacle->body || sph2d__motion_moves(&obstacle->motion);
+}
+
+bool sph2d__obstacle_turns(const sph2d_obstacle *obstacle)
+{
+    return obstacle->body ? obstacle->body->hold.angle == SPH2D_SWITCH_OFF : sph2d__motion_turns(&obstacle->motion);
+}
+
+const char *sph2d__obstacle_path(char *path, size_t size, const sph2d_scene *scene, size_t index, const char *rest)
+{
+    size_t first = sph2d__obstacles_without_bodies(scene);
+    bool body = index >= first;
+    snprintf(path, size, "%s[%zu]%s", body ? "bodies" : "obstacles", body ? index - first : index, rest);
+    return path;
+}

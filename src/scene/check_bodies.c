@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_bodies.c
+ *  Checks of bodies that the liquid moves: mass, freedoms, and that they start clear of walls and of each other. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scene/bodies.h"
+#include "scene/checker.h"
+#include "scene/overlap.h"
+#include "scene/resolve.h"
+#include "scene/shape.h"
+
+typedef sph2d__checker checker;
+
+/* Spacings across below which a body is a few particles; density ratios within which bodies are tested. */
+static const double FEW_SPACINGS = 4, LIGHTEST = 0.05, HEAVIEST = 20;
+/* How deep a body may overlap at the start [spacings]. */
+static const double DEPTH = 0.05;
+
+static sph2d_diagnostic *fault(checker *c, size_t k, sph2d_code code, const char *key, const char *message)
+{
+    char path[SPH2D__PATH_SIZE];
+    return sph2d__check_fault(c, code, sph2d__check_path(path, "bodies", k, key), message);
+}
+
+static sph2d_diagnostic *warning(checker *c, size_t k, const char *key, const char *message)
+{
+    char path[SPH2D__PATH_SIZE];
+    return sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "bodies", k, key),
+                            "%s", message);
+}
+
+static void check_mass(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    if (body->density == 0 && body->mass == 0)
+        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_MISSING_KEY, "", "has neither density nor mass"),
+                              "give `density`, in kg/m^3; half of the liquid's floats half submerged: %g",
+                              c->scene->fluid.density / 2);
+    if (body->density > 0 && body->mass > 0)
+        fault(c, k, SPH2D_CODE_CONFLICT, ".mass", "follows from the density, which is given, too: leave out one of them");
+}
+
+/** Velocities at the start that the scene holds at zero. */
+static void check_hold(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    bool x = body->hold.x == SPH2D_SWITCH_ON, y = body->hold.y == SPH2D_SWITCH_ON;
+    if ((x && body->velocity.x != 0) || (y && body->velocity.y != 0))
+        fault(c, k, SPH2D_CODE_CONFLICT, ".velocity", "is along a direction in which `hold` keeps the body at rest");
+    if (body->hold.angle != SPH2D_SWITCH_ON)
+        return;
+    if (body->rate != 0)
+        fault(c, k, SPH2D_CODE_CONFLICT, ".rate", "turns a body that `hold` keeps from turning");
+    if (body->motor.torque > 0)
+        fault(c, k, SPH2D_CODE_CONFLICT, ".motor", "turns a body that `hold` keeps from turning");
+}
+
+static void check_form(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    if (c->scene->method.operators == SPH2D_OPERATORS_FITTED && c->scene->method.name == SPH2D_METHOD_WCSPH) {
+        sph2d_diagnostic *d = fault(c, k, SPH2D_CODE_UNSUPPORTED, "",
+                                    "fitted operators have no forces between particles and walls to move a body");
+        sph2d_diagnostic_hint(d, "use `operators: symmetric`");
+    }
+    if (body->form == SPH2D_WALL_REFLECT)
+        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_UNSUPPORTED, ".form",
+                                    "a reflecting surface has no pressure that could carry a body"),
+                              "leave it out for the method's own form");
+}
+
+/** Warns of sizes and densities beyond those that are tested. */
+static void check_size(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    sph2d__mass_data m = sph2d__body_mass(body);
+    double across = sqrt(m.area) / c->scene->spacing, ratio = m.mass / (m.area * c->scene->fluid.density);
+    char text[160];
+    if (across < FEW_SPACINGS) {
+        snprintf(text, sizeof text, "is %.2g spacings across: what the liquid does to it is not resolved", across);
+        sph2d_diagnostic_hint(warning(c, k, "", text), "a spacing of %.2g m or less makes it 10 across",
+                              sqrt(m.area) / 10);
+    }
+    if (!(ratio >= LIGHTEST * (1 - 1e-9) && ratio <= HEAVIEST * (1 + 1e-9))) {
+        snprintf(text, sizeof text, "is %.3g times as dense as the liquid, beyond what is tested", ratio);
+        sph2d_diagnostic_hint(warning(c, k, body->mass > 0 ? ".mass" : ".density", text),
+                              "bodies are tested from %g to %g times the liquid's density", LIGHTEST, HEAVIEST);
+    }
+}
+
+/** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */
+static bool overlaps(const checker *c, size_t own, size_t other)
+{
+    const sph2d_scene *scene = c->scene;
+    sph2d__pose start = {.cosine = 1};
+    const sph2d_box a = sph2d__outline_bounds(&scene->obstacles[own].outline, scene->spacing);
+    const sph2d_box b = sph2d__outline_bounds(&scene->obstacles[other].outline, scene->spacing);
+    if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
+        return false;
+    return sph2d__obstacles_overlap(&scene->obstacles[own], &start, &scene->obstacles[other], scene->spacing,
+                                    DEPTH * scene->spacing);
+}
+
+/** A body starts within the domain's walls and clear of obstacles and of the bodies before it. */
+static void check_place(checker *c, size_t k)
+{
+    const sph2d_scene *scene = c->scene;
+    size_t own = sph2d__obstacles_without_bodies(scene) + k;
+    sph2d__pose start = {.cosine = 1};
+    const char *side = "";
+    char text[160], other[64];
+    double beyond = sph2d__beyond_sides(scene, &scene->bodies[k].outline, &start, scene->spacing, &side);
+    if (beyond > DEPTH * scene->spacing) {
+        snprintf(text, sizeof text, "starts %.3g m beyond the %s side of the domain", beyond, side);
+        fault(c, k, SPH2D_CODE_OUTSIDE, "", text);
+        return;
+    }
+    for (size_t i = 0; i < own; ++i) {
+        if (!overlaps(c, own, i))
+            continue;
+        snprintf(text, sizeof text, "starts in %s", sph2d__obstacle_path(other, sizeof other, scene, i, ""));
+        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_OVERLAP, "", text), "move one of the two");
+        return;
+    }
+}
+
+void sph2d__check_bodies(checker *c)
+{
+    for (size_t k = 0; k < c->scene->body_count; ++k) {
+        check_mass(c, k);
+        check_hold(c, k);
+        check_form(c, k);
+    }
+    for (size_t k = 0; c->errors == 0 && k < c->scene->body_count; ++k) {
+        check_size(c, k);
+        check_place(c, k);
+    }
+}

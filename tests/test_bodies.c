@@ -1,0 +1,417 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_bodies.c
+ *  Bodies that the liquid moves: mass and inertia, motion without liquid against formulas, momentum with it, stability of
+ *  light and heavy ones, contacts, resuming, and wrong input. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "common.h"
+#include "scene/bodies.h"
+#include "sim/simulation.h"
+
+enum { LEFT, RIGHT, BOTTOM, RAFT, SIDES = RAFT, PROBES };
+
+static struct {
+    sph2d_scene scene;
+    sph2d_block block;
+    sph2d_body body;
+    sph2d_spring spring;
+    sph2d_probe probes[PROBES];
+} pool;
+
+/** A column that falls beside a raft. */
+static void start_pool(void)
+{
+    static const char *const names[PROBES] = {"left", "right", "bottom", "raft"};
+    pool.scene = test_scene(0.04, 0, 0, 1.2, 1);
+    pool.scene.method.name = SPH2D_METHOD_WCSPH;
+    pool.scene.gravity = (sph2d_vec2){0, -9.81};
+    pool.scene.boundary.top = SPH2D_SIDE_OPEN;
+    pool.scene.method.tensile_control = SPH2D_SWITCH_OFF;
+    pool.block = test_block(0, 0, 0.48, 0.64);
+    pool.block.velocity = (sph2d_vec2){1, 0};
+    pool.scene.blocks = &pool.block;
+    pool.scene.block_count = 1;
+    pool.body = sph2d_body_default();
+    pool.body.name = "raft";
+    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.6, 0.24}, {0.92, 0.48}}};
+    pool.body.density = 400;
+    pool.scene.bodies = &pool.body;
+    pool.scene.body_count = 1;
+    for (int k = 0; k < PROBES; ++k) {
+        pool.probes[k] = sph2d_probe_default();
+        pool.probes[k].name = pool.probes[k].on = names[k];
+        pool.probes[k].kind = k < SIDES ? SPH2D_PROBE_FORCE : SPH2D_PROBE_BODY;
+        pool.probes[k].rate.every = 0.01;
+    }
+    pool.scene.probes = pool.probes;
+    pool.scene.probe_count = PROBES;
+}
+
+/** Nothing but the raft, high above a drop that rests in a corner. */
+static void start_alone(void)
+{
+    start_pool();
+    pool.scene.domain.max = (sph2d_vec2){4, 6};
+    pool.scene.method.sound_speed = 20;
+    pool.scene.method.stiffness = 0;
+    pool.block = test_block(0, 0, 0.16, 0.16);
+    pool.body.outline.box = (sph2d_box){{1.6, 4}, {2.0, 4.32}};
+    pool.body.velocity = (sph2d_vec2){0.3, 1};
+    pool.body.rate = 2;
+}
+
+/* ---- mass -------------------------------------------------------------------------------------------------------- */
+
+START_TEST(mass_and_inertia_are_those_of_the_formulas)
+{
+    static const sph2d_vec2 corners[4] = {{1, 1}, {1.3, 1.4}, {0.9, 1.7}, {0.6, 1.3}}; /* a square of 0.5, turned */
+    sph2d_body body = sph2d_body_default();
+    body.density = 800;
+    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{2, 3}, 0.25}};
+    sph2d__mass_data m = sph2d__body_mass(&body);
+    ck_assert_double_eq_tol(m.mass, 800 * TEST_PI * 0.0625, 1e-9);
+    ck_assert_double_eq_tol(m.inertia, m.mass * 0.0625 / 2, 1e-9); /* M R^2/2 */
+    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1, 1}, {1.5, 1.2}}};
+    m = sph2d__body_mass(&body);
+    ck_assert_double_eq_tol(m.mass, 80, 1e-9);
+    ck_assert_double_eq_tol(m.inertia, 80 * (0.25 + 0.04) / 12, 1e-9); /* M (a^2 + b^2)/12 */
+    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {corners, 4}};
+    m = sph2d__body_mass(&body);
+    ck_assert_double_eq_tol(m.mass, 200, 1e-9);
+    ck_assert_double_eq_tol(m.inertia, 200 * 0.5 / 12, 1e-9);
+    ck_assert_double_eq_tol(m.center.x, 0.95, 1e-12);
+    ck_assert_double_eq_tol(m.center.y, 1.35, 1e-12);
+    body.density = 0;
+    body.mass = 7;
+    body.inertia = 3;
+    body.center = (sph2d_vec2){0.9, 1.4};
+    m = sph2d__body_mass(&body);
+    ck_assert(m.mass == 7 && m.inertia == 3 && m.center.x == 0.9 && m.center.y == 1.4);
+}
+END_TEST
+
+/* ---- without liquid ---------------------------------------------------------------------------------------------- */
+
+START_TEST(a_body_in_air_flies_a_parabola_and_turns_evenly)
+{
+    start_alone();
+    pool.scene.method.name = (sph2d_method)_i;
+    if (_i != SPH2D_METHOD_WCSPH)
+        pool.scene.method.tensile_control = sph2d_scene_default().method.tensile_control;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.3)
+        test_steps(sim, 1);
+    double t = sph2d_sim_time(sim);
+    sph2d_body_state b = sph2d_sim_body(sim, 0);
+    ck_assert_double_eq_tol(b.center.x, 1.8 + 0.3 * t, 1e-12);
+    ck_assert_double_eq_tol(b.center.y, 4.16 + t - 9.81 / 2 * t * t, 1e-11);
+    ck_assert_double_eq_tol(b.angle, 2 * t, 1e-12);
+    ck_assert_double_eq_tol(b.velocity.y, 1 - 9.81 * t, 1e-11);
+    double mass = 400 * 0.4 * 0.32, inertia = mass * (0.4 * 0.4 + 0.32 * 0.32) / 12;
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).bodies, mass * ((0.09 + 1) / 2 + 9.81 * 4.16) + inertia * 2, 1e-9 * mass);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(a_body_on_a_spring_swings_with_its_period)
+{
+    start_alone();
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.body.velocity = (sph2d_vec2){0, 0};
+    pool.body.rate = 0;
+    pool.spring = sph2d_spring_default();
+    pool.spring.to = (sph2d_vec2){1.8, 5};
+    pool.spring.length = 0.5; /* of 0.84: it is stretched by 0.34 */
+    pool.spring.stiffness = 500;
+    pool.body.springs = &pool.spring;
+    pool.body.spring_count = 1;
+    double mass = 400 * 0.4 * 0.32, omega = sqrt(500 / mass);
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.8)
+        test_steps(sim, 1);
+    double t = sph2d_sim_time(sim);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).center.y, 4.5 - 0.34 * cos(omega * t), 1e-4);
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).bodies, 500 * 0.34 * 0.34 / 2, 1e-3);
+    sph2d_sim_destroy(sim);
+    pool.spring.damping = 0.2 * 2 * mass * omega; /* a fifth of critical damping */
+    sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.8)
+        test_steps(sim, 1);
+    t = sph2d_sim_time(sim);
+    double decay = 0.2 * omega, fast = omega * sqrt(1 - 0.04);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).center.y,
+                            4.5 - 0.34 * exp(-decay * t) * (cos(fast * t) + decay / fast * sin(fast * t)), 2e-3);
+    sph2d_sim_destroy(sim);
+    pool.spring.slack = SPH2D_SWITCH_ON; /* a rope that is loose pulls nothing, nor does its damper */
+    pool.spring.length = 2;
+    pool.body.velocity = (sph2d_vec2){0, -0.25};
+    sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.2)
+        test_steps(sim, 1);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).velocity.y, -0.25, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(motors_turn_and_brake_with_their_torque)
+{
+    start_alone();
+    pool.body.hold = (sph2d_hold){SPH2D_SWITCH_ON, SPH2D_SWITCH_ON, SPH2D_SWITCH_OFF};
+    pool.body.velocity = (sph2d_vec2){0, 0};
+    pool.body.rate = 0;
+    pool.body.motor = (sph2d_motor){.rate = 3, .torque = 4};
+    double inertia = 400 * 0.4 * 0.32 * (0.4 * 0.4 + 0.32 * 0.32) / 12;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.2)
+        test_steps(sim, 1);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).rate, 4 / inertia * sph2d_sim_time(sim), 1e-10);
+    while (sph2d_sim_time(sim) < 1.2)
+        test_steps(sim, 1);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).rate, 3, 1e-12);
+    ck_assert(sph2d_sim_body(sim, 0).center.y == 4.16); /* held */
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).energy_forces, inertia * 9 / 2, 1e-9);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- with liquid ------------------------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *name;
+    sph2d_method method;
+    sph2d_wall_form form;
+    double density, tension;
+} kinds[] = {
+    {"wcsph", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, 400, 0},
+    {"wcsph, light", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, 50, 0},
+    {"wcsph, heavy, tension", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, 20000, 5},
+    {"muller", SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY, 400, 0},
+    {"muller, light", SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY, 50, 0},
+    {"pcisph", SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED, 400, 0},
+    {"pcisph, light, one row", SPH2D_METHOD_PCISPH, SPH2D_WALL_HEAVY, 50, 0},
+    {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, 400, 5},
+    {"constraint, light", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, 50, 0},
+    {"constraint, heavy, one row", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY, 20000, 0},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static sph2d_sim *pool_of(int kind, int threads)
+{
+    start_pool();
+    pool.scene.method.name = kinds[kind].method;
+    if (kinds[kind].method != SPH2D_METHOD_WCSPH)
+        pool.scene.method.tensile_control = sph2d_scene_default().method.tensile_control;
+    pool.body.form = kinds[kind].form;
+    pool.body.density = kinds[kind].density;
+    pool.scene.fluid.surface_tension = kinds[kind].tension;
+    pool.scene.fluid.dynamic_viscosity = 0.5;
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = threads;
+    return test_create(&pool.scene, &options);
+}
+
+/** Momentum of liquid and body. */
+static sph2d_vec2 momentum_of(const sph2d_sim *sim)
+{
+    const sph2d__rigid *r = &sim->bodies.items[0];
+    sph2d_summary s = sph2d_sim_summary(sim);
+    return (sph2d_vec2){s.momentum[0] + r->mass * r->state->velocity.x,
+                        s.momentum[1] + r->mass * r->state->velocity.y};
+}
+
+START_TEST(what_the_liquid_loses_the_body_gains)
+{
+    sph2d_sim *sim = pool_of(_i, 2);
+    double values[SPH2D_PROBE_MAX_COLUMNS], largest = 0, body = sim->bodies.items[0].mass;
+    double liquid = sim->system.mass * (double)sim->system.fluid.count, scale = liquid * sqrt(2 * sim->system.head);
+    for (int step = 0; step < 300 && sph2d_sim_time(sim) < 0.2; ++step) {
+        sph2d_vec2 before = momentum_of(sim), sides = {0, 0};
+        for (size_t k = 0; k < SIDES; ++k)
+            sph2d_sim_output_done(sim, SPH2D_OUTPUT_PROBE + k);
+        double t = sph2d_sim_time(sim);
+        test_steps(sim, 1);
+        double dt = sph2d_sim_time(sim) - t;
+        for (size_t k = 0; k < SIDES; ++k) {
+            ck_assert_uint_eq(sph2d_sim_probe(sim, k, values), 12);
+            sides.x += values[9];
+            sides.y += values[10];
+        }
+        sph2d_vec2 after = momentum_of(sim);
+        largest = fmax(largest, fabs(after.x - before.x + sides.x));
+        largest = fmax(largest, fabs(after.y - before.y + sides.y + 9.81 * (liquid + body) * dt));
+    }
+    ck_assert_double_gt(fabs(sph2d_sim_body(sim, 0).velocity.x), 1e-3); /* it was pushed */
+    ck_assert_msg(largest < 1e-10 * scale, "%s: %g of the scale", kinds[_i].name, largest / scale);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_msg(s.energy_rise < 0.002 * s.energy_scale, "%s: rise %g", kinds[_i].name,
+                  s.energy_rise / s.energy_scale);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(threads_and_resuming_change_no_bit)
+{
+    sph2d_sim *alone = pool_of(_i, 1), *team = pool_of(_i, 3), *resumed = NULL;
+    test_steps(alone, 25);
+    test_steps(team, 25);
+    sph2d_state state = sph2d_sim_state(alone);
+    ck_assert_int_eq(sph2d_sim_restore(&pool.scene, NULL, &state, &resumed, NULL), SPH2D_OK);
+    sph2d_sim *all[3] = {alone, team, resumed};
+    sph2d_body_state ends[3];
+    for (int k = 0; k < 3; ++k) {
+        test_steps(all[k], 25);
+        ends[k] = sph2d_sim_body(all[k], 0);
+        ck_assert_msg(memcmp(&ends[k], &ends[0], sizeof ends[0]) == 0, "%s, %d", kinds[_i].name, k);
+        sph2d_view a = sph2d_sim_fluid(all[k]), b = sph2d_sim_fluid(alone);
+        ck_assert_int_eq(memcmp(a.x, b.x, a.count * sizeof *a.x), 0);
+        ck_assert_int_eq(memcmp(a.vy, b.vy, a.count * sizeof *a.vy), 0);
+    }
+    for (int k = 0; k < 3; ++k)
+        sph2d_sim_destroy(all[k]);
+}
+END_TEST
+
+START_TEST(a_neutral_body_under_water_stays)
+{
+    static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
+    start_pool();
+    pool.scene.method = sph2d_scene_default().method;
+    pool.scene.method.name = methods[_i];
+    pool.scene.domain.max.x = 1;
+    pool.block = test_block(0, 0, 1, 0.8);
+    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.5, 0.4}, 0.2}};
+    pool.body.density = 1000;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.5)
+        test_steps(sim, 1);
+    sph2d_body_state b = sph2d_sim_body(sim, 0);
+    ck_assert_double_eq_tol(b.center.y, 0.4, 0.02); /* alone it would have fallen by 1.2 m, and out of the water */
+    ck_assert_double_eq_tol(b.center.x, 0.5, 0.01);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
+
+/** Stops every body that moves down, and counts its calls. */
+static sph2d_status stop_falls(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count)
+{
+    ck_assert_uint_eq(count, sph2d_sim_scene(sim)->body_count);
+    ck_assert_double_gt(dt, 0);
+    ++*(int *)user;
+    for (size_t k = 0; k < count; ++k) {
+        ck_assert_double_gt(bodies[k].inverse_mass_y, 0);
+        bodies[k].velocity.y = fmax(bodies[k].velocity.y, 0);
+    }
+    return SPH2D_OK;
+}
+
+START_TEST(a_solver_for_contacts_changes_velocities_and_takes_energy)
+{
+    start_alone();
+    pool.scene.method.name = _i ? SPH2D_METHOD_CONSTRAINT : SPH2D_METHOD_WCSPH;
+    if (_i)
+        pool.scene.method.tensile_control = sph2d_scene_default().method.tensile_control;
+    pool.body.velocity = (sph2d_vec2){0, -2};
+    pool.body.rate = 0;
+    int calls = 0;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    ck_assert_int_eq(sph2d_sim_set_contacts(sim, stop_falls, &calls), SPH2D_OK);
+    test_steps(sim, 50);
+    double mass = 400 * 0.4 * 0.32;
+    ck_assert_int_eq(calls, 50);
+    ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).center.y, 4.16, 5e-3);
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).energy_contacts, mass * 2 * 2 / 2, 0.05 * mass);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+START_TEST(blows_are_energy_that_is_fed)
+{
+    start_alone();
+    pool.body.velocity = (sph2d_vec2){0, 0};
+    pool.body.rate = 0;
+    pool.body.hold.x = SPH2D_SWITCH_ON;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    ck_assert_int_eq(sph2d_sim_set_body_velocity(sim, 0, (sph2d_vec2){1, 3}, 0), SPH2D_OK);
+    ck_assert_int_eq(sph2d_sim_set_body_velocity(sim, 1, (sph2d_vec2){1, 3}, 0), SPH2D_INVALID);
+    ck_assert_int_eq(sph2d_sim_set_body_velocity(sim, 0, (sph2d_vec2){NAN, 3}, 0), SPH2D_INVALID);
+    sph2d_body_state b = sph2d_sim_body(sim, 0);
+    ck_assert(b.velocity.x == 0 && b.velocity.y == 3);
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).energy_fed, 400 * 0.4 * 0.32 * 9 / 2, 1e-9);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* ---- wrong input ------------------------------------------------------------------------------------------------- */
+
+START_TEST(wrong_bodies_are_refused_with_their_place)
+{
+    static const struct {
+        sph2d_code code;
+        const char *path;
+    } faults[] = {{SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].mass"},
+                  {SPH2D_CODE_CONFLICT, "bodies[0].velocity"},    {SPH2D_CODE_CONFLICT, "bodies[0].motor"},
+                  {SPH2D_CODE_UNSUPPORTED, "bodies[0].form"},     {SPH2D_CODE_UNSUPPORTED, "bodies[0]"},
+                  {SPH2D_CODE_OUTSIDE, "bodies[0].box"},              {SPH2D_CODE_OVERLAP, "bodies[0]"},
+                  {SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].name"},
+                  {SPH2D_CODE_OUT_OF_RANGE, "bodies[0].density"}, {SPH2D_CODE_CONFLICT, "bodies[0].rate"}};
+    static sph2d_report report;
+    sph2d_report_clear(&report);
+    sph2d_obstacle post = sph2d_obstacle_default();
+    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.9, 0.4}, 0.08}};
+    start_pool();
+    pool.body.density = _i == 0 ? 0 : _i == 10 ? -1 : 400;
+    pool.body.mass = _i == 1 ? 3 : 0;
+    pool.body.velocity.x = _i == 2 ? 1 : 0;
+    pool.body.rate = _i == 11 ? 1 : 0;
+    pool.body.hold.x = _i == 2 ? SPH2D_SWITCH_ON : SPH2D_SWITCH_OFF;
+    pool.body.hold.angle = _i == 3 || _i == 11 ? SPH2D_SWITCH_ON : SPH2D_SWITCH_OFF;
+    pool.body.motor.torque = _i == 3 ? 1 : 0;
+    pool.body.form = _i == 4 ? SPH2D_WALL_REFLECT : SPH2D_WALL_DEFAULT;
+    pool.scene.method.operators = _i == 5 ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_SYMMETRIC;
+    pool.body.outline.box.max.x = _i == 6 ? 1.3 : 0.92;
+    pool.scene.obstacles = &post;
+    pool.scene.obstacle_count = _i == 7;
+    if (_i == 8)
+        pool.body.outline.kind = SPH2D_OUTLINE_NONE;
+    pool.body.name = _i == 9 ? "left" : "raft";
+    ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_SCENE);
+    ck_assert_msg(test_report_has(&report, faults[_i].code, faults[_i].path), "%d: %s", _i, test_report_text(&report));
+}
+END_TEST
+
+START_TEST(small_and_odd_bodies_are_warned_of)
+{
+    static sph2d_report report;
+    start_pool();
+    pool.body.outline.box.max = (sph2d_vec2){0.65, 0.29};
+    pool.body.density = 30000;
+    sph2d_report_clear(&report);
+    ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_OK);
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), "spacings across"));
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), "times as dense"));
+}
+END_TEST
+
+Suite *suite_bodies(void)
+{
+    Suite *suite = suite_create("bodies");
+    TCase *tests = tcase_create("bodies");
+    tcase_set_timeout(tests, 60);
+    tcase_add_test(tests, mass_and_inertia_are_those_of_the_formulas);
+    tcase_add_loop_test(tests, a_body_in_air_flies_a_parabola_and_turns_evenly, 0, SPH2D_METHOD_CONSTRAINT + 1);
+    tcase_add_test(tests, a_body_on_a_spring_swings_with_its_period);
+    tcase_add_test(tests, motors_turn_and_brake_with_their_torque);
+    tcase_add_loop_test(tests, what_the_liquid_loses_the_body_gains, 0, KINDS);
+    tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
+    tcase_add_loop_test(tests, a_neutral_body_under_water_stays, 0, 3);
+    tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
+    tcase_add_test(tests, blows_are_energy_that_is_fed);
+    tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 12);
+    tcase_add_test(tests, small_and_odd_bodies_are_warned_of);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
