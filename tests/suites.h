@@ -86,6 +86,8 @@
     X(loads)                                                                                                           \
     X(viscosity_form)                                                                                                  \
     X(coverage)                                                                                                        \
+    X(contacts)                                                                                                        \
+    X(contacts_pile)                                                                                                   \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

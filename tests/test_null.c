@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "snapshot_fixture.h"
+#include "sph2d/contacts.h"
 #include "sph2d/flow.h"
 #include "sph2d/study_results.h"
 
@@ -70,6 +71,7 @@ START_TEST(simulations)
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
     REFUSED_SILENTLY(sph2d_sim_set_pointer(NULL, at, 1, 1));
+    REFUSED_SILENTLY(sph2d_contacts_attach(NULL));
     sph2d_sim_destroy(NULL);
     sph2d_sim_output_done(NULL, 0);
     NOTHING(sph2d_sim_time(NULL) != 0 || sph2d_sim_time_step(NULL) != 0);
