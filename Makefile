@@ -23,6 +23,8 @@ PKG_CONFIG ?= pkg-config
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
 PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
     libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri)
+# Those that pkg-config does not know: header = Debian package.
+HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
@@ -36,6 +38,9 @@ missing() {
     test -z '$(filter report report-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
+    done
+    for pair in $(HEADER_PACKAGES); do
+        echo "#include <$${pair%%=*}>" | $(CC) -E - >/dev/null 2>&1 || echo "$${pair#*=}"
     done
 }
 # Mesa 25.1 dropped OSMesa: where Debian no longer has it, EGL alone will do.
@@ -88,10 +93,12 @@ WITH_RENDER := $(filter-out 0,$(RENDER))
 # Foreign headers are system headers: their warnings are not ours.
 pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
 pc_libs = $(if $(1),$(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null))
+HASH := \#
 FOUND := $(shell for p in hdf5 libfyaml libxxhash libpng osmesa egl check; do \
-    $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done)
+    $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done; for h in $(HEADER_PACKAGES); do \
+    echo "$(HASH)include <$${h%%=*}>" | $(CC) -E - >/dev/null 2>&1 && echo $${h%%=*}; done)
 GL := $(if $(WITH_RENDER),$(filter osmesa egl,$(FOUND)))
-MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
+MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash chipmunk/chipmunk.h $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
 
 # ---- flags: the project's own, then whatever comes from outside ------------------------------------------------------
 # The command draws frames side by side by OpenMP. Without it they are drawn one by one: its pragmas vanish, and with
@@ -117,6 +124,7 @@ ISA_FLAGS_avx512 := -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512
 
 CORE_FLAGS := -Iinclude -Isrc $(if $(X86),-DSPH2D__ISA_X86)
 IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml libxxhash)
+CONTACTS_FLAGS := -Iinclude -Isrc
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
 CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
@@ -125,6 +133,7 @@ TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $
 
 CORE_LIBS := -lm
 IO_LIBS := $(call pc_libs,hdf5 libfyaml) -lm
+CONTACTS_LIBS := -lchipmunk -lm
 RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lm)
 
 # ---- sources and objects ---------------------------------------------------------------------------------------------
@@ -139,6 +148,7 @@ PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
 MIXED_SRC := $(filter src/methods/wcsph/% src/methods/fitted/%,$(PASS_SRC))
 IO_SRC := $(sort $(wildcard src/files/*.c))
 STUDY_SRC := $(sort $(wildcard src/study/*.c))
+CONTACTS_SRC := $(sort $(wildcard src/contacts/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
 CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
@@ -168,11 +178,12 @@ SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/repo
 # is linked again, when these or the list of files do.
 hash = $(firstword $(shell printf '%s' '$(subst ','\'',$(1))' | cksum))
 FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(CPPFLAGS) $(CFLAGS) \
-    $(CORE_FLAGS) $(IO_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
+    $(CORE_FLAGS) $(IO_FLAGS) $(CONTACTS_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) \
+    $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
-VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(RENDER_LIBS) $(LDLIBS) $(CORE_SRC) $(IO_SRC) \
-    $(STUDY_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) $(STRANGERS_SRC) $(HARD_SRC) \
-    $(VARIANTS_SRC) $(SHADERS))
+VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(CONTACTS_LIBS) $(RENDER_LIBS) $(LDLIBS) \
+    $(CORE_SRC) $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) \
+    $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
@@ -181,6 +192,7 @@ CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(PASS_OBJ)
 BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
 STUDY_OBJ := $(call objects,$(STUDY_SRC))
+CONTACTS_OBJ := $(call objects,$(CONTACTS_SRC))
 RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
 CLI_OBJ := $(call objects,$(CLI_SRC)) $(OBJ)/gen/study_templates.o
 TEST_OBJ := $(call objects,$(TEST_SRC))
@@ -196,11 +208,11 @@ VARIANTS_OBJ := $(call objects,$(filter-out %_rows.c,$(VARIANTS_SRC))) \
 EXAMPLE_BIN := $(EXAMPLES:%.c=$(BUILD)/%)
 EXAMPLE_OBJ := $(call objects,$(EXAMPLES))
 
-LIBRARIES := libsph2d libsph2d-io libsph2d-study $(if $(WITH_RENDER),libsph2d-render)
+LIBRARIES := libsph2d libsph2d-io libsph2d-study libsph2d-contacts $(if $(WITH_RENDER),libsph2d-render)
 # From the one that uses to the one that is used, as the linker reads them.
-ARCHIVES := $(if $(WITH_RENDER),$(BUILD)/libsph2d-render.a) $(BUILD)/libsph2d-study.a $(BUILD)/libsph2d-io.a \
-    $(BUILD)/libsph2d.a
-ARCHIVE_LIBS := $(RENDER_LIBS) $(IO_LIBS) $(CORE_LIBS)
+ARCHIVES := $(if $(WITH_RENDER),$(BUILD)/libsph2d-render.a) $(BUILD)/libsph2d-study.a $(BUILD)/libsph2d-contacts.a \
+    $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a
+ARCHIVE_LIBS := $(RENDER_LIBS) $(CONTACTS_LIBS) $(IO_LIBS) $(CORE_LIBS)
 
 # ---- build -----------------------------------------------------------------------------------------------------------
 QUIET := $(if $(filter-out 0,$(V)),,quiet)
@@ -220,6 +232,7 @@ examples: $(EXAMPLE_BIN) ## the example programs, in BUILD/examples
 
 $(CORE_OBJ) $(STUDY_OBJ): PART = $(CORE_FLAGS)
 $(IO_OBJ): PART = $(IO_FLAGS)
+$(CONTACTS_OBJ): PART = $(CONTACTS_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
@@ -228,7 +241,7 @@ $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(FUZZ_OBJ): PART = $(CORE_FLAGS) $(call pc_cflags,libxxhash)
 $(EXAMPLE_OBJ): PART = -Iinclude
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
-$(IO_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
+$(IO_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
 
 compile = $(call say_compiled,$(1))mkdir -p $(@D) && \
     $(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(PART) $(2) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
@@ -262,10 +275,12 @@ endef
 comma := ,
 IO_SO_LIBS = -L$(BUILD) -lsph2d $(IO_LIBS)
 STUDY_SO_LIBS = -L$(BUILD) -lsph2d-io -lsph2d -lm
+CONTACTS_SO_LIBS = -L$(BUILD) -lsph2d $(CONTACTS_LIBS)
 RENDER_SO_LIBS = -L$(BUILD) -lsph2d $(RENDER_LIBS)
 $(eval $(call library_rules,libsph2d,$(CORE_OBJ),CORE_LIBS))
 $(eval $(call library_rules,libsph2d-io,$(IO_OBJ) $(BASE_OBJ),IO_SO_LIBS,$(BUILD)/libsph2d.so))
 $(eval $(call library_rules,libsph2d-study,$(STUDY_OBJ) $(BASE_OBJ),STUDY_SO_LIBS,$(BUILD)/libsph2d-io.so))
+$(eval $(call library_rules,libsph2d-contacts,$(CONTACTS_OBJ) $(BASE_OBJ),CONTACTS_SO_LIBS,$(BUILD)/libsph2d.so))
 $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
 
 # What takes longest comes first, so that all processors have work to the end.
@@ -329,13 +344,13 @@ $(BUILD)/gen/study_templates.c: $(TEMPLATES) Makefile
 	    echo "const char study_$$(basename $$f | tr . _)[] = {"; $(call bytes_of,$$f); \
 	done >$@
 
-MISSING_PACKAGES = $(subst +, ,$(foreach m,$(MISSING),$(patsubst $(m)=%,%,$(filter $(m)=%,$(PACKAGES)))))
+MISSING_PACKAGES = $(subst +, ,$(foreach m,$(MISSING),$(patsubst $(m)=%,%,$(filter $(m)=%,$(PACKAGES) $(HEADER_PACKAGES)))))
 packages:
-	@printf '%s\n' 'sph2d: pkg-config does not find $(MISSING). "make demo" and "make test" install it; or run:' \
+	@printf '%s\n' 'sph2d: $(MISSING) is missing. "make demo" and "make test" install it; or run:' \
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
--include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) $(BENCH_OBJ) \
-    $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
+-include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) \
+    $(BENCH_OBJ) $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -522,7 +537,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	for static in '' --static; do \
 	    test -z "$$static" || rm $(STAGING)/usr/lib/*.so*; \
 	    for e in $(EXAMPLES); do \
-	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|render\)\.h>.*/sph2d-\1/p' $$e); \
+	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|contacts\|render\)\.h>.*/sph2d-\1/p' $$e); \
 	        flags=$$($(PKG_CONFIG) $$static --cflags --libs $${uses:-sph2d}) && \
 	        $(CC) $$e -o $(STAGING)/run/example $$flags $(SANITIZERS) && \
 	        (cd $(STAGING)/run && timeout 300 ./example >log) || { echo "install: $$e fails $$static"; exit 1; }; \
@@ -537,7 +552,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
-    $(IO_SRC) $(STUDY_SRC) tests/faults/library.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
+    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/fuzz/*.h tests/hard/cases/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
@@ -555,13 +570,13 @@ check-lint: check-walls $(BUILD)/gen/build_info.h $(if $(WITH_RENDER),$(BUILD)/g
 	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(C_FILES) | \
 	    xargs -P "$$(nproc)" -I{} clang-tidy --quiet {} -- $(LINT_FLAGS) 2>$(BUILD)/clang-tidy.log; fi
 
-# Beside the order above: files, study and render use base alone, the command only the public headers.
+# Beside the order above: files, study, contacts and render use base alone, the command only the public headers.
 METHOD_DIRS := $(filter-out %/common %/terms,$(filter methods/%,$(CORE_DIRS)))
 check-walls: ## no folder includes what it must not know
 	$(hush)set -- $(CORE_DIRS); below=$$*; \
-	for d in files study render $$*; do \
-	    case $$d in files|study|render) bad="$${below#base } files study render";; \
-	        *) shift; bad="$$* files study render";; esac; \
+	for d in files study contacts render $$*; do \
+	    case $$d in files|study|contacts|render) bad="$${below#base } files study contacts render";; \
+	        *) shift; bad="$$* files study contacts render";; esac; \
 	    case $$d in methods/common|methods/terms) ;; methods/*) bad="$$bad $(METHOD_DIRS)";; esac; \
 	    for b in $$bad; do \
 	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.h" src/$$d/*.[ch] || exit 1; \

@@ -87,6 +87,8 @@
     X(bodies)                                                                                                          \
     X(viscosity_form)                                                                                                  \
     X(coverage)                                                                                                        \
+    X(contacts)                                                                                                        \
+    X(contacts_pile)                                                                                                   \
     X(series)                                                                                                          \
     X(snapshot)                                                                                                        \
     X(study)                                                                                                           \

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "snapshot_fixture.h"
+#include "sph2d/contacts.h"
 #include "sph2d/flow.h"
 #include "sph2d/study_results.h"
 
@@ -74,6 +75,7 @@ START_TEST(simulations)
     REFUSED_SILENTLY(sph2d_sim_set_contacts(NULL, NULL, NULL));
     UNKNOWN(sph2d_sim_body(NULL, 0).center.x);
     UNKNOWN(sph2d_sim_obstacle(NULL, 0).center.x);
+    REFUSED_SILENTLY(sph2d_contacts_attach(NULL));
     sph2d_sim_destroy(NULL);
     sph2d_sim_output_done(NULL, 0);
     NOTHING(sph2d_sim_time(NULL) != 0 || sph2d_sim_time_step(NULL) != 0);

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+#include "contact_world.h"
+
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/pi.h"
+
+#define DENSITY 1000.0
+
+contact_world *world_new(void)
+{
+    static contact_world world;
+    memset(&world, 0, sizeof world);
+    world.scene = sph2d_scene_default();
+    world.scene.domain = (sph2d_box){{0, 0}, {1, 1}};
+    world.scene.boundary.top = SPH2D_SIDE_WALL;
+    world.scene.spacing = 0.01;
+    world.scene.bodies = world.bodies;
+    world.scene.obstacles = world.obstacles;
+    world.gravity = (sph2d_vec2){0, -9.81};
+    world.dt = 5e-4;
+    return &world;
+}
+
+static uint32_t add(contact_world *w, sph2d_outline outline, sph2d_vec2 center, double mass, double inertia)
+{
+    uint32_t i = (uint32_t)w->scene.body_count++;
+    w->bodies[i] = (sph2d_body){.outline = outline, .center = center, .friction = 0.3};
+    w->states[i] = (sph2d_contact_body){.inverse_mass_x = 1 / mass, .inverse_mass_y = 1 / mass};
+    w->states[i].inverse_inertia = 1 / inertia;
+    w->states[i].center = center;
+    return i;
+}
+
+uint32_t world_disc(contact_world *w, double x, double y, double radius)
+{
+    double mass = DENSITY * SPH2D__PI * radius * radius;
+    sph2d_outline outline = {.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{x, y}, radius}};
+    return add(w, outline, (sph2d_vec2){x, y}, mass, mass * radius * radius / 2);
+}
+
+uint32_t world_box(contact_world *w, double x, double y, double width, double height)
+{
+    double mass = DENSITY * width * height;
+    sph2d_outline outline = {.kind = SPH2D_OUTLINE_BOX};
+    outline.box = (sph2d_box){{x - width / 2, y - height / 2}, {x + width / 2, y + height / 2}};
+    return add(w, outline, (sph2d_vec2){x, y}, mass, mass * (width * width + height * height) / 12);
+}
+
+uint32_t world_polygon(contact_world *w, sph2d_points corners, sph2d_vec2 center, double mass, double inertia)
+{
+    return add(w, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = corners}, center, mass, inertia);
+}
+
+void world_obstacle(contact_world *w, sph2d_outline outline, sph2d_vec2 center)
+{
+    size_t i = w->scene.obstacle_count++;
+    w->obstacles[i] = sph2d_obstacle_default();
+    w->obstacles[i].outline = outline;
+    w->obstacles[i].motion.center = center;
+    w->walls[i].center = center;
+}
+
+double world_kinetic(const contact_world *w)
+{
+    double sum = 0;
+    for (size_t i = 0; i < w->scene.body_count; ++i) {
+        const sph2d_contact_body *b = &w->states[i];
+        sum += b->inverse_mass_x > 0 ? b->velocity.x * b->velocity.x / b->inverse_mass_x / 2 : 0;
+        sum += b->inverse_mass_y > 0 ? b->velocity.y * b->velocity.y / b->inverse_mass_y / 2 : 0;
+        sum += b->inverse_inertia > 0 ? b->rate * b->rate / b->inverse_inertia / 2 : 0;
+    }
+    return sum;
+}
+
+double world_energy(const contact_world *w)
+{
+    double sum = world_kinetic(w);
+    for (size_t i = 0; i < w->scene.body_count; ++i) {
+        const sph2d_contact_body *b = &w->states[i];
+        sum -= b->inverse_mass_x > 0 ? w->gravity.x * b->center.x / b->inverse_mass_x : 0;
+        sum -= b->inverse_mass_y > 0 ? w->gravity.y * b->center.y / b->inverse_mass_y : 0;
+    }
+    return sum;
+}
+
+static sph2d__placed place(const contact_world *w, uint32_t i)
+{
+    const sph2d_contact_body *b = &w->states[i];
+    return (sph2d__placed){.outline = &w->bodies[i].outline,
+                           .from = w->bodies[i].center,
+                           .to = b->center,
+                           .cosine = cos(b->angle),
+                           .sine = sin(b->angle)};
+}
+
+static bool is_disc(const sph2d__placed *p)
+{
+    return p->outline->kind == SPH2D_OUTLINE_CIRCLE;
+}
+
+/** How far a body reaches along a direction. */
+static double reach(const sph2d__placed *p, sph2d_vec2 d)
+{
+    if (is_disc(p)) {
+        sph2d_vec2 c = sph2d__circle_center(p);
+        return c.x * d.x + c.y * d.y + p->outline->circle.radius;
+    }
+    double most = -INFINITY;
+    for (size_t i = 0; i < sph2d__corner_count(p->outline); ++i) {
+        sph2d_vec2 q = sph2d__corner(p, i);
+        most = fmax(most, q.x * d.x + q.y * d.y);
+    }
+    return most;
+}
+
+/** Overlap of the shadows of two bodies along a direction. */
+static double shadow(const sph2d__placed *a, const sph2d__placed *b, double x, double y)
+{
+    double length = hypot(x, y);
+    sph2d_vec2 d = {x / length, y / length}, back = {-d.x, -d.y};
+    return length > 0 ? fmin(reach(a, d) + reach(b, back), reach(b, d) + reach(a, back)) : INFINITY;
+}
+
+/** The least overlap of shadows along the normals of a's sides, and from its corners to the centre of a disc. */
+static double least_shadow(const sph2d__placed *a, const sph2d__placed *b)
+{
+    double least = INFINITY;
+    size_t count = sph2d__corner_count(a->outline);
+    for (size_t i = 0; i < count; ++i) {
+        sph2d_vec2 p = sph2d__corner(a, i), q = sph2d__corner(a, (i + 1) % count);
+        least = fmin(least, shadow(a, b, q.y - p.y, p.x - q.x));
+        if (is_disc(b)) {
+            sph2d_vec2 c = sph2d__circle_center(b);
+            least = fmin(least, shadow(a, b, c.x - p.x, c.y - p.y));
+        }
+    }
+    return least;
+}
+
+double world_overlap(const contact_world *w, uint32_t i, uint32_t j)
+{
+    sph2d__placed a = place(w, i), b = place(w, j);
+    if (is_disc(&a) && is_disc(&b)) {
+        sph2d_vec2 p = sph2d__circle_center(&a), q = sph2d__circle_center(&b);
+        return a.outline->circle.radius + b.outline->circle.radius - hypot(p.x - q.x, p.y - q.y);
+    }
+    return fmin(least_shadow(&a, &b), least_shadow(&b, &a));
+}
+
+static void measure(contact_world *w)
+{
+    sph2d_box in = w->scene.domain;
+    for (uint32_t i = 0; i < w->scene.body_count; ++i) {
+        sph2d__placed a = place(w, i);
+        if (w->scene.boundary.left == SPH2D_SIDE_WALL)
+            w->overlap = fmax(
+                w->overlap, fmax(in.min.x + reach(&a, (sph2d_vec2){-1, 0}), reach(&a, (sph2d_vec2){1, 0}) - in.max.x));
+        w->overlap = fmax(w->overlap, in.min.y + reach(&a, (sph2d_vec2){0, -1}));
+        for (uint32_t j = 0; j < i; ++j) {
+            sph2d_vec2 p = w->states[i].center, q = w->states[j].center;
+            if (hypot(p.x - q.x, p.y - q.y) < 0.3)
+                w->overlap = fmax(w->overlap, world_overlap(w, i, j));
+        }
+    }
+}
+
+void world_step(contact_world *w, bool wanted)
+{
+    for (size_t i = 0; i < w->scene.body_count; ++i) {
+        sph2d_contact_body *b = &w->states[i];
+        b->velocity.x += b->inverse_mass_x > 0 ? w->dt * w->gravity.x : 0;
+        b->velocity.y += b->inverse_mass_y > 0 ? w->dt * w->gravity.y : 0;
+    }
+    double before = world_kinetic(w);
+    sph2d_status status = sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, w->scene.body_count);
+    ck_assert_int_eq(status, SPH2D_OK);
+    w->gain = fmax(w->gain, before > 0 ? world_kinetic(w) / before - 1 : world_kinetic(w));
+    for (size_t i = 0; i < w->scene.body_count; ++i) {
+        sph2d_contact_body *b = &w->states[i];
+        b->center = (sph2d_vec2){b->center.x + w->dt * b->velocity.x, b->center.y + w->dt * b->velocity.y};
+        b->angle += w->dt * b->rate;
+    }
+    for (size_t i = 0; i < w->scene.obstacle_count; ++i) {
+        sph2d_body_state *s = &w->walls[i];
+        s->center = (sph2d_vec2){s->center.x + w->dt * s->velocity.x, s->center.y + w->dt * s->velocity.y};
+        s->angle += w->dt * s->rate;
+    }
+    if (wanted)
+        measure(w);
+}
+
+void world_run(contact_world *w, int steps)
+{
+    for (int i = 0; i < steps; ++i)
+        world_step(w, true);
+}
