@@ -274,13 +274,13 @@ $(BUILD)/$(1).so: $(BUILD)/$(1).so.$(VERSION)
 endef
 comma := ,
 IO_SO_LIBS = -L$(BUILD) -lsph2d $(IO_LIBS)
-STUDY_SO_LIBS = -L$(BUILD) -lsph2d-io -lsph2d -lm
+STUDY_SO_LIBS = -L$(BUILD) -lsph2d-io -lsph2d-contacts -lsph2d -lm
 CONTACTS_SO_LIBS = -L$(BUILD) -lsph2d $(CONTACTS_LIBS)
 RENDER_SO_LIBS = -L$(BUILD) -lsph2d $(RENDER_LIBS)
 $(eval $(call library_rules,libsph2d,$(CORE_OBJ),CORE_LIBS))
 $(eval $(call library_rules,libsph2d-io,$(IO_OBJ) $(BASE_OBJ),IO_SO_LIBS,$(BUILD)/libsph2d.so))
-$(eval $(call library_rules,libsph2d-study,$(STUDY_OBJ) $(BASE_OBJ),STUDY_SO_LIBS,$(BUILD)/libsph2d-io.so))
 $(eval $(call library_rules,libsph2d-contacts,$(CONTACTS_OBJ) $(BASE_OBJ),CONTACTS_SO_LIBS,$(BUILD)/libsph2d.so))
+$(eval $(call library_rules,libsph2d-study,$(STUDY_OBJ) $(BASE_OBJ),STUDY_SO_LIBS,$(BUILD)/libsph2d-io.so $(BUILD)/libsph2d-contacts.so))
 $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
 
 # What takes longest comes first, so that all processors have work to the end.
@@ -291,12 +291,15 @@ $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
-$(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
-	$(call link,,$(IO_LIBS) $(CORE_LIBS))
-$(BUILD)/tests/hard_cases: $(HARD_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
-	$(call link,,$(IO_LIBS) $(CORE_LIBS))
-$(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
-	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d.a \
+    $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/hard_cases: $(HARD_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d.a \
+    $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d.a \
+    $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faults_shim.so: tests/faults/shim.c

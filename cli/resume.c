@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <sph2d/contacts.h>
+
 #include "command.h"
 #include "exit.h"
 #include "message.h"
@@ -129,6 +131,7 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot)
     sph2d_state state = sph2d_snapshot_state(snapshot);
     sph2d_sim_options options = session_sim_options(s);
     sph2d_status status = sph2d_sim_restore(sph2d_scene_file_scene(s->file), &options, &state, &s->sim, &s->report);
+    sph2d_contacts_attach(s->sim);
     return session_report(s, status);
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file run.c
  *  `sph2d run SCENE -o DIR`: simulates a scene. */
+#include <sph2d/contacts.h>
+
 #include "command.h"
 #include "exit.h"
 #include "message.h"
@@ -36,6 +38,7 @@ static int prepare(cli_session *s, const char *scene)
     frame_style style = frame_style_of_scene(sph2d_scene_file_scene(s->file));
     sph2d_status style_status = frame_style_check(&style, &s->report);
     status = sph2d_sim_create(sph2d_scene_file_scene(s->file), &sim_options, &s->sim, &s->report);
+    sph2d_contacts_attach(s->sim);
     code = session_report(s, status != SPH2D_OK ? status : style_status);
     if (code == CLI_EXIT_SUCCESS)
         code = session_create_frame_writer(s);

@@ -16,7 +16,7 @@ contact_world *world_new(void)
     world.scene = sph2d_scene_default();
     world.scene.domain = (sph2d_box){{0, 0}, {1, 1}};
     world.scene.boundary.top = SPH2D_SIDE_WALL;
-    world.scene.spacing = 0.01;
+    world.scene.spacing = 0.001;
     world.scene.bodies = world.bodies;
     world.scene.obstacles = world.obstacles;
     world.gravity = (sph2d_vec2){0, -9.81};

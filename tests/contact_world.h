@@ -20,7 +20,7 @@ typedef struct contact_world {
     double overlap;                          /**< largest overlap of two bodies or of one with a side [m] */
 } contact_world;
 
-/** An empty world: a domain of 1 m by 1 m with four walls, spacing 0.01 m, gravity, steps of 0.5 ms. It is static. */
+/** An empty world: a domain of 1 m by 1 m with four walls, spacing 1 mm, gravity, steps of 0.5 ms. It is static. */
 contact_world *world_new(void);
 /** Add a body of 1000 kg/m^3; return its number. Points are borrowed. */
 uint32_t world_disc(contact_world *world, double x, double y, double radius);

@@ -7,8 +7,9 @@
  *          while (sph2d_sim_time(sim) < end && sph2d_sim_step(sim, &report) == SPH2D_OK)
  *              ;
  *
- *  - Bodies keep a clearance of 1/50 of the scene's spacing. What is nearer is pushed out by a fifth of what lacks in
- *    each step, at most by a fifth of the clearance, and never with more kinetic energy than the bodies came with.
+ *  - Bodies keep a clearance of 1/5 of the scene's spacing, in which particles of the liquid that are caught have room.
+ *    What is nearer is pushed out by a fifth of what lacks in each step, at most by a fiftieth of the clearance, and
+ *    never with more kinetic energy than the bodies came with.
  *  - Dry friction, and restitution, but for approaches so slow that the body would rise by less than 1/800 of its size
  *    in Earth's gravity. Of two bodies the geometric mean and the larger count, against walls the body's own.
  *  - Momentum is exchanged to round-off; kinetic energy never grows but by the work of walls that move.

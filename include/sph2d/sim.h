@@ -344,7 +344,7 @@ typedef struct sph2d_summary {
      *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */
     double energy_pressed;
 
-    /** Scale of rise and error: n m (g h + U^2/2 + pull)/2 of the scene plus the surface energy of a round drop of its
+    /** Scale of rise and error: (n m + mass of the bodies) (g h + U^2/2 + pull)/2 of the scene plus the surface energy of a round drop of its
      *  liquid [J/m]. */
     double energy_scale;
 

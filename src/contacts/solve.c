@@ -5,9 +5,10 @@
 
 #include "contacts/contacts.h"
 
-/* Bodies keep this part of the spacing between them, so that what the iterations leave undone is no overlap, and
- * distances are those of bodies apart, of which Chipmunk knows the normals best. */
-#define CLEARANCE 0.02
+/* Bodies keep this part of the spacing between them: particles of the liquid, which stop at 0.05 spacings from each
+ * surface, then have room where two meet, and are not pressed through a wall; what the iterations leave undone is no
+ * overlap; and distances are those of bodies apart, of which Chipmunk knows the normals best. */
+#define CLEARANCE 0.2
 
 bool sph2d__room_for_one(sph2d__contacts *c, void **list, size_t count, size_t *room, size_t size)
 {

@@ -6,7 +6,7 @@
  *  and energy that is dissipated are summed over time (work.c). From them follow two figures, both compared with the
  *  energy scale of the scene,
  *
- *      m n (g h + U^2/2 + pull)/2,
+ *      (m n + mass of bodies) (g h + U^2/2 + pull)/2,
  *
  *  the potential energy of a column as high as liquid can fall (sph2d__system.head), with n all particles that ever
  *  existed, plus the surface energy of a round drop of them. The error is

@@ -2,6 +2,7 @@
 /** @file guards.c
  *  Extremes over all particles after a step, and the guards. */
 #include <math.h>
+#include <stdio.h>
 
 #include "run/run.h"
 #include "scene/method_table.h"
@@ -204,10 +205,37 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
     return true;
 }
 
+/** Bodies that are not finite, or have left the domain by more than its size: nothing brings them back. */
+static bool guard_bodies(const sph2d_sim *sim, sph2d_report *report)
+{
+    sph2d_box d = sim->scene.domain;
+    double wide = d.max.x - d.min.x, tall = d.max.y - d.min.y;
+    const sph2d__period *period = &sim->system.fluid_cells.period;
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d_body_state b = sph2d_sim_body(sim, k);
+        bool finite = isfinite(b.center.x + b.center.y + b.angle + b.velocity.x + b.velocity.y + b.rate);
+        bool near_x = period->length_x > 0 || (b.center.x > d.min.x - wide && b.center.x < d.max.x + wide);
+        bool near_y = period->length_y > 0 || (b.center.y > d.min.y - tall && b.center.y < d.max.y + tall);
+        if (finite && near_x && near_y)
+            continue;
+        char path[64];
+        snprintf(path, sizeof path, "bodies[%zu]", k);
+        sph2d_diagnostic *e = sph2d_report_add(
+            report, SPH2D_ERROR, finite ? SPH2D_CODE_ESCAPED : SPH2D_CODE_NOT_FINITE, path,
+            "%s: it is at (%g, %g) with velocity (%g, %g), step %llu, time %g s",
+            finite ? "the body has left the domain" : "a value is not finite", b.center.x, b.center.y, b.velocity.x,
+            b.velocity.y, (unsigned long long)sim->record.steps, sim->record.time);
+        sph2d_diagnostic_hint(e, "%s", finite ? "make the side that it left through a wall, or end the run before"
+                                              : "lower method.cfl, or make the body heavier");
+        return false;
+    }
+    return true;
+}
+
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
 {
     extremes e = find_extremes(sim);
-    if (!guard_values(sim, &e, report))
+    if (!guard_bodies(sim, report) || !guard_values(sim, &e, report))
         return false;
     double compression = e.density / sim->system.rest_density - 1;
     if (compression > sim->record.compression_max)

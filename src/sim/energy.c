@@ -79,7 +79,10 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
     const sph2d__record *r = &sim->record;
     uint64_t all = s->fluid.count + r->drained + r->left_left + r->left_right + r->left_bottom + r->left_top;
     double n = (double)all, area = n * s->spacing * s->spacing;
-    return s->mass * n * s->head / 2 + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
+    double bodies = 0;
+    for (size_t k = 0; k < sim->bodies.count; ++k)
+        bodies += sim->bodies.items[k].mass;
+    return (s->mass * n + bodies) * s->head / 2 + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
 }
 
 /* Quanta in a particle's share of the energy scale. */

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "base/null.h"
+#include "sph2d/contacts.h"
 #include "study/parts.h"
 
 typedef struct runner {
@@ -183,6 +184,7 @@ static sph2d_status go(runner *r, double begun)
         options.threads = r->options->threads;
     options.isa = r->options->isa;
     sph2d_status status = sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->said);
+    sph2d_contacts_attach(r->sim);
     r->record->start = seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
     pass_on(r);
     if (status == SPH2D_OK)

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <sph2d/contacts.h>
 #include <sph2d/io.h>
 #include <sph2d/state.h>
 
@@ -121,6 +122,7 @@ static outcome run(const sph2d_scene *scene, sph2d_isa isa, int threads)
     options.threads = threads;
     sph2d_sim *sim = NULL;
     sph2d_status status = sph2d_sim_create(scene, &options, &sim, NULL);
+    sph2d_contacts_attach(sim);
     while (status == SPH2D_OK && sph2d_sim_steps(sim) < wanted.steps)
         status = sph2d_sim_step(sim, NULL);
     outcome o = {.status = status};

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include <sph2d/contacts.h>
 #include <sph2d/state.h>
 
 #include "judge.h"
@@ -185,7 +186,9 @@ library_run judge_by_library(const judge_request *request, const sph2d_scene *sc
     options.threads = 1;
     options.isa = isa_of_name(request->isa);
     *sim = NULL;
-    if (sph2d_sim_create(scene, &options, sim, NULL) != SPH2D_OK)
+    sph2d_status made = sph2d_sim_create(scene, &options, sim, NULL);
+    sph2d_contacts_attach(*sim);
+    if (made != SPH2D_OK)
         return run;
     run.started = true;
     run.scale = energy_scale(scene, *sim);

@@ -267,12 +267,14 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         f->min_eigenvalue[i] = min_eigenvalue;
         double packing = sums->packing[l];
         f->packing[i] = s->rest_density / s->lattice_values * packing;
-        bool controlled = s->method.tensile_control == SPH2D_SWITCH_ON && pv2 < 0 && inside;
+        double wall_packing = packing - (double)liquid->packing[l];
+        bool pulled = s->rigid_count > 0 && wall_packing > 0; /* by a wall: a body would be pushed by that */
+        bool controlled = s->method.tensile_control == SPH2D_SWITCH_ON && pv2 < 0 && inside && !pulled;
         if (controlled && uses_absolute_pressure(s, i, sums, liquid, l, with))
             pv2 = -pv2;
         if (with.detail >= SPH2D__DETAIL_SHIFT)
             finish_concentration(s, i, sums, l, min_eigenvalue, scale,
-                                 (packing - (double)liquid->packing[l]) / s->lattice_values);
+                                 wall_packing / s->lattice_values);
     }
     add_sums(s, sums, l, with, k, pv2, f->density[i], &ax, &ay);
     sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);

@@ -92,7 +92,9 @@
  *  strain rate exceeds 0.01 c0/H it does so only while that removes energy, that is while the particle's velocity
  *  relative to its neighbours, by sum V_j v_ij W'/r, is against the added force: if it acted both ways everywhere, a
  *  block thrown on a floor would gain 11 % of its energy, and one way everywhere, a rotating disc would lose 1.1 % of
- *  its own, not 0.3 %. Momentum is then conserved only to the order of the scheme. */
+ *  its own, not 0.3 %. Momentum is then conserved only to the order of the scheme. In scenes with
+ *  bodies the control acts only farther than H from all walls, as it would push bodies: a block that slides away from
+ *  water, pushing another body before it, brought 3.6 % of energy, and 0.0004 % without. */
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_H
 #define SPH2D_METHODS_WCSPH_WCSPH_H
 

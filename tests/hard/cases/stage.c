@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <sph2d/contacts.h>
+
 #include "cases.h"
 
 static const char *const method_words[METHODS] = {
@@ -74,6 +76,7 @@ bool stage_try(stage *s)
     options.isa = SPH2D_ISA_BASELINE;
     sph2d_report_clear(&s->report);
     s->status = sph2d_sim_create(&s->scene, &options, &s->sim, &s->report);
+    sph2d_contacts_attach(s->sim);
     return s->status == SPH2D_OK;
 }
 
