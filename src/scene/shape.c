@@ -153,10 +153,13 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
     return 0;
 }
 
+/** A corner of the regular polygon that has the area of a circle: one within it would have 0.6 % less, and so much less
+ *  buoyancy, at 10 spacings across. */
 static sph2d_vec2 circle_point(sph2d_disc circle, size_t index, size_t pieces)
 {
-    double angle = 2 * SPH2D__PI * (double)(index % pieces) / (double)pieces;
-    return (sph2d_vec2){circle.center.x + circle.radius * cos(angle), circle.center.y + circle.radius * sin(angle)};
+    double part = 2 * SPH2D__PI / (double)pieces, angle = part * (double)(index % pieces);
+    double radius = circle.radius * sqrt(part / sin(part));
+    return (sph2d_vec2){circle.center.x + radius * cos(angle), circle.center.y + radius * sin(angle)};
 }
 
 sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index)
@@ -305,4 +308,22 @@ sph2d_box sph2d__outline_bounds(const sph2d_outline *outline, double spacing)
         b = (sph2d_box){{c.center.x - c.radius, c.center.y - c.radius}, {c.center.x + c.radius, c.center.y + c.radius}};
     }
     return b;
+}
+
+double sph2d__outline_area(const sph2d_outline *outline)
+{
+    const sph2d_box *b = &outline->box;
+    switch (outline->kind) {
+    case SPH2D_OUTLINE_CIRCLE:
+        return SPH2D__PI * outline->circle.radius * outline->circle.radius;
+    case SPH2D_OUTLINE_BOX:
+        return (b->max.x - b->min.x) * (b->max.y - b->min.y);
+    case SPH2D_OUTLINE_POLYGON:
+        return fabs(signed_area(outline->polygon));
+    case SPH2D_OUTLINE_LINE:
+    case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_NONE:
+        break;
+    }
+    return 0;
 }

@@ -8,7 +8,8 @@
 #include "start/start.h"
 
 /* Clearance of the liquid from an obstacle's surface [spacings]. Layers of boundary particles begin half a spacing
- * behind the surface, so that the lattice continues in them. */
+ * behind the surface, so that the lattice continues in them; so does the row of a solid (place_walls.c). Rows of lines
+ * are on the surface. */
 static const double CLEARANCE = 0.7, CLEARANCE_OF_LAYERS = 0.49;
 
 static bool is_in_disc(sph2d_vec2 center, double radius, sph2d_vec2 p)
@@ -42,7 +43,8 @@ static bool is_near(const sph2d_outline *outline, double spacing, double distanc
 static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle *obstacle, double factor, sph2d_vec2 p)
 {
     bool layers = sph2d__obstacle_form(&sim->scene, obstacle) == SPH2D_WALL_GENERALISED;
-    double distance = factor * (layers ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
+    bool inset = layers || sph2d__has_inset_row(&sim->scene, obstacle);
+    double distance = factor * (inset ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
     if (sph2d__obstacle_fills(&sim->scene, obstacle, p))
         return layers ? SPH2D__ENCLOSED : SPH2D__NEAR_LINE;
     if (!is_near(&obstacle->outline, sim->scene.spacing, distance, p))

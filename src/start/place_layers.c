@@ -120,6 +120,12 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d)
     return layer;
 }
 
+sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d_obstacle *obstacle, size_t index, double distance)
+{
+    const contour c = contour_of(sim, obstacle);
+    return layer_piece(&c, index, distance);
+}
+
 /** Whether another piece of a solid is on the opposite side of it, as in a plate. */
 static bool is_opposite(const contour *c, size_t index, size_t other)
 {

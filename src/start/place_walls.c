@@ -4,7 +4,9 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "kernels/muller.h"
 #include "scene/bodies.h"
+#include "scene/liquid_side.h"
 #include "scene/resolve.h"
 #include "scene/wall_names.h"
 #include "start/start.h"
@@ -51,6 +53,66 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     return SPH2D_OK;
 }
 
+/** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]: by the kernel of the
+ *  method's density. */
+static double row_sum(const sph2d_method_options *m, double distance)
+{
+    int reach = (int)m->support_ratio + 1;
+    double sum = 0, support2 = m->support_ratio * m->support_ratio;
+    for (int i = -reach; i <= reach; ++i)
+        sum += m->name == SPH2D_METHOD_MULLER
+                   ? sph2d__poly6_shape(support2, i * i + distance * distance)
+                   : sph2d__kernel_value_at(m->kernel, hypot(i, distance) / m->support_ratio);
+    return sum;
+}
+
+/** Distance of a single row of boundary particles behind the surface of a wall [spacings]. A row with rest density by
+ *  itself (Akinci et al. 2012, eq. 4) represents all rows behind it. With methods that sum density over liquid and walls,
+ *  its distance from a lattice, which ends half a spacing before the surface, must give the first row of liquid the rest
+ *  density, too; by default it is 1.18 spacings. At one spacing liquid would start 12 % compressed along its walls, and
+ *  20 % in corners. */
+static double row_offset(const sph2d_sim *sim)
+{
+    const sph2d_method_options *m = &sim->scene.method;
+    double behind = 0, row = row_sum(m, 0), lattice = row;
+    for (int k = 1; k <= (int)m->support_ratio + 1; ++k)
+        behind += row_sum(m, k);
+    lattice += 2 * behind;
+    double low = 0.5, high = 2; /* the sum over the wall's row falls with the distance */
+    for (int n = 0; n < 50; ++n) {
+        double gap = (low + high) / 2;
+        *(row_sum(m, gap) * lattice / row > behind ? &low : &high) = gap;
+    }
+    return low - SIDE_OFFSET;
+}
+
+static double side_offset(const sph2d_sim *sim)
+{
+    return sim->method->project && sim->scene.walls == SPH2D_WALL_HEAVY ? row_offset(sim) : SIDE_OFFSET;
+}
+
+bool sph2d__has_inset_row(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+{
+    return sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_HEAVY && !sph2d__outline_is_open(&obstacle->outline) &&
+           !sph2d__obstacle_is_hollow(obstacle);
+}
+
+/** How far the row of a heavy solid lies behind its surface [m]: at most in the middle of a thin one. On its surface the
+ *  row made the solid 0.63 to 0.75 spacings larger all round, with 1.27 to 1.32 times its buoyancy at 10 across. */
+static double inset_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+{
+    if (!sph2d__has_inset_row(&sim->scene, obstacle))
+        return 0;
+    const sph2d_outline *outline = &obstacle->outline;
+    double spacing = sim->scene.spacing, length = 0;
+    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        length += hypot(s.b.x - s.a.x, s.b.y - s.a.y);
+    }
+    return fmin(row_offset(sim) * spacing, sph2d__outline_area(outline) / length);
+}
+
 /** Places the boundary particles of an obstacle and adds its pieces to a barrier. */
 static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
                                   sph2d_report *report)
@@ -61,10 +123,13 @@ static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle
         return SPH2D_SCENE;
     sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
     bool open = sph2d__outline_is_open(&obstacle->outline);
+    double inset = inset_of(sim, obstacle);
     for (size_t k = 0; k < pieces; ++k) {
         wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
                             open && k + 1 == pieces};
         sph2d__segment wall = piece.segment;
+        if (inset > 0)
+            piece.segment = sph2d__inset_piece(sim, obstacle, k, inset);
         if (obstacle->liquid ==
             SPH2D_LIQUID_RIGHT) /* the barrier keeps particles that start on a segment on its left */
             wall = (sph2d__segment){wall.b, wall.a};
@@ -114,37 +179,6 @@ static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *r
     m->first_id = ids->first;
     m->end_id = ids->end;
     return start_motion(sim, m, obstacle);
-}
-
-/** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]. */
-static double row_sum(const sph2d_method_options *m, double distance)
-{
-    int reach = (int)m->support_ratio + 1;
-    double sum = 0;
-    for (int i = -reach; i <= reach; ++i)
-        sum += sph2d__kernel_value_at(m->kernel, hypot(i, distance) / m->support_ratio);
-    return sum;
-}
-
-/** Distance of the boundary particles of a side outside the domain [spacings]. A row with rest density by itself
- *  (Akinci et al. 2012, eq. 4) represents all rows behind it. With methods that sum density over liquid and walls, its
- *  distance from a lattice must give the first row of liquid the rest density, too; by default it is 1.18 spacings. At
- *  one spacing liquid would start 12 % compressed along its walls, and 20 % in corners. */
-static double side_offset(const sph2d_sim *sim)
-{
-    const sph2d_method_options *m = &sim->scene.method;
-    if (!sim->method->project || sim->scene.walls != SPH2D_WALL_HEAVY)
-        return SIDE_OFFSET;
-    double behind = 0, row = row_sum(m, 0), lattice = row;
-    for (int k = 1; k <= (int)m->support_ratio + 1; ++k)
-        behind += row_sum(m, k);
-    lattice += 2 * behind;
-    double low = 0.5, high = 2; /* the sum over the wall's row falls with the distance */
-    for (int n = 0; n < 50; ++n) {
-        double gap = (low + high) / 2;
-        *(row_sum(m, gap) * lattice / row > behind ? &low : &high) = gap;
-    }
-    return low - SIDE_OFFSET;
 }
 
 /** Places one side of the domain that is a wall. `shift` points outwards. */
