@@ -622,6 +622,10 @@ typedef struct sph2d_scene {
      *  between, constant before and after; default none. */
     sph2d_path gravity_path;
 
+    /** A CSV file with columns t and any of gx, gy, in place of the path, which only sph2d_scene_file_read() reads:
+     *  it becomes the path. A component that it lacks is that of `gravity`. NULL: none. */
+    const char *gravity_file;
+
     /** Motion of the tank: of the domain and all walls in it, about the centre of the domain by default. Positions,
      *  velocities and probes are those seen from the tank, in which the liquid starts; it feels gravity turned, and the
      *  tank's accelerations. A path is cubic. Default: at rest. */

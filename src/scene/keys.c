@@ -494,6 +494,9 @@ static const sph2d_key scene_items[] = {
      .text =
          "gravity in time in place of `gravity`: [t, gx, gy] points with straight lines between, constant before and "
          "after"},
+    {"gravity_file", SPH2D_KEY_TEXT, false, AT(sph2d_scene, gravity_file), .unit = "", .default_text = "none",
+     .text =
+         "a CSV file with columns t and any of gx, gy: the gravity_path; one that is not there is that of `gravity`"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_scene, motion), .keys = &motion_keys, .unit = "",
      .default_text = "none",
      .text =
