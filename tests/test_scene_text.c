@@ -105,10 +105,13 @@ static const char *const goldens[] = {
     "  - box:\n      min: [0.25, 0.25]\n      max: [0.75, 0.75]\n"
     "run:\n  snapshots:\n    every: 0.5\n  frames:\n    per_second: 25\n",
 
-    "domain:\n  min: [0, 0]\n  max: [1, 1]\nwall_slip: smooth\nslip_length: 0.001\n"
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nwall_slip: smooth\n"
+    "side_slip:\n  left: free\n  bottom: none\nslip_length: 0.001\n"
     "wall_speeds:\n  bottom: 0.5\nspacing: 0.05\n"
     "blocks:\n"
-    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n"
+    "obstacles:\n"
+    "  - circle:\n      center: [0.5, 0.5]\n      radius: 0.2\n    slip: none\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\n"
     "boundary:\n  top: wall\nwall_slip: none\nspacing: 0.05\n"

@@ -125,6 +125,12 @@ typedef struct sph2d_side_speeds {
     double bottom, top;
 } sph2d_side_speeds;
 
+/** Slip or friction of wall sides of their own; default that of the scene. */
+typedef struct sph2d_side_slips {
+    /** The sides. */
+    sph2d_wall_slip left, right, bottom, top;
+} sph2d_side_slips;
+
 /** A force towards a centre that grows with the distance: acceleration -rate^2 (x - center). */
 typedef struct sph2d_central_force {
     /** Where it is zero [m]; default (0, 0). */
@@ -485,6 +491,9 @@ typedef struct sph2d_obstacle {
 
     /** Reflect only: normal speed after over before, 0 to 1; default 0.5. */
     double restitution;
+
+    /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */
+    sph2d_wall_slip slip;
 } sph2d_obstacle;
 
 /** Attraction to a moving point, or repulsion: acceleration * (1 - r/radius) inside `radius`. */
@@ -604,6 +613,9 @@ typedef struct sph2d_scene {
 
     /** Generalised walls: slip or friction of liquid along them; default free. */
     sph2d_slip wall_slip;
+
+    /** The same of single sides; default that of all. */
+    sph2d_side_slips side_slip;
 
     /** Smooth walls: slip length, the depth at which the extrapolated velocity is the wall's (Navier 1823) [m], >= 0;
      *  default 0. */

@@ -42,6 +42,7 @@ static void swing_set(void *out)
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
+static const char *const wall_slip_words[] = {"default", "free", "none", "smooth", NULL};
 
 /* In the order of sph2d_flow_kind. */
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
@@ -250,6 +251,9 @@ static const sph2d_key obstacle_items[] = {
              "steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .default_text = "0.5", .text = "reflect: ratio of normal speeds after and before"},
+    {"slip", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, slip), .words = wall_slip_words, .unit = "",
+     .default_text = "the scene's wall_slip", .feature = SPH2D_FEATURE_WALL_SLIP,
+     .text = "generalised: free slip, no slip (none), or friction by the law of the wall (smooth)"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "",
      .default_text = "none", .text = "how it moves"},
 };
@@ -358,6 +362,16 @@ static const sph2d_key wall_speeds_items[] = {
      .text = "to the right"},
 };
 KEYS(wall_speeds, sph2d_side_speeds, NULL);
+
+#define SIDE_SLIP(side)                                                                                                \
+    {                                                                                                                  \
+        #side, SPH2D_KEY_WORD, false, AT(sph2d_side_slips, side), .words = wall_slip_words, .unit = "",                \
+                                                  .default_text = "the scene's wall_slip",                             \
+                                                  .feature = SPH2D_FEATURE_WALL_SLIP, .text = #side " side"            \
+    }
+
+static const sph2d_key side_slip_items[] = {SIDE_SLIP(left), SIDE_SLIP(right), SIDE_SLIP(bottom), SIDE_SLIP(top)};
+KEYS(side_slip, sph2d_side_slips, NULL);
 
 static const sph2d_key central_force_items[] = {
     {"center", SPH2D_KEY_POINT, false, AT(sph2d_central_force, center), ANY, .unit = "m", .default_text = "[0, 0]",
@@ -481,6 +495,8 @@ static const sph2d_key scene_items[] = {
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
      .default_text = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
      .text = "generalised walls: free slip, no slip (none), or friction by the law of the wall (smooth)"},
+    {"side_slip", SPH2D_KEY_GROUP, false, AT(sph2d_scene, side_slip), .keys = &side_slip_keys, .unit = "",
+     .default_text = "none", .text = "slip of single sides, in place of wall_slip; obstacles have `slip`"},
     {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .default_text = "0",
      .text = "smooth walls: slip length, distance behind the wall where the velocity equals the wall's"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",

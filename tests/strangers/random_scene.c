@@ -235,11 +235,15 @@ static void write_obstacles(draft *d, places *taken)
         else
             fprintf(d->out, "  - polyline: [[%.4g, %.4g], [%.4g, %.4g], [%.4g, %.4g]]\n", at.x - x, at.y - y, at.x,
                     at.y, at.x - y, at.y + x);
-        if (chance(d, 0.3))
+        const bool own_form = chance(d, 0.3);
+        if (own_form)
             fprintf(d->out, "    form: %s\n",
                     is(d, "muller")  ? ONE_OF(d, "heavy", "reflect")
                     : is(d, "wcsph") ? ONE_OF(d, "generalised", "reflect")
                                      : ONE_OF(d, "heavy", "generalised", "reflect"));
+        draft aside = *d; /* a choice that moves no other */
+        if (!own_form && is(d, "wcsph") && !d->fitted && chance(&aside, 0.3))
+            fprintf(d->out, "    slip: %s\n", ONE_OF(&aside, "free", "none", "smooth"));
         if (chance(d, 0.25))
             write_motion(d, half);
     }
