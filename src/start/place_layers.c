@@ -154,9 +154,11 @@ static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, doub
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         double distance = c->closed ? sph2d__segment_distance(&piece, p) : INFINITY;
+        if (distance >= d + c->spacing) /* far: of another wall, as the other arm of a trough */
+            continue;
         if (c->side * sph2d__segment_side(&piece, p) < 0) /* p is beyond that piece */
             distance = -distance;
-        if (distance < fmin(other, d + c->spacing) && is_opposite(c, index, k))
+        if (distance < other && is_opposite(c, index, k))
             other = distance;
     }
     return fmin(fmax(((other - d) / c->spacing + 1) / 2, 0), 1);
