@@ -53,6 +53,7 @@
     X(pose)                                                                                                            \
     X(frame)                                                                                                           \
     X(turning)                                                                                                         \
+    X(arcs)                                                                                                            \
     X(slip)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \

@@ -111,7 +111,8 @@ static const char *const goldens[] = {
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n"
     "obstacles:\n"
-    "  - circle:\n      center: [0.5, 0.5]\n      radius: 0.2\n    slip: none\n",
+    "  - circle:\n      center: [0.5, 0.5]\n      radius: 0.2\n    slip: none\n"
+    "  - arc:\n      center: [0.5, 0.5]\n      radius: 0.4\n      from: -1.5\n      to: 1.5\n    liquid: left\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\n"
     "boundary:\n  top: wall\nwall_slip: none\nspacing: 0.05\n"

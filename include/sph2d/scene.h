@@ -56,6 +56,18 @@ typedef struct sph2d_disc {
     double radius;
 } sph2d_disc;
 
+/** A part of a circle, from one angle anticlockwise to another. */
+typedef struct sph2d_arc {
+    /** Centre [m]. */
+    sph2d_vec2 center;
+
+    /** Radius [m], > 0. */
+    double radius;
+
+    /** Angles from the x axis, anticlockwise [rad], from < to, less than a full turn apart. */
+    double from, to;
+} sph2d_arc;
+
 /** A list of points. */
 typedef struct sph2d_points {
     /** The points [m], borrowed. */
@@ -108,6 +120,9 @@ typedef struct sph2d_outline {
 
     /** Vertices, 3 to 10000, closed automatically: a solid. */
     sph2d_points polygon;
+
+    /** A part of a circle, open: its centre is on its left. */
+    sph2d_arc arc;
 } sph2d_outline;
 
 /** Boundary conditions at the four sides of the domain. */
@@ -469,7 +484,7 @@ typedef struct sph2d_motion {
 /** A wall of boundary particles. No particle passes it, at any speed. Heavy and reflecting ones are one particle thick
  *  and act on both sides. Generalised ones have layers of boundary particles with a total thickness of the support
  *  radius: closed outlines are solids, with layers inside, unless the liquid is inside (`liquid`): these are hollow, with
- *  layers around them; lines and polylines have the liquid on one side and the
+ *  layers around them; lines, polylines and arcs have the liquid on one side and the
  *  layers on the other, which no particle enters from behind either. */
 typedef struct sph2d_obstacle {
     /** A name for probes: letters, digits, `_` and `-`, unique, not that of a side (left, right, bottom, top). Default
@@ -479,7 +494,7 @@ typedef struct sph2d_obstacle {
     /** Its line; must be given. */
     sph2d_outline outline;
 
-    /** Lines and polylines with layers: on which side the liquid is; default auto. */
+    /** Lines, polylines and arcs with layers: on which side the liquid is; default auto. */
     sph2d_liquid_side liquid;
 
     /** Its motion; default: at rest. */

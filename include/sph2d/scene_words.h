@@ -231,7 +231,10 @@ typedef enum sph2d_outline_kind {
     SPH2D_OUTLINE_BOX,
 
     /** Vertices, 3 to 10000, closed automatically, in either orientation, without self-intersection: a solid. */
-    SPH2D_OUTLINE_POLYGON
+    SPH2D_OUTLINE_POLYGON,
+
+    /** A part of a circle, open. */
+    SPH2D_OUTLINE_ARC
 } sph2d_outline_kind;
 
 /** On which side of an outline with layers the liquid is, for lines looking from the first point to the last. */

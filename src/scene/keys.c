@@ -79,6 +79,16 @@ static const sph2d_key disc_items[] = {
 };
 KEYS(disc, sph2d_disc, NULL);
 
+static const sph2d_key arc_items[] = {
+    {"center", SPH2D_KEY_POINT, true, AT(sph2d_arc, center), ANY, .unit = "m", .text = "centre"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, radius), ABOVE_0, .unit = "m", .text = "radius"},
+    {"from", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, from), ANY, .unit = "rad",
+     .text = "angle of the first end, from the x axis anticlockwise"},
+    {"to", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, to), ANY, .unit = "rad",
+     .text = "angle of the last end, less than a full turn above `from`"},
+};
+KEYS(arc, sph2d_arc, NULL);
+
 /* The three shapes, as keys of a block or drain. */
 #define SHAPE(type)                                                                                                    \
     {"box",                                                                                                            \
@@ -239,10 +249,13 @@ static const sph2d_key obstacle_items[] = {
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
      .text = "a solid: corners, 3 or more, closed by itself"},
+    {"arc", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.arc),
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_ARC), .keys = &arc_keys, .unit = "",
+     .text = "a part of a circle, anticlockwise, open; its centre is on its left"},
     {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
      .default_text = "auto",
      .text =
-         "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
+         "which side of a line, polyline or arc with layers is wet, seen from its first point; auto: where blocks and "
          "sources lie; both: a solid of the layers' thickness, centred on the line; inside: a hollow circle, box or "
          "polygon with its layers around it"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
