@@ -53,6 +53,8 @@
     X(pose)                                                                                                            \
     X(frame)                                                                                                           \
     X(turning)                                                                                                         \
+    X(arcs)                                                                                                            \
+    X(slip)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(sources)                                                                                                         \

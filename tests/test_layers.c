@@ -129,6 +129,20 @@ START_TEST(a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness
 }
 END_TEST
 
+/** A trough of one polygon, with walls of 10 spacings: its inner faces have layers like its outer ones. */
+START_TEST(a_trough_has_layers_on_all_its_faces)
+{
+    static const sph2d_vec2 corners[] = {{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.7}, {0.7, 0.7},
+                                         {0.7, 0.3}, {0.3, 0.3}, {0.3, 0.7}, {0.2, 0.7}};
+    obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
+    obstacle.outline.polygon = (sph2d_points){corners, 8};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    double whole = 0.6 * 0.5 - 0.4 * 0.4, inside = 0.54 * 0.44 - 0.46 * 0.4; /* deeper than the layers */
+    ck_assert_msg(fabs(area_of(sim) / (whole - inside) - 1) < 0.01, "%g of %g", area_of(sim), whole - inside);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_circle_has_rings_of_its_area)
 {
     obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
@@ -282,6 +296,7 @@ Suite *suite_layers(void)
     tcase_add_test(tests, a_solid_box_has_layers_inside);
     tcase_add_test(tests, a_thin_solid_is_filled_once);
     tcase_add_loop_test(tests, a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness, 0, 10);
+    tcase_add_test(tests, a_trough_has_layers_on_all_its_faces);
     tcase_add_test(tests, a_circle_has_rings_of_its_area);
     tcase_add_test(tests, a_polyline_has_mitred_layers_on_its_right);
     tcase_add_test(tests, a_swinging_wall_is_where_its_law_says);

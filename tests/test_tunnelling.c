@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_tunnelling.c
  *  Nothing passes a wall one particle thick: jets at 10 sqrt(g H), H = 0.3 m, from five angles onto lines, corners, a
- *  circle, a box and a knife edge, heavy and reflecting, with adaptive steps and with the largest fixed step that the
- *  guards allow. Counted by place (the far side of a wall that closes it off) and by way (no particle's step crosses
- *  it). */
+ *  circle, a box, a knife edge and into a bowl, heavy and reflecting, with adaptive steps and with the largest fixed
+ *  step that the guards allow. Counted by place (the far side of a wall that closes it off) and by way (no particle's
+ *  step crosses it). */
 #include <math.h>
 #include <string.h>
 
 #include "common.h"
 #include "sim/simulation.h"
 
-enum { LINE, SLANTED, CORNER, CIRCLE, BOX, KNIFE, TARGETS };
+enum { LINE, SLANTED, CORNER, CIRCLE, BOX, KNIFE, BOWL, TARGETS };
 enum { ANGLES = 5, MOST = 4000 };
 
 static const double DX = 0.02, G = 9.81, END = 0.06;
 static const sph2d_disc CIRCLE_AT = {{0.5, 0.3}, 0.15};
 static const sph2d_box BOX_AT = {{0.35, 0.1}, {0.65, 0.4}};
+static const sph2d_arc BOWL_AT = {{0.5, 0.6}, 0.5, TEST_PI, 2 * TEST_PI}; /* from side to side */
 
 /** The points of the open targets; the first three reach from side to side. */
 static const sph2d_vec2 points[TARGETS][3] = {
@@ -29,7 +30,7 @@ static const size_t counts[TARGETS] = {[LINE] = 2, [SLANTED] = 2, [CORNER] = 3, 
 /** Where the jets aim: on the line, the corner, the circle's top, the box's upper edge, the knife's tip. */
 static const sph2d_vec2 aims[TARGETS] = {
     [LINE] = {0.5, 0.3},    [SLANTED] = {0.5, 0.325}, [CORNER] = {0.5, 0.15},
-    [CIRCLE] = {0.5, 0.45}, [BOX] = {0.45, 0.4},      [KNIFE] = {0.5, 0.4},
+    [CIRCLE] = {0.5, 0.45}, [BOX] = {0.45, 0.4},      [KNIFE] = {0.5, 0.4},    [BOWL] = {0.5, 0.1},
 };
 
 static sph2d_outline outline_of(int target)
@@ -43,6 +44,10 @@ static sph2d_outline outline_of(int target)
     case BOX:
         outline.kind = SPH2D_OUTLINE_BOX;
         outline.box = BOX_AT;
+        break;
+    case BOWL:
+        outline.kind = SPH2D_OUTLINE_ARC;
+        outline.arc = BOWL_AT;
         break;
     case CORNER:
         outline.kind = SPH2D_OUTLINE_POLYLINE;
@@ -64,7 +69,7 @@ static double jet_speed(void)
 static sph2d_sim *jet(int target, sph2d_wall_form form, int angle, double step, sph2d_report *report)
 {
     static const double degrees[ANGLES] = {0, 25, -40, 60, -55};
-    double a = degrees[angle] * TEST_PI / 180, steep = target == CORNER ? 0.3 : 1;
+    double a = degrees[angle] * TEST_PI / 180, steep = target == CORNER ? 0.3 : target == BOWL ? 0.5 : 1;
     sph2d_scene scene = sph2d_scene_default();
     scene.method.name = SPH2D_METHOD_MULLER;
     scene.domain = (sph2d_box){{0, 0}, {1, 1}};
@@ -106,6 +111,8 @@ static bool on_far_side(int target, sph2d_vec2 p)
         return p.x > BOX_AT.min.x && p.x < BOX_AT.max.x && p.y > BOX_AT.min.y && p.y < BOX_AT.max.y;
     case CORNER:
         return turn(w[0], w[1], p) < 0 || turn(w[1], w[2], p) < 0;
+    case BOWL:
+        return p.y < BOWL_AT.center.y && hypot(p.x - BOWL_AT.center.x, p.y - BOWL_AT.center.y) > BOWL_AT.radius;
     case KNIFE:
         return p.y < 0;
     default:
@@ -113,7 +120,7 @@ static bool on_far_side(int target, sph2d_vec2 p)
     }
 }
 
-/** Whether a straight way crosses a target's line; circles and boxes are told by place alone. */
+/** Whether a straight way crosses a target's line; circles, boxes and bowls are told by place alone. */
 static bool crosses(int target, sph2d_vec2 p, sph2d_vec2 q)
 {
     for (size_t i = 0; i + 1 < counts[target]; ++i) {

@@ -37,8 +37,8 @@ typedef struct sph2d_override {
 SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                              sph2d_scene_file **file, sph2d_report *report);
 
-/** The same from memory. `name` is the name of the file in messages; a file of particles that the scene names is not
- *  read. */
+/** The same from memory. `name` is the name of the file in messages; files that the scene names are not read: it is
+ *  refused if they are of motions or gravity. */
 SPH2D_API sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name,
                                               const sph2d_override *overrides, size_t override_count,
                                               sph2d_scene_file **file, sph2d_report *report);

@@ -56,6 +56,18 @@ typedef struct sph2d_disc {
     double radius;
 } sph2d_disc;
 
+/** A part of a circle, from one angle anticlockwise to another. */
+typedef struct sph2d_arc {
+    /** Centre [m]. */
+    sph2d_vec2 center;
+
+    /** Radius [m], > 0. */
+    double radius;
+
+    /** Angles from the x axis, anticlockwise [rad], from < to, less than a full turn apart. */
+    double from, to;
+} sph2d_arc;
+
 /** A list of points. */
 typedef struct sph2d_points {
     /** The points [m], borrowed. */
@@ -108,6 +120,9 @@ typedef struct sph2d_outline {
 
     /** Vertices, 3 to 10000, closed automatically: a solid. */
     sph2d_points polygon;
+
+    /** A part of a circle, open: its centre is on its left. */
+    sph2d_arc arc;
 } sph2d_outline;
 
 /** Boundary conditions at the four sides of the domain. */
@@ -124,6 +139,12 @@ typedef struct sph2d_side_speeds {
     /** Of the horizontal sides, to the right. */
     double bottom, top;
 } sph2d_side_speeds;
+
+/** Slip or friction of wall sides of their own; default that of the scene. */
+typedef struct sph2d_side_slips {
+    /** The sides. */
+    sph2d_wall_slip left, right, bottom, top;
+} sph2d_side_slips;
 
 /** A force towards a centre that grows with the distance: acceleration -rate^2 (x - center). */
 typedef struct sph2d_central_force {
@@ -463,7 +484,7 @@ typedef struct sph2d_motion {
 /** A wall of boundary particles. No particle passes it, at any speed. Heavy and reflecting ones are one particle thick
  *  and act on both sides. Generalised ones have layers of boundary particles with a total thickness of the support
  *  radius: closed outlines are solids, with layers inside, unless the liquid is inside (`liquid`): these are hollow, with
- *  layers around them; lines and polylines have the liquid on one side and the
+ *  layers around them; lines, polylines and arcs have the liquid on one side and the
  *  layers on the other, which no particle enters from behind either. */
 typedef struct sph2d_obstacle {
     /** A name for probes: letters, digits, `_` and `-`, unique, not that of a side (left, right, bottom, top). Default
@@ -473,7 +494,7 @@ typedef struct sph2d_obstacle {
     /** Its line; must be given. */
     sph2d_outline outline;
 
-    /** Lines and polylines with layers: on which side the liquid is; default auto. */
+    /** Lines, polylines and arcs with layers: on which side the liquid is; default auto. */
     sph2d_liquid_side liquid;
 
     /** Its motion; default: at rest. */
@@ -485,6 +506,9 @@ typedef struct sph2d_obstacle {
 
     /** Reflect only: normal speed after over before, 0 to 1; default 0.5. */
     double restitution;
+
+    /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */
+    sph2d_wall_slip slip;
 
     /** Leave it NULL. In the library's own copies of a scene, bodies follow the obstacles as obstacles with this set. */
     const struct sph2d_body *body;
@@ -574,6 +598,9 @@ typedef struct sph2d_body {
 
     /** Form of its surface: heavy (not wcsph) or generalised (not muller); default: the method's. */
     sph2d_wall_form form;
+
+    /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */
+    sph2d_wall_slip slip;
 } sph2d_body;
 
 /** Attraction to a moving point, or repulsion: acceleration * (1 - r/radius) inside `radius`. */
@@ -695,6 +722,9 @@ typedef struct sph2d_scene {
     /** Generalised walls: slip or friction of liquid along them; default free. */
     sph2d_slip wall_slip;
 
+    /** The same of single sides; default that of all. */
+    sph2d_side_slips side_slip;
+
     /** Smooth walls: slip length, the depth at which the extrapolated velocity is the wall's (Navier 1823) [m], >= 0;
      *  default 0. */
     double slip_length;
@@ -711,6 +741,10 @@ typedef struct sph2d_scene {
     /** Gravity in time, in place of `gravity`, which stays that of the potential energy: (t, gx, gy) with straight lines
      *  between, constant before and after; default none. */
     sph2d_path gravity_path;
+
+    /** A CSV file with columns t and any of gx, gy, in place of the path, which only sph2d_scene_file_read() reads:
+     *  it becomes the path. A component that it lacks is that of `gravity`. NULL: none. */
+    const char *gravity_file;
 
     /** Motion of the tank: of the domain and all walls in it, about the centre of the domain by default. Positions,
      *  velocities and probes are those seen from the tank, in which the liquid starts; it feels gravity turned, and the

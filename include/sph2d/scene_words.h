@@ -64,6 +64,17 @@ typedef enum sph2d_slip {
     SPH2D_SLIP_SMOOTH = 2
 } sph2d_slip;
 
+/** Slip or friction at one wall. */
+typedef enum sph2d_wall_slip {
+    /** That of the scene, wall_slip. */
+    SPH2D_WALL_SLIP_DEFAULT = 0,
+
+    /** As SPH2D_SLIP_FREE, SPH2D_SLIP_NONE and SPH2D_SLIP_SMOOTH. */
+    SPH2D_WALL_SLIP_FREE = 1,
+    SPH2D_WALL_SLIP_NONE = 2,
+    SPH2D_WALL_SLIP_SMOOTH = 3
+} sph2d_wall_slip;
+
 /** What method pcisph keeps below max_compression in every step. */
 typedef enum sph2d_criterion {
     /** The largest compression of a particle. */
@@ -220,7 +231,10 @@ typedef enum sph2d_outline_kind {
     SPH2D_OUTLINE_BOX,
 
     /** Vertices, 3 to 10000, closed automatically, in either orientation, without self-intersection: a solid. */
-    SPH2D_OUTLINE_POLYGON
+    SPH2D_OUTLINE_POLYGON,
+
+    /** A part of a circle, open. */
+    SPH2D_OUTLINE_ARC
 } sph2d_outline_kind;
 
 /** On which side of an outline with layers the liquid is, for lines looking from the first point to the last. */

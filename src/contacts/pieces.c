@@ -20,7 +20,8 @@ static cpVect vector(sph2d_vec2 v)
 
 static bool is_open(const sph2d__placed *placed)
 {
-    return placed->outline->kind == SPH2D_OUTLINE_LINE || placed->outline->kind == SPH2D_OUTLINE_POLYLINE;
+    sph2d_outline_kind kind = placed->outline->kind;
+    return kind == SPH2D_OUTLINE_LINE || kind == SPH2D_OUTLINE_POLYLINE || kind == SPH2D_OUTLINE_ARC;
 }
 
 /** Whether a corner is, but for rounding, on the line between its neighbours. */

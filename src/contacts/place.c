@@ -16,14 +16,20 @@ static sph2d_points points_of(const sph2d_outline *outline)
         return outline->polygon;
     case SPH2D_OUTLINE_CIRCLE:
     case SPH2D_OUTLINE_BOX:
+    case SPH2D_OUTLINE_ARC:
     case SPH2D_OUTLINE_NONE:
         break;
     }
     return (sph2d_points){0};
 }
 
+/* Arcs are chords of at most this angle, which leave them by 1/800 of the radius [rad]. */
+#define CHORD 0.1
+
 size_t sph2d__corner_count(const sph2d_outline *outline)
 {
+    if (outline->kind == SPH2D_OUTLINE_ARC)
+        return 1 + (size_t)ceil((outline->arc.to - outline->arc.from) / CHORD);
     return outline->kind == SPH2D_OUTLINE_BOX ? 4 : points_of(outline).count;
 }
 
@@ -31,6 +37,12 @@ size_t sph2d__corner_count(const sph2d_outline *outline)
 static sph2d_vec2 drawn_corner(const sph2d_outline *outline, size_t index)
 {
     const sph2d_box *box = &outline->box;
+    const sph2d_arc *arc = &outline->arc;
+    if (outline->kind == SPH2D_OUTLINE_ARC) {
+        double part = (double)index / (double)(sph2d__corner_count(outline) - 1);
+        double angle = (1 - part) * arc->from + part * arc->to;
+        return (sph2d_vec2){arc->center.x + arc->radius * cos(angle), arc->center.y + arc->radius * sin(angle)};
+    }
     if (outline->kind != SPH2D_OUTLINE_BOX)
         return points_of(outline).items[index];
     return (sph2d_vec2){index == 1 || index == 2 ? box->max.x : box->min.x, index >= 2 ? box->max.y : box->min.y};
@@ -98,6 +110,11 @@ static sph2d_vec2 center_of(const sph2d_outline *outline, sph2d_vec2 given)
     const sph2d_box *box = &outline->box;
     if (outline->kind == SPH2D_OUTLINE_BOX)
         return (sph2d_vec2){(box->min.x + box->max.x) / 2, (box->min.y + box->max.y) / 2};
+    const sph2d_arc *arc = &outline->arc;
+    if (outline->kind == SPH2D_OUTLINE_ARC) { /* of a line along it: r sin(a/2)/(a/2) from the centre */
+        double middle = (arc->from + arc->to) / 2, half = (arc->to - arc->from) / 2, r = arc->radius * sin(half) / half;
+        return (sph2d_vec2){arc->center.x + r * cos(middle), arc->center.y + r * sin(middle)};
+    }
     sph2d_points points = points_of(outline);
     if (points.count == 0)
         return (sph2d_vec2){0, 0};

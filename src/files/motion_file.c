@@ -4,21 +4,85 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "sph2d/io.h"
 
-enum { T, X, Y, ANGLE, COLUMNS };
-static const sph2d_table_column columns[COLUMNS] = {
-    [T] = {"t", "s", false},
-    [X] = {"x", "m", true},
-    [Y] = {"y", "m", true},
-    [ANGLE] = {"angle", "rad", true},
+/** What a file is about: its columns, time first, of which one more must be there. */
+typedef struct path_kind {
+    sph2d_table_column columns[4];
+    size_t width; /**< number of columns */
+    const char *lacks_columns;
+} path_kind;
+
+static const path_kind motion_kind = {
+    {{"t", "s", false}, {"x", "m", true}, {"y", "m", true}, {"angle", "rad", true}},
+    4,
+    "a motion needs one of the columns x, y, angle",
+};
+static const path_kind gravity_kind = {
+    {{"t", "s", false}, {"gx", "m/s^2", true}, {"gy", "m/s^2", true}},
+    3,
+    "gravity in time needs one of the columns gx, gy",
 };
 
-static double number(const sph2d_table *table, size_t row, size_t column)
+/** A path that a file gives: where the scene names the file, and where the rows go. */
+typedef struct path_slot {
+    const path_kind *kind;
+    char key[64]; /**< of the rows */
+    const char **file;
+    void *items; /**< the pointer to them */
+    size_t *count;
+    double otherwise[4]; /**< the numbers of columns that are not there */
+    sph2d_between *between;
+} path_slot;
+
+static path_slot slot_of_motion(sph2d_motion *motion, size_t i)
 {
-    return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : 0;
+    path_slot slot = {.kind = &motion_kind,
+                      .key = "motion.path",
+                      .file = &motion->file,
+                      .items = &motion->path.items,
+                      .count = &motion->path.count,
+                      .between = &motion->between};
+    if (i < SIZE_MAX)
+        snprintf(slot.key, sizeof slot.key, "obstacles[%zu].motion.path", i);
+    return slot;
 }
+
+/** Slot number `k`: gravity, the tank, and the obstacles. */
+static path_slot slot_of(sph2d_scene *scene, size_t k)
+{
+    if (k == 0)
+        return (path_slot){.kind = &gravity_kind,
+                           .key = "gravity_path",
+                           .file = &scene->gravity_file,
+                           .items = &scene->gravity_path.items,
+                           .count = &scene->gravity_path.count,
+                           .otherwise = {0, scene->gravity.x, scene->gravity.y}};
+    if (k == 1)
+        return slot_of_motion(&scene->motion, SIZE_MAX);
+    /* the items were converted into the pool, which is writable */
+    return slot_of_motion((sph2d_motion *)(uintptr_t)&scene->obstacles[k - 2].motion, k - 2);
+}
+
+/** Whether a file is to give the path; if there is one too, the check refuses them. */
+static bool is_wanted(const path_slot *slot)
+{
+    return *slot->file && *slot->count == 0;
+}
+
+static void fill(const path_slot *slot, const void *rows, size_t count)
+{
+    memcpy(slot->items, &rows, sizeof rows);
+    *slot->count = count;
+    *slot->file = NULL;
+    if (slot->between && *slot->between == SPH2D_BETWEEN_DEFAULT)
+        *slot->between = SPH2D_BETWEEN_CUBIC;
+}
+
+/* ---- from files -------------------------------------------------------------------------------------------------- */
 
 static sph2d_status fault(const sph2d_table *table, size_t row, const char *message, sph2d_report *report)
 {
@@ -26,55 +90,73 @@ static sph2d_status fault(const sph2d_table *table, size_t row, const char *mess
     return SPH2D_FORMAT;
 }
 
-static sph2d_status copy_rows(const sph2d_table *table, sph2d_motion *motion, sph2d__pool *pool, sph2d_report *report)
+static sph2d_status copy_rows(const sph2d_table *table, const path_slot *slot, sph2d__pool *pool, sph2d_report *report)
 {
-    size_t count = sph2d_table_rows(table);
+    size_t count = sph2d_table_rows(table), width = slot->kind->width, given = 0;
+    for (size_t column = 1; column < width; ++column)
+        given += sph2d_table_has(table, column);
     if (count == 0)
         return fault(table, 0, "this file has no rows", report);
-    if (!sph2d_table_has(table, X) && !sph2d_table_has(table, Y) && !sph2d_table_has(table, ANGLE))
-        return fault(table, 0, "a motion needs one of the columns x, y, angle", report);
-    sph2d_pose_point *items = sph2d__pool_alloc(pool, count, sizeof *items);
-    if (!items)
+    if (given == 0)
+        return fault(table, 0, slot->kind->lacks_columns, report);
+    double *rows = sph2d__pool_alloc(pool, count, width * sizeof *rows);
+    if (!rows)
         return SPH2D_NOMEM;
     for (size_t row = 0; row < count; ++row) {
-        const sph2d_pose_point p = {number(table, row, T), number(table, row, X), number(table, row, Y),
-                                    number(table, row, ANGLE)};
-        if (!isfinite(p.t + p.x + p.y + p.angle))
-            return fault(table, row, "a row lacks a number", report);
-        if (row > 0 && !(p.t > items[row - 1].t))
+        double *p = &rows[row * width];
+        for (size_t column = 0; column < width; ++column) {
+            bool here = sph2d_table_has(table, column);
+            p[column] = here ? sph2d_table_value(table, row, column) : slot->otherwise[column];
+            if (!isfinite(p[column]))
+                return fault(table, row, "a row lacks a number", report);
+        }
+        if (row > 0 && !(p[0] > rows[(row - 1) * width]))
             return fault(table, row, "times must increase from row to row", report);
-        items[row] = p;
     }
-    motion->path = (sph2d_pose_path){items, count};
+    fill(slot, rows, count);
     return SPH2D_OK;
 }
 
-static sph2d_status read_motion(sph2d_motion *motion, const char *from, sph2d__pool *pool, sph2d_report *report)
+static sph2d_status read_path(const path_slot *slot, const char *from, sph2d__pool *pool, sph2d_report *report)
 {
-    const char *path = sph2d__pool_join(pool, from, motion->file);
+    const char *path = sph2d__pool_join(pool, from, *slot->file);
     if (!path)
         return SPH2D_NOMEM;
     sph2d_table *table;
-    sph2d_status status = sph2d_table_read(path, columns, COLUMNS, &table, report);
+    sph2d_status status = sph2d_table_read(path, slot->kind->columns, slot->kind->width, &table, report);
     if (status == SPH2D_OK)
-        status = copy_rows(table, motion, pool, report);
+        status = copy_rows(table, slot, pool, report);
     sph2d_table_destroy(table);
-    motion->file = NULL;
-    if (motion->between == SPH2D_BETWEEN_DEFAULT)
-        motion->between = SPH2D_BETWEEN_CUBIC;
     return status;
 }
 
 sph2d_status sph2d__motions_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
-    if (scene->motion.file && scene->motion.path.count == 0)
-        status = read_motion(&scene->motion, from, pool, report);
-    for (size_t i = 0; status == SPH2D_OK && i < scene->obstacle_count; ++i) {
-        /* the items were converted into the pool, which is writable */
-        sph2d_motion *motion = (sph2d_motion *)(uintptr_t)&scene->obstacles[i].motion;
-        if (motion->file && motion->path.count == 0) /* both: the check refuses them */
-            status = read_motion(motion, from, pool, report);
+    for (size_t k = 0; status == SPH2D_OK && k < scene->obstacle_count + 2; ++k) {
+        path_slot slot = slot_of(scene, k);
+        if (is_wanted(&slot))
+            status = read_path(&slot, from, pool, report);
     }
     return status;
+}
+
+/* ---- from a snapshot --------------------------------------------------------------------------------------------- */
+
+sph2d_status sph2d__motions_keep(sph2d_scene *scene, const sph2d__kept_path *paths, size_t count, sph2d__pool *pool)
+{
+    for (size_t k = 0; k < scene->obstacle_count + 2; ++k) {
+        path_slot slot = slot_of(scene, k);
+        for (size_t i = 0; i < count && is_wanted(&slot); ++i) {
+            const sph2d__kept_path *p = &paths[i];
+            if (strcmp(p->key, slot.key) != 0 || p->width != slot.kind->width || p->count == 0)
+                continue;
+            void *rows = sph2d__pool_alloc(pool, p->count, p->width * sizeof(double));
+            if (!rows)
+                return SPH2D_NOMEM;
+            memcpy(rows, p->rows, p->count * p->width * sizeof(double));
+            fill(&slot, rows, p->count);
+        }
+    }
+    return SPH2D_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parameters_read.c
- *  Reads single values of a scene from a snapshot, for uses that do not run it. */
+ *  Reads single values of a scene from a snapshot, for uses that do not run it, and the paths that files gave it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -93,4 +93,56 @@ void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene)
 {
     *scene = sph2d_scene_default();
     get_struct(r, sph2d_scene_keys(), (char *)scene, "");
+}
+
+/* ---- paths ------------------------------------------------------------------------------------------------------- */
+
+static void get_path(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
+{
+    sph2d__h5_item item;
+    if (!sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) ||
+        !sph2d__h5_item_open(r, SPH2D__GROUP_PARAMETERS, key, &item))
+        return;
+    sph2d__kept_path *path = &s->paths[s->path_count];
+    void *rows = NULL;
+    if (H5Tget_class(item.type) != H5T_FLOAT || item.rank != 2)
+        sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' has the wrong shape or type", key);
+    else if (!(rows = sph2d__pool_alloc(r->pool, item.sizes[0] * item.sizes[1] + 1, sizeof(double))) ||
+             !(path->key = sph2d__pool_text(r->pool, key, strlen(key))))
+        r->status = SPH2D_NOMEM;
+    else if (sph2d__h5_item_read(r, &item, H5T_NATIVE_DOUBLE, rows, key)) {
+        path->rows = rows;
+        path->count = item.sizes[0];
+        path->width = item.sizes[1];
+        ++s->path_count;
+    }
+    sph2d__h5_item_close(&item);
+}
+
+/** Number of obstacles: each has a restitution. */
+static size_t count_obstacles(sph2d__h5_reader *r)
+{
+    char key[64];
+    size_t count = 0;
+    do
+        snprintf(key, sizeof key, "obstacles[%zu].restitution", count);
+    while (sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) && ++count);
+    return count;
+}
+
+void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
+{
+    size_t obstacles = count_obstacles(r);
+    s->paths = sph2d__pool_alloc(r->pool, obstacles + 2, sizeof *s->paths);
+    if (!s->paths) {
+        r->status = SPH2D_NOMEM;
+        return;
+    }
+    get_path(r, s, "gravity_path");
+    get_path(r, s, "motion.path");
+    for (size_t i = 0; i < obstacles && r->status != SPH2D_NOMEM; ++i) {
+        char key[64];
+        snprintf(key, sizeof key, "obstacles[%zu].motion.path", i);
+        get_path(r, s, key);
+    }
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_file.c
  *  Scene files: parse to a tree, apply overrides, convert to structs, check, locate the errors in the text. */
+#include "files/scene_file.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,16 +10,14 @@
 #include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
-#include "files/motion_file.h"
 #include "files/overrides.h"
 #include "files/particles_file.h"
-#include "sph2d/io.h"
 
 struct sph2d_scene_file {
     sph2d__document document;
     sph2d_override *overrides; /**< borrowed until they are copied */
     size_t override_count;
-    bool with_files; /**< those that the scene names are read too */
+    const sph2d__scene_source *source; /**< while it is parsed */
     sph2d_scene scene;
 };
 
@@ -65,16 +65,19 @@ static bool copy_overrides(sph2d_scene_file *file)
     return file->overrides;
 }
 
-/** Reads the files of particles and motions that the scene names. */
+/** Reads the files of particles, motions and gravity that the scene names, or takes what was kept of them. */
 static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
 {
     sph2d_scene *scene = &file->scene;
     const char *from = file->document.source.name;
+    sph2d__pool *pool = &file->document.pool;
     if (faults->errors > 0)
         return SPH2D_OK;
-    sph2d_status status = sph2d__motions_read(scene, from, &file->document.pool, faults->report);
+    if (!file->source->with_files)
+        return sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
+    sph2d_status status = sph2d__motions_read(scene, from, pool, faults->report);
     if (status == SPH2D_OK && scene->particles.file)
-        status = sph2d__particles_read(scene, from, &file->document.pool, faults->report);
+        status = sph2d__particles_read(scene, from, pool, faults->report);
     faults->errors += status != SPH2D_OK;
     return status;
 }
@@ -95,8 +98,7 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     sph2d__convert_mapping(&converter, keys, root, "", &file->scene);
     if (faults->short_of_memory)
         return SPH2D_NOMEM;
-    if (file->with_files)
-        status = read_files(file, faults);
+    status = read_files(file, faults);
     if (status != SPH2D_OK)
         return status;
     sph2d_report found = {0};
@@ -105,19 +107,18 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     return faults->errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }
 
-/** As sph2d_scene_file_parse(), with or without the files that the scene names, for a public function. */
-static sph2d_status parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
-                          size_t override_count, const char *function, bool with_files, sph2d_scene_file **file,
-                          sph2d_report *report)
+sph2d_status sph2d__scene_file_parse(const sph2d__scene_source *source, const sph2d_override *overrides,
+                                     size_t override_count, const char *function, sph2d_scene_file **file,
+                                     sph2d_report *report)
 {
     static const sph2d__document_kind kind = {
         "scene", "a scene is a list of `key: value` lines; domain, spacing and blocks are a start", read_scene};
     if (!file)
         return sph2d__null(report, function, "file");
     *file = NULL;
-    if (!text && length > 0)
+    if (!source->text && source->length > 0)
         return sph2d__null(report, function, "text");
-    if (!name)
+    if (!source->name)
         return sph2d__null(report, function, "name");
     if (!sph2d__overrides_given(overrides, override_count))
         return sph2d__null(report, function, "overrides");
@@ -126,8 +127,10 @@ static sph2d_status parse(const char *text, size_t length, const char *name, con
         return SPH2D_NOMEM;
     f->overrides = (sph2d_override *)(uintptr_t)overrides;
     f->override_count = override_count;
-    f->with_files = with_files;
-    sph2d_status status = sph2d__document_parse(&f->document, &kind, text, length, name, f, report);
+    f->source = source;
+    sph2d_status status =
+        sph2d__document_parse(&f->document, &kind, source->text, source->length, source->name, f, report);
+    f->source = NULL;
     if (status == SPH2D_OK)
         *file = f;
     else
@@ -138,7 +141,8 @@ static sph2d_status parse(const char *text, size_t length, const char *name, con
 sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name, const sph2d_override *overrides,
                                     size_t override_count, sph2d_scene_file **file, sph2d_report *report)
 {
-    return parse(text, length, name, overrides, override_count, __func__, false, file, report);
+    const sph2d__scene_source source = {.text = text, .length = length, .name = name};
+    return sph2d__scene_file_parse(&source, overrides, override_count, __func__, file, report);
 }
 
 sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
@@ -152,8 +156,10 @@ sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overr
     char *text;
     size_t length;
     sph2d_status status = sph2d__document_text(path, &text, &length, report);
-    if (status == SPH2D_OK)
-        status = parse(text, length, path, overrides, override_count, __func__, true, file, report);
+    if (status == SPH2D_OK) {
+        const sph2d__scene_source source = {.text = text, .length = length, .name = path, .with_files = true};
+        status = sph2d__scene_file_parse(&source, overrides, override_count, __func__, file, report);
+    }
     free(text);
     return status;
 }

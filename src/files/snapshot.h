@@ -6,6 +6,7 @@
 
 #include "files/h5_read.h"
 #include "files/layout.h"
+#include "files/motion_file.h"
 #include "sph2d/io.h"
 
 struct sph2d_snapshot {
@@ -14,6 +15,8 @@ struct sph2d_snapshot {
     sph2d_snapshot_info info;
     sph2d_override *overrides;
     size_t override_count;
+    sph2d__kept_path *paths; /**< of /Parameters: gravity and motions in time */
+    size_t path_count;
     uint64_t state_version;
     sph2d_array *arrays; /**< those of the state in order, then the other fields */
     size_t array_count;
@@ -21,6 +24,9 @@ struct sph2d_snapshot {
 
 /** Reads /Parameters, except lists, into a default scene. */
 void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene);
+
+/** Reads the paths of gravity and motions in /Parameters, for a scene whose text names files that gave them. */
+void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *snapshot);
 
 /** Reads all arrays. */
 void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *snapshot);

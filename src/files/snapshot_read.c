@@ -117,6 +117,7 @@ static sph2d_status read_snapshot(const char *path, bool checked, sph2d_snapshot
     if (r.status == SPH2D_OK && groups_are_here(&r) && is_readable(&r, s)) {
         read_metadata(&r, s);
         read_scene(&r, s);
+        sph2d__snapshot_get_paths(&r, s);
         sph2d__snapshot_get_arrays(&r, s);
     }
     sph2d__h5_reader_close(&r);

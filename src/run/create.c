@@ -82,14 +82,17 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->tension = limited ? tension : INFINITY;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
-    s->wall_slip = scene->wall_slip;
+    unsigned slips = sph2d__slips(scene);
+    s->walls_rough = slips >> SPH2D_SLIP_NONE & 1;
+    s->walls_smooth = slips >> SPH2D_SLIP_SMOOTH & 1;
+    s->wall_slip = s->walls_smooth ? SPH2D_SLIP_SMOOTH : s->walls_rough ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
     s->slip_length = scene->slip_length;
     s->surface_tension = scene->fluid.surface_tension;
     bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
     sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
-    sph2d__set walls = sim->method->walls & ~(scene->wall_slip == SPH2D_SLIP_SMOOTH ? 0 : friction);
+    sph2d__set walls = sim->method->walls & ~(s->walls_smooth ? 0 : friction);
     s->walls.carried = walls;
     if (sim->method->project && scene->body_count > 0)
         walls |= SPH2D__BIT(push);

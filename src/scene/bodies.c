@@ -42,6 +42,7 @@ static moments moments_of(const sph2d_outline *outline)
         return polygon_moments(outline->polygon, sph2d__outline_centroid(outline));
     case SPH2D_OUTLINE_LINE:
     case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_ARC:
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -65,6 +66,7 @@ static sph2d_obstacle obstacle_of(const sph2d_body *body)
     obstacle.name = body->name;
     obstacle.outline = body->outline;
     obstacle.form = body->form;
+    obstacle.slip = body->slip;
     obstacle.body = body;
     return obstacle;
 }

@@ -11,6 +11,7 @@
 #include "scene/derive.h"
 #include "scene/method_table.h"
 #include "scene/resolve.h"
+#include "scene/wall_names.h"
 #include "sph2d/key.h"
 
 /** Adds a hint for a feature that the scene's method does not have. */
@@ -81,25 +82,68 @@ static void check_keys(sph2d__checker *c)
     }
 }
 
+/** A slip that a wall has of its own, or the scene's. */
+static void check_slip(sph2d__checker *c, const char *path, sph2d_slip slip)
+{
+    require_feature(c, path, slip != SPH2D_SLIP_FREE, SPH2D_FEATURE_WALL_SLIP, NULL);
+    if (sph2d_method_has(sph2d_method_of(&c->scene->method), SPH2D_FEATURE_WALL_SLIP))
+        require_feature(c, path, slip == SPH2D_SLIP_SMOOTH, SPH2D_FEATURE_SMOOTH_WALLS,
+                        "use `none`, or `operators: symmetric`");
+}
+
+/** The own slip of one wall: it must be a wall in layers. Fitted operators have no free slip. */
+static void check_own_slip(sph2d__checker *c, const char *path, sph2d_slip slip, bool is_wall, sph2d_wall_form form)
+{
+    if (!is_wall) {
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
+        return;
+    }
+    if (form != SPH2D_WALL_GENERALISED && slip != SPH2D_SLIP_FREE)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
+                           "has an effect on generalised walls only; use `walls` or `form: generalised`");
+    check_slip(c, path, slip);
+    require_feature(c, path, slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
+                    "use `none`, or `operators: symmetric`");
+}
+
+static void check_slips(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    const sph2d_side_speeds *v = &scene->wall_speeds;
+    const double speeds[SPH2D__WALL_OBSTACLE] = {v->left, v->right, v->bottom, v->top};
+    const sph2d_side_slips *s = &scene->side_slip;
+    const sph2d_wall_slip own[SPH2D__WALL_OBSTACLE] = {s->left, s->right, s->bottom, s->top};
+    bool slides = false;
+    char path[SPH2D__PATH_SIZE];
+    check_slip(c, "wall_slip", scene->wall_slip);
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side) {
+        snprintf(path, sizeof path, "side_slip.%s", sph2d__side_word(side));
+        sph2d_slip slip = sph2d__side_slip(scene, side);
+        if (own[side] != SPH2D_WALL_SLIP_DEFAULT)
+            check_own_slip(c, path, slip, sph2d__side_of(scene, side) == SPH2D_SIDE_WALL, sph2d__side_form(scene));
+        slides = slides || (speeds[side] != 0 && slip == SPH2D_SLIP_FREE);
+    }
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (scene->obstacles[i].slip != SPH2D_WALL_SLIP_DEFAULT)
+            check_own_slip(c, sph2d__check_wall_path(c, path, i, ".slip"),
+                           sph2d__obstacle_slip(scene, &scene->obstacles[i]), true,
+                           sph2d__obstacle_form(scene, &scene->obstacles[i]));
+    bool smooth = scene->wall_slip == SPH2D_SLIP_SMOOTH || (sph2d__slips(scene) >> SPH2D_SLIP_SMOOTH & 1);
+    if (scene->slip_length != 0 && !smooth)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",
+                           "has an effect on smooth walls only; use wall_slip: smooth");
+    if (slides)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
+                           "has no effect on free-slip walls; use wall_slip: none or smooth");
+}
+
 static void check_options(sph2d__checker *c)
 {
     const sph2d_method_options *m = &c->scene->method;
     check_keys(c);
     require_feature(c, "fluid.surface_tension", c->scene->fluid.surface_tension != 0, SPH2D_FEATURE_SURFACE_TENSION,
                     NULL);
-    require_feature(c, "wall_slip", c->scene->wall_slip != SPH2D_SLIP_FREE, SPH2D_FEATURE_WALL_SLIP, NULL);
-    bool smooth = c->scene->wall_slip == SPH2D_SLIP_SMOOTH;
-    if (sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_WALL_SLIP))
-        require_feature(c, "wall_slip", smooth, SPH2D_FEATURE_SMOOTH_WALLS,
-                        "use `wall_slip: none`, or `operators: symmetric`");
-    if (c->scene->slip_length != 0 && !smooth)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",
-                           "has an effect on smooth walls only; use wall_slip: smooth");
-    const sph2d_side_speeds *v = &c->scene->wall_speeds;
-    bool sides_move = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
-    if (sides_move && c->scene->wall_slip == SPH2D_SLIP_FREE)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "wall_speeds",
-                           "has no effect on free-slip walls; use wall_slip: none or smooth");
+    check_slips(c);
     bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
     if (m->diffusion_form == SPH2D_DIFFUSION_FOURTAKAS &&
         sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_DIFFUSION_FORM) &&
@@ -255,11 +299,15 @@ static void check_filled_domain(sph2d__checker *c)
     const sph2d_side sides[4] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
                                  scene->boundary.top};
     static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
-    bool walled = scene->obstacle_count > 0;
+    bool walled = false; /* by walls without a slip of their own */
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        walled |= scene->obstacles[i].slip == SPH2D_WALL_SLIP_DEFAULT;
+    const sph2d_side_slips *s = &scene->side_slip;
+    const sph2d_wall_slip own[4] = {s->left, s->right, s->bottom, s->top};
     for (int k = 0; k < 4; ++k) {
         require_feature(c, paths[k], sides[k] == SPH2D_SIDE_OPEN, SPH2D_FEATURE_FREE_SURFACE,
                         "liquid must fill the domain: make the side a wall or periodic, or use `operators: symmetric`");
-        walled |= sides[k] == SPH2D_SIDE_WALL;
+        walled |= sides[k] == SPH2D_SIDE_WALL && own[k] == SPH2D_WALL_SLIP_DEFAULT;
     }
     require_feature(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
                     "use `wall_slip: none`, or `operators: symmetric`");

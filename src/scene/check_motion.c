@@ -243,11 +243,25 @@ static void check_tank(checker *c, sph2d__memory *memory)
     sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
 }
 
+/** Gravity in time, by its path or its file. */
+static void check_gravity(checker *c)
+{
+    const sph2d_path *path = &c->scene->gravity_path;
+    sph2d__check_times(c, path->count > 0 ? &path->items[0].t : NULL, path->count, 3, "gravity_path");
+    if (path->count > MAX_POINTS)
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "gravity_path", "has more than 5000 points: leave some out");
+    if (c->scene->gravity_file)
+        sph2d__check_fault(c, path->count > 0 ? SPH2D_CODE_CONFLICT : SPH2D_CODE_MISSING_KEY, "gravity_file",
+                           path->count > 0
+                               ? "gives the gravity_path, which is given, too: leave out one of the two"
+                               : "was not read: only a scene that is read from a file has files; give its rows as "
+                                 "`gravity_path`");
+}
+
 void sph2d__check_motion_keys(checker *c)
 {
     check_keys(c, TANK);
-    sph2d__check_times(c, c->scene->gravity_path.count > 0 ? &c->scene->gravity_path.items[0].t : NULL,
-                       c->scene->gravity_path.count, 3, "gravity_path");
+    check_gravity(c);
     for (size_t i = 0; i < c->scene->obstacle_count; ++i)
         check_keys(c, i);
 }

@@ -43,6 +43,26 @@ static double domain_diagonal(const sph2d_scene *scene)
     return hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
 }
 
+static void check_arc(checker *c, const sph2d_arc *arc, size_t i)
+{
+    char path[PATH_SIZE];
+    double turn = arc->to - arc->from;
+    if (!(turn > 0 && turn < 2 * SPH2D__PI)) {
+        sph2d_diagnostic *d = sph2d__check_fault(
+            c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "obstacles", i, ".arc.to"),
+            turn > 0 ? "is a full turn or more above `from`" : "must be above `from`: arcs go anticlockwise");
+        sph2d_diagnostic_hint(d, turn > 0 ? "use a circle; with `liquid: inside` it is hollow"
+                                          : "a full turn more, 6.28319, is the same direction");
+        return;
+    }
+    sph2d_box b = sph2d__arc_bounds(arc);
+    sph2d__check_path(path, "obstacles", i, ".arc");
+    if (!sph2d__check_in_domain(c->scene, b.min))
+        sph2d__check_outside(c, path, b.min);
+    else if (!sph2d__check_in_domain(c->scene, b.max))
+        sph2d__check_outside(c, path, b.max);
+}
+
 static void check_obstacle(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
@@ -83,24 +103,45 @@ static void check_obstacle(checker *c, size_t i)
         if (sph2d__check_polygon(c, outline->polygon, path))
             check_points_inside(c, outline->polygon, path);
         break;
+    case SPH2D_OUTLINE_ARC:
+        check_arc(c, &outline->arc, i);
+        break;
     case SPH2D_OUTLINE_NONE:
     default: {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""),
                                                  "has no outline");
-        sph2d_diagnostic_hint(d, "give one of %s", obstacle->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon");
+        sph2d_diagnostic_hint(d, "give one of %s",
+                              obstacle->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon, arc");
         break;
     }
     }
 }
 
 /** Whether a line can be a solid of the layers' thickness. */
-static bool can_be_solid(const sph2d_scene *scene, sph2d_points line)
+static bool can_be_solid(const sph2d_scene *scene, const sph2d_outline *outline)
 {
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
-    void *corners = sph2d__alloc(&memory, 2 * line.count, sizeof(sph2d_vec2));
-    bool can = !corners || sph2d__solid_of_line(line, sph2d__layer_thickness(scene), corners);
-    sph2d__release(&memory, &corners, 2 * line.count, sizeof(sph2d_vec2));
+    size_t count = sph2d__outline_points(outline, scene->spacing, NULL);
+    void *points = sph2d__alloc(&memory, 3 * count, sizeof(sph2d_vec2));
+    sph2d_vec2 *corners = points, *line = corners ? corners + 2 * count : NULL;
+    sph2d__outline_points(outline, scene->spacing, line);
+    bool can =
+        !corners || sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
+    sph2d__release(&memory, &points, 3 * count, sizeof(sph2d_vec2));
     return can;
+}
+
+/** Layers inside an arc must fit there, and their back: liquid from behind must not get into them. */
+static void check_layers_inside(checker *c, const sph2d_arc *arc, size_t i)
+{
+    double thickness = sph2d__layer_thickness(c->scene);
+    char path[PATH_SIZE];
+    if (arc->radius > thickness)
+        return;
+    sph2d_diagnostic *d = sph2d__check_fault(
+        c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".arc.radius"),
+        "is not larger than the thickness of the layers, which are inside the arc as the liquid is outside");
+    sph2d_diagnostic_hint(d, "make it larger than %.3g m, or draw the solid as a `polygon`", thickness);
 }
 
 /** Checks that the wet side of a line is given or can be found, and that a line wet on both sides can be a solid. */
@@ -112,16 +153,24 @@ static void check_side(checker *c, size_t i)
     if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__outline_is_open(&obstacle->outline))
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".liquid"),
                            "a line has no inside: use left, right or both");
-    if (!sph2d__obstacle_has_side(c->scene, obstacle) || sph2d__liquid_side(c->scene, obstacle) != SPH2D_LIQUID_BOTH)
+    if (!sph2d__obstacle_has_side(c->scene, obstacle))
         return;
-    bool line = obstacle->outline.kind == SPH2D_OUTLINE_LINE;
-    sph2d__check_wall_path(c, path, i, line ? ".line" : ".polyline");
+    sph2d_liquid_side side = sph2d__liquid_side(c->scene, obstacle);
+    sph2d_outline_kind kind = obstacle->outline.kind;
+    if (kind == SPH2D_OUTLINE_ARC && side == SPH2D_LIQUID_RIGHT)
+        check_layers_inside(c, &obstacle->outline.arc, i);
+    if (side != SPH2D_LIQUID_BOTH)
+        return;
+    sph2d__check_wall_path(c, path, i,
+                           kind == SPH2D_OUTLINE_LINE  ? ".line"
+                           : kind == SPH2D_OUTLINE_ARC ? ".arc"
+                                                       : ".polyline");
     if (obstacle->liquid == SPH2D_LIQUID_AUTO) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "liquid lies on both sides of it, where the layers of boundary particles must be");
         sph2d_diagnostic_hint(d, "`liquid: both` makes it a solid %.3g m thick; or leave one side free for %.3g m",
                               sph2d__layer_thickness(c->scene), sph2d__layer_thickness(c->scene));
-    } else if (!can_be_solid(c->scene, line ? obstacle->outline.line : obstacle->outline.polyline)) {
+    } else if (!can_be_solid(c->scene, &obstacle->outline)) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "turns too sharply for a solid of the layers' thickness that has liquid on both sides");
         sph2d_diagnostic_hint(d, "draw the solid as a `polygon`, %.3g m thick or thicker",
@@ -137,7 +186,9 @@ static void check_all_points(checker *c)
     size_t points = 0;
     for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
         const sph2d_outline *o = &c->scene->obstacles[i].outline;
-        points += o->kind == SPH2D_OUTLINE_POLYLINE  ? o->polyline.count
+        bool solid_arc = o->kind == SPH2D_OUTLINE_ARC && c->scene->obstacles[i].liquid == SPH2D_LIQUID_BOTH;
+        points += solid_arc ? sph2d__outline_points(o, c->scene->spacing, NULL)
+                  : o->kind == SPH2D_OUTLINE_POLYLINE  ? o->polyline.count
                   : o->kind == SPH2D_OUTLINE_POLYGON ? o->polygon.count
                                                      : 4;
     }

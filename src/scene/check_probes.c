@@ -88,8 +88,9 @@ static void refuse_name(checker *c, const char *path, const char *name)
 static void warn_of_torque(checker *c, int obstacle, const char *path)
 {
     const sph2d_scene *scene = c->scene;
-    if (scene->method.name != SPH2D_METHOD_WCSPH || scene->wall_slip != SPH2D_SLIP_NONE ||
-        !sph2d__obstacle_turns(&scene->obstacles[obstacle]) ||
+    const sph2d_obstacle *o = &scene->obstacles[obstacle];
+    if (scene->method.name != SPH2D_METHOD_WCSPH || sph2d__obstacle_slip(scene, o) != SPH2D_SLIP_NONE ||
+        !sph2d__obstacle_turns(o) ||
         sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
         return;
     sph2d_diagnostic *d = sph2d_report_add(

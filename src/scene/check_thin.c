@@ -120,7 +120,8 @@ void sph2d__check_thin(sph2d__checker *c)
                                         [SPH2D_OUTLINE_POLYLINE] = ".polyline",
                                         [SPH2D_OUTLINE_CIRCLE] = ".circle",
                                         [SPH2D_OUTLINE_BOX] = ".box",
-                                        [SPH2D_OUTLINE_POLYGON] = ".polygon"};
+                                        [SPH2D_OUTLINE_POLYGON] = ".polygon",
+                                        [SPH2D_OUTLINE_ARC] = ".arc"};
     const sph2d_scene *scene = c->scene;
     size_t count = 0, first = 0;
     thin place = {0}, found;

@@ -44,6 +44,7 @@ static void swing_set(void *out)
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
+static const char *const wall_slip_words[] = {"default", "free", "none", "smooth", NULL};
 
 /* In the order of sph2d_flow_kind. */
 static const char *const flow_words[] = {"none",          "still",  "taylor_green", "gresho", "poiseuille", "couette",
@@ -79,6 +80,16 @@ static const sph2d_key disc_items[] = {
     {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_disc, radius), ABOVE_0, .unit = "m", .text = "radius"},
 };
 KEYS(disc, sph2d_disc, NULL);
+
+static const sph2d_key arc_items[] = {
+    {"center", SPH2D_KEY_POINT, true, AT(sph2d_arc, center), ANY, .unit = "m", .text = "centre"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, radius), ABOVE_0, .unit = "m", .text = "radius"},
+    {"from", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, from), ANY, .unit = "rad",
+     .text = "angle of the first end, from the x axis anticlockwise"},
+    {"to", SPH2D_KEY_NUMBER, true, AT(sph2d_arc, to), ANY, .unit = "rad",
+     .text = "angle of the last end, less than a full turn above `from`"},
+};
+KEYS(arc, sph2d_arc, NULL);
 
 /* The three shapes, as keys of a block or drain. */
 #define SHAPE(type)                                                                                                    \
@@ -240,10 +251,13 @@ static const sph2d_key obstacle_items[] = {
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
      CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
      .text = "a solid: corners, 3 or more, closed by itself"},
+    {"arc", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.arc),
+     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_ARC), .keys = &arc_keys, .unit = "",
+     .text = "a part of a circle, anticlockwise, open; its centre is on its left"},
     {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
      .default_text = "auto",
      .text =
-         "which side of a line or polyline with layers is wet, seen from its first point; auto: where blocks and "
+         "which side of a line, polyline or arc with layers is wet, seen from its first point; auto: where blocks and "
          "sources lie; both: a solid of the layers' thickness, centred on the line; inside: a hollow circle, box or "
          "polygon with its layers around it"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
@@ -252,6 +266,9 @@ static const sph2d_key obstacle_items[] = {
              "steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .default_text = "0.5", .text = "reflect: ratio of normal speeds after and before"},
+    {"slip", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, slip), .words = wall_slip_words, .unit = "",
+     .default_text = "the scene's wall_slip", .feature = SPH2D_FEATURE_WALL_SLIP,
+     .text = "generalised: free slip, no slip (none), or friction by the law of the wall (smooth)"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, motion), .keys = &motion_keys, .unit = "",
      .default_text = "none", .text = "how it moves"},
 };
@@ -324,6 +341,9 @@ static const sph2d_key body_items[] = {
      .default_text = "0", .text = "contacts: ratio of normal speeds after and before"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_body, form), .words = wall_words, .unit = "",
      .default_text = "the method's", .text = "heavy (not wcsph) or generalised (not muller)"},
+    {"slip", SPH2D_KEY_WORD, false, AT(sph2d_body, slip), .words = wall_slip_words, .unit = "",
+     .default_text = "the scene's wall_slip", .feature = SPH2D_FEATURE_WALL_SLIP,
+     .text = "generalised: free slip, no slip (none), or friction by the law of the wall (smooth)"},
 };
 KEYS(body, sph2d_body, body_set);
 
@@ -430,6 +450,16 @@ static const sph2d_key wall_speeds_items[] = {
      .text = "to the right"},
 };
 KEYS(wall_speeds, sph2d_side_speeds, NULL);
+
+#define SIDE_SLIP(side)                                                                                                \
+    {                                                                                                                  \
+        #side, SPH2D_KEY_WORD, false, AT(sph2d_side_slips, side), .words = wall_slip_words, .unit = "",                \
+                                                  .default_text = "the scene's wall_slip",                             \
+                                                  .feature = SPH2D_FEATURE_WALL_SLIP, .text = #side " side"            \
+    }
+
+static const sph2d_key side_slip_items[] = {SIDE_SLIP(left), SIDE_SLIP(right), SIDE_SLIP(bottom), SIDE_SLIP(top)};
+KEYS(side_slip, sph2d_side_slips, NULL);
 
 static const sph2d_key central_force_items[] = {
     {"center", SPH2D_KEY_POINT, false, AT(sph2d_central_force, center), ANY, .unit = "m", .default_text = "[0, 0]",
@@ -553,6 +583,8 @@ static const sph2d_key scene_items[] = {
     {"wall_slip", SPH2D_KEY_WORD, false, AT(sph2d_scene, wall_slip), .words = slip_words, .unit = "",
      .default_text = "free", .feature = SPH2D_FEATURE_WALL_SLIP,
      .text = "generalised walls: free slip, no slip (none), or friction by the law of the wall (smooth)"},
+    {"side_slip", SPH2D_KEY_GROUP, false, AT(sph2d_scene, side_slip), .keys = &side_slip_keys, .unit = "",
+     .default_text = "none", .text = "slip of single sides, in place of wall_slip; obstacles have `slip`"},
     {"slip_length", SPH2D_KEY_NUMBER, false, AT(sph2d_scene, slip_length), FROM_0, .unit = "m", .default_text = "0",
      .text = "smooth walls: slip length, distance behind the wall where the velocity equals the wall's"},
     {"wall_speeds", SPH2D_KEY_GROUP, false, AT(sph2d_scene, wall_speeds), .keys = &wall_speeds_keys, .unit = "",
@@ -566,6 +598,9 @@ static const sph2d_key scene_items[] = {
      .text =
          "gravity in time in place of `gravity`: [t, gx, gy] points with straight lines between, constant before and "
          "after"},
+    {"gravity_file", SPH2D_KEY_TEXT, false, AT(sph2d_scene, gravity_file), .unit = "", .default_text = "none",
+     .text =
+         "a CSV file with columns t and any of gx, gy: the gravity_path; one that is not there is that of `gravity`"},
     {"motion", SPH2D_KEY_GROUP, false, AT(sph2d_scene, motion), .keys = &motion_keys, .unit = "",
      .default_text = "none",
      .text =

@@ -64,6 +64,8 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
  *  both count. */
 static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
 {
+    if (outline->kind == SPH2D_OUTLINE_ARC)
+        return sph2d__arc_distance(&outline->arc, p, side);
     double nearest = INFINITY;
     *side = 0;
     size_t pieces = sph2d__outline_pieces(outline, 0);
@@ -82,6 +84,7 @@ static void find_wet_sides(const sph2d_scene *scene, const sph2d_outline *outlin
                            bool *right)
 {
     double dx = scene->spacing, side;
+    double bulge = outline->kind == SPH2D_OUTLINE_ARC ? sph2d__arc_bulge(&outline->arc, dx) : 0;
     size_t pieces = sph2d__outline_pieces(outline, dx);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, dx, k);
@@ -92,7 +95,8 @@ static void find_wet_sides(const sph2d_scene *scene, const sph2d_outline *outlin
                 sph2d_vec2 p = {s.a.x + t * (s.b.x - s.a.x) - offset * (s.b.y - s.a.y),
                                 s.a.y + t * (s.b.y - s.a.y) + offset * (s.b.x - s.a.x)};
                 bool *wet = d > 0 ? left : right;
-                if (!*wet && sph2d__in_block(scene, p) && distance_to_line(outline, p, &side) >= 0.999 * fabs(d))
+                if (!*wet && sph2d__in_block(scene, p) &&
+                    distance_to_line(outline, p, &side) >= 0.999 * fabs(d) - bulge)
                     *wet = true;
             }
     }
@@ -180,13 +184,15 @@ sph2d_status sph2d__resolve_obstacles(sph2d_scene *scene, sph2d__arena *arena, s
         obstacles[i].liquid = sph2d__liquid_side(scene, &scene->obstacles[i]);
         if (obstacles[i].liquid != SPH2D_LIQUID_BOTH)
             continue;
-        sph2d_points line = outline->kind == SPH2D_OUTLINE_LINE ? outline->line : outline->polyline;
-        sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 2 * line.count, sizeof *corners);
+        size_t count = sph2d__outline_points(outline, scene->spacing, NULL);
+        sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 3 * count, sizeof *corners);
         if (!corners)
             return SPH2D_NOMEM;
-        sph2d__solid_of_line(line, sph2d__layer_thickness(scene), corners);
+        sph2d_vec2 *line = corners + 2 * count;
+        sph2d__outline_points(outline, scene->spacing, line);
+        sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
         outline->kind = SPH2D_OUTLINE_POLYGON;
-        outline->polygon = (sph2d_points){corners, 2 * line.count};
+        outline->polygon = (sph2d_points){corners, 2 * count};
     }
     scene->obstacles = obstacles;
     return SPH2D_OK;

@@ -4,6 +4,7 @@
 #include "scene/resolve.h"
 
 #include "scene/method_table.h"
+#include "scene/wall_names.h"
 
 static double or_else(double value, double default_value)
 {
@@ -71,6 +72,45 @@ sph2d_wall_form sph2d__obstacle_form(const sph2d_scene *scene, const sph2d_obsta
     if (obstacle->form != SPH2D_WALL_DEFAULT)
         return obstacle->form;
     return sph2d__method_row_of(&scene->method)->obstacle_form;
+}
+
+static sph2d_slip slip_or_scene(const sph2d_scene *scene, sph2d_wall_slip own)
+{
+    switch (own) {
+    case SPH2D_WALL_SLIP_FREE:
+        return SPH2D_SLIP_FREE;
+    case SPH2D_WALL_SLIP_NONE:
+        return SPH2D_SLIP_NONE;
+    case SPH2D_WALL_SLIP_SMOOTH:
+        return SPH2D_SLIP_SMOOTH;
+    case SPH2D_WALL_SLIP_DEFAULT:
+        break;
+    }
+    return scene->wall_slip;
+}
+
+sph2d_slip sph2d__side_slip(const sph2d_scene *scene, int side)
+{
+    const sph2d_side_slips *s = &scene->side_slip;
+    const sph2d_wall_slip own[SPH2D__WALL_OBSTACLE] = {s->left, s->right, s->bottom, s->top};
+    return slip_or_scene(scene, own[side]);
+}
+
+sph2d_slip sph2d__obstacle_slip(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+{
+    return slip_or_scene(scene, obstacle->slip);
+}
+
+unsigned sph2d__slips(const sph2d_scene *scene)
+{
+    unsigned slips = 0;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && sph2d__side_form(scene) == SPH2D_WALL_GENERALISED)
+            slips |= 1u << sph2d__side_slip(scene, side);
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (sph2d__obstacle_form(scene, &scene->obstacles[i]) == SPH2D_WALL_GENERALISED)
+            slips |= 1u << sph2d__obstacle_slip(scene, &scene->obstacles[i]);
+    return slips ? slips : 1u << scene->wall_slip;
 }
 
 double sph2d__period_x(const sph2d_scene *scene)

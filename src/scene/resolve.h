@@ -22,6 +22,12 @@ sph2d_wall_form sph2d__side_form(const sph2d_scene *scene);
 /** The form of an obstacle. */
 sph2d_wall_form sph2d__obstacle_form(const sph2d_scene *scene, const sph2d_obstacle *obstacle);
 
+/** The slip of a side, by its number (wall_names.h), and of an obstacle. */
+sph2d_slip sph2d__side_slip(const sph2d_scene *scene, int side);
+sph2d_slip sph2d__obstacle_slip(const sph2d_scene *scene, const sph2d_obstacle *obstacle);
+/** Which slips the generalised walls of the scene have, a bit for each sph2d_slip; without such walls wall_slip. */
+unsigned sph2d__slips(const sph2d_scene *scene);
+
 /** Length of the period [m]; 0 where the sides are not periodic. */
 double sph2d__period_x(const sph2d_scene *scene);
 double sph2d__period_y(const sph2d_scene *scene);

@@ -132,6 +132,19 @@ bool sph2d__polygon_crosses_itself(sph2d_points points)
     return false;
 }
 
+static sph2d_vec2 point_at(sph2d_vec2 center, double radius, double angle)
+{
+    return (sph2d_vec2){center.x + radius * cos(angle), center.y + radius * sin(angle)};
+}
+
+/** As many pieces as a circle has, in proportion. */
+static size_t arc_pieces(const sph2d_arc *arc, double spacing)
+{
+    double turn = arc->to - arc->from;
+    double pieces = fmax(ceil(turn * arc->radius / spacing), ceil(8 * turn / (2 * SPH2D__PI)));
+    return pieces > 4e9 ? (size_t)4e9 : pieces > 1 ? (size_t)pieces : 1;
+}
+
 size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
 {
     switch (outline->kind) {
@@ -143,6 +156,8 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
         double pieces = ceil(2 * SPH2D__PI * outline->circle.radius / spacing);
         return pieces < 8 ? 8 : pieces > 4e9 ? (size_t)4e9 : (size_t)pieces;
     }
+    case SPH2D_OUTLINE_ARC:
+        return arc_pieces(&outline->arc, spacing);
     case SPH2D_OUTLINE_BOX:
         return 4;
     case SPH2D_OUTLINE_POLYGON:
@@ -157,9 +172,14 @@ size_t sph2d__outline_pieces(const sph2d_outline *outline, double spacing)
  *  buoyancy, at 10 spacings across. */
 static sph2d_vec2 circle_point(sph2d_disc circle, size_t index, size_t pieces)
 {
-    double part = 2 * SPH2D__PI / (double)pieces, angle = part * (double)(index % pieces);
-    double radius = circle.radius * sqrt(part / sin(part));
-    return (sph2d_vec2){circle.center.x + radius * cos(angle), circle.center.y + radius * sin(angle)};
+    double part = 2 * SPH2D__PI / (double)pieces;
+    return point_at(circle.center, circle.radius * sqrt(part / sin(part)), part * (double)(index % pieces));
+}
+
+static sph2d_vec2 arc_point(const sph2d_arc *arc, size_t index, size_t pieces)
+{
+    double part = (double)index / (double)pieces;
+    return point_at(arc->center, arc->radius, (1 - part) * arc->from + part * arc->to);
 }
 
 sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing, size_t index)
@@ -173,6 +193,10 @@ sph2d__segment sph2d__outline_piece(const sph2d_outline *outline, double spacing
         size_t pieces = sph2d__outline_pieces(outline, spacing);
         return (sph2d__segment){circle_point(outline->circle, index, pieces),
                                 circle_point(outline->circle, index + 1, pieces)};
+    }
+    case SPH2D_OUTLINE_ARC: {
+        size_t pieces = arc_pieces(&outline->arc, spacing);
+        return (sph2d__segment){arc_point(&outline->arc, index, pieces), arc_point(&outline->arc, index + 1, pieces)};
     }
     case SPH2D_OUTLINE_BOX: {
         sph2d_box b = outline->box;
@@ -199,6 +223,7 @@ bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point)
         return polygon_contains(outline->polygon, point);
     case SPH2D_OUTLINE_LINE:
     case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_ARC:
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -207,7 +232,64 @@ bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point)
 
 bool sph2d__outline_is_open(const sph2d_outline *outline)
 {
-    return outline->kind == SPH2D_OUTLINE_LINE || outline->kind == SPH2D_OUTLINE_POLYLINE;
+    return outline->kind == SPH2D_OUTLINE_LINE || outline->kind == SPH2D_OUTLINE_POLYLINE ||
+           outline->kind == SPH2D_OUTLINE_ARC;
+}
+
+size_t sph2d__outline_points(const sph2d_outline *outline, double spacing, sph2d_vec2 *points)
+{
+    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; points && k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        points[k] = s.a;
+        points[k + 1] = s.b;
+    }
+    return pieces + 1;
+}
+
+/** Whether an arc has a point in the direction of an angle. */
+static bool arc_has(const sph2d_arc *arc, double angle)
+{
+    double past = fmod(angle - arc->from, 2 * SPH2D__PI);
+    return (past < 0 ? past + 2 * SPH2D__PI : past) <= arc->to - arc->from;
+}
+
+sph2d_box sph2d__arc_bounds(const sph2d_arc *arc)
+{
+    const sph2d_vec2 ends[2] = {point_at(arc->center, arc->radius, arc->from),
+                                point_at(arc->center, arc->radius, arc->to)};
+    sph2d_box b = bounds_of_points((sph2d_points){ends, 2});
+    sph2d_box circle = bounds_of_disc((sph2d_disc){arc->center, arc->radius});
+    b.max.x = arc_has(arc, 0) ? circle.max.x : b.max.x;
+    b.max.y = arc_has(arc, SPH2D__PI / 2) ? circle.max.y : b.max.y;
+    b.min.x = arc_has(arc, SPH2D__PI) ? circle.min.x : b.min.x;
+    b.min.y = arc_has(arc, -SPH2D__PI / 2) ? circle.min.y : b.min.y;
+    return b;
+}
+
+double sph2d__arc_bulge(const sph2d_arc *arc, double spacing)
+{
+    return arc->radius * (1 - cos((arc->to - arc->from) / (2 * (double)arc_pieces(arc, spacing))));
+}
+
+double sph2d__arc_distance(const sph2d_arc *arc, sph2d_vec2 p, double *side)
+{
+    double x = p.x - arc->center.x, y = p.y - arc->center.y, r = hypot(x, y);
+    if (arc_has(arc, atan2(y, x))) {
+        *side = arc->radius - r;
+        return fabs(*side);
+    }
+    const double angles[2] = {arc->from, arc->to};
+    double nearest = INFINITY;
+    *side = 0;
+    for (int k = 0; k < 2; ++k) { /* beyond an end, the side of the tangent there */
+        sph2d_vec2 end = point_at(arc->center, arc->radius, angles[k]);
+        double distance = hypot(p.x - end.x, p.y - end.y);
+        if (distance < nearest)
+            *side = arc->radius - (x * cos(angles[k]) + y * sin(angles[k]));
+        nearest = fmin(nearest, distance);
+    }
+    return nearest;
 }
 
 bool sph2d__polygon_is_clockwise(sph2d_points points)
@@ -274,6 +356,11 @@ sph2d_vec2 sph2d__outline_centroid(const sph2d_outline *outline)
         return outline->line.count > 0 ? line_centroid(outline->line) : (sph2d_vec2){0, 0};
     case SPH2D_OUTLINE_POLYLINE:
         return outline->polyline.count > 0 ? line_centroid(outline->polyline) : (sph2d_vec2){0, 0};
+    case SPH2D_OUTLINE_ARC: {
+        const sph2d_arc *arc = &outline->arc;
+        double half = (arc->to - arc->from) / 2;
+        return point_at(arc->center, half > 0 ? arc->radius * sin(half) / half : 0, arc->from + half);
+    }
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -284,6 +371,15 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
 {
     if (outline->kind == SPH2D_OUTLINE_CIRCLE)
         return hypot(outline->circle.center.x - point.x, outline->circle.center.y - point.y) + outline->circle.radius;
+    if (outline->kind == SPH2D_OUTLINE_ARC) {
+        const sph2d_arc *arc = &outline->arc;
+        sph2d_vec2 from = point_at(arc->center, arc->radius, arc->from);
+        sph2d_vec2 to = point_at(arc->center, arc->radius, arc->to);
+        double x = arc->center.x - point.x, y = arc->center.y - point.y;
+        return arc_has(arc, atan2(y, x)) ? hypot(x, y) + arc->radius
+                                         : fmax(hypot(from.x - point.x, from.y - point.y),
+                                                hypot(to.x - point.x, to.y - point.y));
+    }
     double farthest = 0;
     size_t pieces = sph2d__outline_pieces(outline, 1);
     for (size_t k = 0; k < pieces; ++k) {
@@ -322,6 +418,7 @@ double sph2d__outline_area(const sph2d_outline *outline)
         return fabs(signed_area(outline->polygon));
     case SPH2D_OUTLINE_LINE:
     case SPH2D_OUTLINE_POLYLINE:
+    case SPH2D_OUTLINE_ARC:
     case SPH2D_OUTLINE_NONE:
         break;
     }

@@ -31,6 +31,10 @@ static bool is_near(const sph2d_outline *outline, double spacing, double distanc
     const sph2d_disc *c = &outline->circle;
     if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
         return is_in_disc(c->center, c->radius + distance, p) && !is_in_disc(c->center, c->radius - distance, p);
+    if (outline->kind == SPH2D_OUTLINE_ARC) {
+        double side, bulge = sph2d__arc_bulge(&outline->arc, spacing);
+        return sph2d__arc_distance(&outline->arc, p, &side) < distance + bulge;
+    }
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__outline_piece(outline, spacing, k);

@@ -142,6 +142,10 @@ static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, d
 {
     if (c->outline->kind == SPH2D_OUTLINE_CIRCLE)
         return !c->hollow && d >= c->outline->circle.radius;
+    if (c->outline->kind == SPH2D_OUTLINE_ARC) {
+        double side, bulge = sph2d__arc_bulge(&c->outline->arc, c->spacing);
+        return sph2d__arc_distance(&c->outline->arc, p, &side) < 0.999 * d - bulge;
+    }
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         if (sph2d__segment_distance(&piece, p) < 0.999 * d && !is_opposite(c, index, k))
@@ -155,14 +159,17 @@ static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, d
 static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     double other = INFINITY;
-    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE || c->hollow) /* no piece is opposite, and there are many */
+    /* no piece is opposite, and there may be many */
+    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE || c->outline->kind == SPH2D_OUTLINE_ARC || c->hollow)
         return 1;
     for (size_t k = 0; k < c->pieces; ++k) {
         sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
         double distance = c->closed ? sph2d__segment_distance(&piece, p) : INFINITY;
+        if (distance >= d + c->spacing) /* far: of another wall, as the other arm of a trough */
+            continue;
         if (c->side * sph2d__segment_side(&piece, p) < 0) /* p is beyond that piece */
             distance = -distance;
-        if (distance < fmin(other, d + c->spacing) && is_opposite(c, index, k))
+        if (distance < other && is_opposite(c, index, k))
             other = distance;
     }
     return fmin(fmax(((other - d) / c->spacing + 1) / 2, 0), 1);

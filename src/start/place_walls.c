@@ -290,6 +290,8 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
         status = place_obstacle(sim, i, report);
     if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
         status = sph2d__sim_place_side_layers(sim, report);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_set_slips(sim);
     if (status != SPH2D_OK)
         return status;
     set_springs(sim);

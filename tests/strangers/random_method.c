@@ -138,4 +138,7 @@ void write_walls(draft *d)
         if (chance(d, 0.3) && !d->periodic_y)
             fprintf(d->out, "wall_speeds: {bottom: %.3g}\n", d->speed = between(d, 0.2, 1) * sqrt(d->fall * 9.81));
     }
+    draft aside = *d;
+    if (is(d, "wcsph") && !d->fitted && !d->open[0] && !d->periodic_x && chance(&aside, 0.3))
+        fprintf(d->out, "side_slip: {left: %s}\n", ONE_OF(&aside, "free", "none", "smooth"));
 }

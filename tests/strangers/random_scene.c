@@ -224,22 +224,30 @@ static void write_obstacles(draft *d, places *taken)
         if (written++ == 0)
             fputs("obstacles:\n", d->out);
         const char *shape = ONE_OF(d, "circle", "box", "line", "polyline");
+        draft aside = *d; /* choices that move no other */
+        const bool bent = shape[0] == 'l' && chance(&aside, 0.4);
         const double turn = between(d, 0, 2 * pi), x = half * cos(turn), y = half * sin(turn);
         if (shape[0] == 'c')
             fprintf(d->out, "  - circle: {center: [%.4g, %.4g], radius: %.4g}\n", at.x, at.y, half);
         else if (shape[0] == 'b')
             fprintf(d->out, "  - box: {min: [%.4g, %.4g], max: [%.4g, %.4g]}\n", at.x - half, at.y - half, at.x + half,
                     at.y + half * 0.6);
+        else if (bent)
+            fprintf(d->out, "  - arc: {center: [%.4g, %.4g], radius: %.4g, from: %.4g, to: %.4g}\n", at.x, at.y, half,
+                    turn, turn + between(&aside, 0.5, 5));
         else if (shape[0] == 'l')
             fprintf(d->out, "  - line: [[%.4g, %.4g], [%.4g, %.4g]]\n", at.x - x, at.y - y, at.x + x, at.y + y);
         else
             fprintf(d->out, "  - polyline: [[%.4g, %.4g], [%.4g, %.4g], [%.4g, %.4g]]\n", at.x - x, at.y - y, at.x,
                     at.y, at.x - y, at.y + x);
-        if (chance(d, 0.3))
+        const bool own_form = chance(d, 0.3);
+        if (own_form)
             fprintf(d->out, "    form: %s\n",
                     is(d, "muller")  ? ONE_OF(d, "heavy", "reflect")
                     : is(d, "wcsph") ? ONE_OF(d, "generalised", "reflect")
                                      : ONE_OF(d, "heavy", "generalised", "reflect"));
+        if (!own_form && is(d, "wcsph") && !d->fitted && chance(&aside, 0.3))
+            fprintf(d->out, "    slip: %s\n", ONE_OF(&aside, "free", "none", "smooth"));
         if (chance(d, 0.25))
             write_motion(d, half);
     }

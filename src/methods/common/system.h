@@ -65,8 +65,11 @@ typedef struct sph2d__system {
     double lattice_values;       /**< wcsph: sum of f(r/H)/f(dx/H) over a full lattice, including the particle itself */
     double lattice_slopes;       /**< wcsph: sum of g(r/H) over a full lattice, without the particle itself */
     sph2d_method_options method; /**< the scene's, with all defaults filled in */
+    /** Of all walls, if they have the same; else by id of a boundary particle, and not NULL. */
     sph2d_slip wall_slip;
-    double slip_length; /**< of smooth walls [m] */
+    const unsigned char *wall_slips;
+    bool walls_rough, walls_smooth; /**< some have no slip, or the friction of smooth walls */
+    double slip_length;             /**< of smooth walls [m] */
     sph2d__body body;
 
     double step;         /**< length of the present step [s] */
@@ -86,6 +89,12 @@ typedef struct sph2d__system {
     sph2d__team *team; /**< threads that share the loops; NULL: one thread */
     sph2d_isa isa;
 } sph2d__system;
+
+/** The slip of boundary particle b. */
+static inline sph2d_slip sph2d__slip_of(const sph2d__system *s, size_t b)
+{
+    return s->wall_slips ? (sph2d_slip)s->wall_slips[s->walls.id[b]] : s->wall_slip;
+}
 
 /** Velocity of the wall's surface in front of boundary particle b, where liquid sticks to it: the wall may turn, and the
  *  particle lies deeper. */

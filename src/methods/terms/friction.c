@@ -20,7 +20,7 @@ enum { REACH = 8 };
 
 bool sph2d__has_friction(const sph2d__system *s)
 {
-    return s->wall_slip == SPH2D_SLIP_SMOOTH && s->viscosity > 0 && s->walls_press;
+    return s->walls_smooth && s->viscosity > 0 && s->walls_press;
 }
 
 /** The wall coordinate s = c y/nu (y+) for Re = u y/nu: s^2 L/y + s f(s) = Re. With the logarithm this is convex, so

@@ -42,6 +42,8 @@ typedef struct constants {
     sph2d__viscosity viscosity;
     double eddies;       /**< subgrid viscosity over the strain rate [Pa s^2] */
     sph2d__real no_slip; /**< 1 if walls are rough, else 0 */
+    const unsigned char *slips;
+    const uint64_t *ids; /**< of boundary particles: their slip, where walls differ, by id, and their ids */
 } constants;
 
 /* Lower bound of divisors that may be 0. */
@@ -140,7 +142,8 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
 SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, const group_state *own, const pair *p,
                             const sph2d__packed *w, size_t j)
 {
-    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * k->inverse_mass, no_slip = k->no_slip;
+    const sph2d__real volume = w->volume[j], ratio = w->mass[j] * k->inverse_mass;
+    const sph2d__real no_slip = k->slips ? k->slips[k->ids[j]] == SPH2D_SLIP_NONE : k->no_slip;
     const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
     sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
     add_central(sums, with, own, p, ratio, theirs, own->damping * (volume * no_slip) * (dvx * p->dx + dvy * p->dy));
@@ -234,7 +237,9 @@ static constants constants_of(const sph2d__system *s)
                        .inverse_value = (sph2d__real)(1 / value),
                        .viscosity = sph2d__viscosity_of(s),
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
-                       .no_slip = s->wall_slip == SPH2D_SLIP_NONE};
+                       .no_slip = s->walls_rough,
+                       .slips = s->wall_slips,
+                       .ids = s->walls.id};
 }
 
 /* |S| H/c0 above which tensile control acts only if it removes energy. */

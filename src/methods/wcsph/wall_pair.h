@@ -31,7 +31,7 @@ static const double MIN_SLIP_SPEED = 0.002;
 SPH2D__INLINE double slip_factor(const sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     const sph2d__store *w = &s->walls;
-    if (s->wall_slip == SPH2D_SLIP_NONE || !(share > 0))
+    if (!(share > 0) || sph2d__slip_of(s, b) == SPH2D_SLIP_NONE)
         return 0;
     double t = (COVERED - share * (double)sums->filling[l]) / (COVERED - THIN), low = MIN_SLIP_SPEED * s->sound_speed;
     double slip = w->normal_x[b] * (share * (double)sums->vy[l] - w->vy[b]) -

@@ -38,7 +38,7 @@ SPH2D__INLINE void walls_with(sph2d__system *s, size_t first, size_t last, sph2d
     }                                                                                                                  \
     static void wall_##word(sph2d__system *s, size_t first, size_t last)                                               \
     {                                                                                                                  \
-        if (s->wall_slip == SPH2D_SLIP_NONE)                                                                           \
+        if (s->walls_rough)                                                                                            \
             walls_with(s, first, last, SPH2D_KERNEL_##name, PRESSURES_AND_IMAGES);                                     \
         else                                                                                                           \
             walls_with(s, first, last, SPH2D_KERNEL_##name, PRESSURES);                                                \

@@ -192,7 +192,7 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double push = -g * press, slip = push * (dx * w->along_x[b] + dy * w->along_y[b]);
     sph2d__wall_force force = {.pressure = {push * dx - slip * w->along_x[b], push * dy - slip * w->along_y[b]}};
     force.friction = sph2d__friction_of(s, b, dx, dy);
-    if (s->wall_slip != SPH2D_SLIP_NONE)
+    if (sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
         return force;
     force.friction = sph2d__viscosity_force(sph2d__viscosity_of(s), vi * vb * g, dx, dy, f->vx[i] - w->image_vx[b],
                                             f->vy[i] - w->image_vy[b]);

@@ -45,7 +45,7 @@
  *  that slides along itself has v_b = 0 here: it drags liquid by friction alone. A rough wall has viscosity with
  *  v_b = 2 v_wall - sum v_j W / sum W, a smooth one the friction of friction.h. Of a wall that turns at omega the
  *  velocity relative to the wall at the place of each j is mirrored, so that liquid that turns along feels nothing:
- *  v_b gets omega z x sum (x_j - x_b) W / sum W more.
+ *  v_b gets omega z x sum (x_j - x_b) W / sum W more. Walls may differ in their slip, a boundary particle from another.
  *
  *  Isolated particles have the rest density, and no pressure of their own: a density kept from the liquid that they
  *  left would make them stick to walls.
