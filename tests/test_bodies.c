@@ -393,6 +393,14 @@ START_TEST(small_and_odd_bodies_are_warned_of)
     ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_OK);
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "spacings across"));
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "times as dense"));
+    start_pool();
+    pool.spring = sph2d_spring_default();
+    pool.spring.stiffness = 1e9;
+    pool.body.springs = &pool.spring;
+    pool.body.spring_count = 1;
+    sph2d_report_clear(&report);
+    ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_OK);
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), "bodies[0].springs[0].stiffness: needs steps of"));
 }
 END_TEST
 

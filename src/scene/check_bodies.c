@@ -6,6 +6,7 @@
 
 #include "scene/bodies.h"
 #include "scene/checker.h"
+#include "scene/derive.h"
 #include "scene/overlap.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
@@ -89,6 +90,29 @@ static void check_size(checker *c, size_t k)
     }
 }
 
+/* The steps of a run with a spring, over sqrt(M/k): sim/bodies_forces.c. */
+static const double SPRING_STEP = 0.3;
+
+/** Warns of springs so stiff that the run's steps are theirs. */
+static void check_springs(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    sph2d__derived d = sph2d__scene_derive(c->scene);
+    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
+    double mass = sph2d__body_mass(body).mass, liquid = m.cfl * d.support_radius / d.sound_speed;
+    for (size_t i = 0; i < body->spring_count; ++i) {
+        double step = SPRING_STEP * sqrt(mass / body->springs[i].stiffness);
+        char key[64], text[160];
+        if (!(step < liquid / 2))
+            continue;
+        snprintf(key, sizeof key, ".springs[%zu].stiffness", i);
+        snprintf(text, sizeof text, "needs steps of %.2g s, %.2g of the liquid's", step, step / liquid);
+        sph2d_diagnostic_hint(warning(c, k, key, text), "up to %.2g N/m^2 it costs nothing",
+                              mass * pow(SPRING_STEP / liquid, 2));
+        return;
+    }
+}
+
 /** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */
 static bool overlaps(const checker *c, size_t own, size_t other)
 {
@@ -134,6 +158,7 @@ void sph2d__check_bodies(checker *c)
     }
     for (size_t k = 0; c->errors == 0 && k < c->scene->body_count; ++k) {
         check_size(c, k);
+        check_springs(c, k);
         check_place(c, k);
     }
 }
