@@ -251,6 +251,34 @@ START_TEST(what_the_liquid_loses_the_body_gains)
 }
 END_TEST
 
+START_TEST(impulses_on_a_body_are_what_it_gains)
+{
+    sph2d_sim *sim = pool_of(_i, 1);
+    const sph2d_probe on_raft = {.name = "raft", .kind = SPH2D_PROBE_FORCE, .on = "raft", .at = {0.76, 0.36}, .rate = {.every = 0.01}};
+    sph2d_sim_destroy(sim);
+    pool.probes[RAFT] = on_raft;
+    sim = test_create(&pool.scene, NULL);
+    const sph2d__rigid *r = &sim->bodies.items[0];
+    double values[SPH2D_PROBE_MAX_COLUMNS], x = 0, y = 0, turn = 0, largest = 0, fastest = 0;
+    while (sph2d_sim_time(sim) < 0.2) {
+        sph2d_sim_output_done(sim, SPH2D_OUTPUT_PROBE + RAFT);
+        test_steps(sim, 1);
+        ck_assert_uint_eq(sph2d_sim_probe(sim, RAFT, values), 12);
+        x += values[9];
+        y += values[10];
+        turn += values[11];
+        sph2d_body_state b = sph2d_sim_body(sim, 0);
+        double away = fmax(fabs(r->mass * b.velocity.x - x),
+                           fabs(r->mass * (b.velocity.y + 9.81 * sph2d_sim_time(sim)) - y));
+        largest = fmax(largest, fmax(away, fabs(r->inertia * b.rate - turn) / 0.2));
+        fastest = fmax(fastest, r->mass * fabs(b.velocity.x));
+    }
+    ck_assert_double_gt(fastest, 1e-3 * r->mass);
+    ck_assert_msg(largest < 1e-10 * fastest, "%s: %g of %g kg/s", kinds[_i].name, largest, fastest);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(threads_and_resuming_change_no_bit)
 {
     sph2d_sim *alone = pool_of(_i, 1), *team = pool_of(_i, 3), *resumed = NULL;
@@ -414,6 +442,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, a_body_on_a_spring_swings_with_its_period);
     tcase_add_test(tests, motors_turn_and_brake_with_their_torque);
     tcase_add_loop_test(tests, what_the_liquid_loses_the_body_gains, 0, KINDS);
+    tcase_add_loop_test(tests, impulses_on_a_body_are_what_it_gains, 0, KINDS);
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
     tcase_add_loop_test(tests, a_neutral_body_under_water_stays, 0, 3);
     tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
