@@ -26,7 +26,7 @@ typedef struct sph2d__rigid_state {
     sph2d__twist pushed;       /**< force of the liquid by the last evaluation, or projection */
     sph2d__twist pressed;      /**< the part of that by pressure */
     sph2d__twist felt;         /**< acceleration that its boundary particles had in the last evaluation ... */
-    double felt_spin;          /**< ... and angular velocity, which adds the centripetal one */
+    sph2d__twist felt_way;     /**< ... and velocity, which adds the centripetal one, and Coriolis' in a tank that turns */
     sph2d__twist liquid;       /**< the same in the mean over the last step, with particles that were stopped */
 } sph2d__rigid_state;
 
@@ -45,7 +45,7 @@ typedef struct sph2d__rigid {
 
     double start;         /**< time from which the present way counts [s] */
     double meeting;       /**< time to which the velocity along it belongs: accelerations change it around that [s] */
-    bool knows_felt;      /**< `felt` is that of a state, not to be found anew */
+    bool knows_felt;      /**< `felt` is that of the last evaluation, not to be found anew */
     double now;           /**< time for which its boundary particles were placed last [s] */
     sph2d__twist from;    /**< place at its start */
     sph2d__twist way;     /**< the velocity along it */

@@ -96,14 +96,8 @@ void sph2d__bodies_index(sph2d_sim *sim, double time)
         if (r->knows_felt)
             continue;
         r->state->felt = (sph2d__twist){pose.acceleration.x, pose.acceleration.y, pose.alpha};
-        r->state->felt_spin = pose.omega;
+        r->state->felt_way = (sph2d__twist){pose.velocity.x, pose.velocity.y, pose.omega};
     }
-}
-
-void sph2d__bodies_know(sph2d_sim *sim, bool felt)
-{
-    for (size_t k = 0; k < sim->bodies.count; ++k)
-        sim->bodies.items[k].knows_felt = felt;
 }
 
 void sph2d__bodies_stand(sph2d_sim *sim, double time)
@@ -302,6 +296,16 @@ void sph2d__bodies_close(sph2d_sim *sim, double dt)
     sph2d__bodies_stand(sim, end);
     for (size_t k = 0; k < sim->bodies.count; ++k)
         set_walls(sim, &sim->bodies.items[k]);
+}
+
+void sph2d__bodies_know(sph2d_sim *sim, bool felt)
+{
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d__rigid *r = &sim->bodies.items[k];
+        r->knows_felt = felt;
+        r->way = felt ? r->state->felt_way : r->state->velocity;
+        set_walls(sim, r);
+    }
 }
 
 void sph2d__bodies_strike(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 at, sph2d_vec2 change)

@@ -40,8 +40,9 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim);
 /** Puts all bodies where their states say, at rest along their ways. */
 void sph2d__bodies_stand(sph2d_sim *sim, double time);
 
-/** Whether the accelerations that boundary particles felt in the last evaluation are those of a state, while a run that
- *  is resumed evaluates what the state does not hold. */
+/** Whether boundary particles have the accelerations and velocities of the last evaluation, for another one at the same
+ *  time that must leave their pressures as they are: one that finds what a state does not hold, or samples dissipation.
+ *  Bodies stand (above) at that time. */
 void sph2d__bodies_know(sph2d_sim *sim, bool felt);
 
 /** Notes where their boundary particles are, once these are placed for a time and sorted. */

@@ -149,7 +149,8 @@ static void reverse(sph2d__store *t)
     }
 }
 
-/** Reverses all velocities, and the velocity gradients of the last step. */
+/** Reverses all velocities, and the velocity gradients of the last step. The tank turns the other way, too: Coriolis'
+ *  force, which does no work, and the pressures of walls by it stay. */
 static void reverse_all(sph2d__system *s)
 {
     sph2d__store *f = &s->fluid;
@@ -159,6 +160,7 @@ static void reverse_all(sph2d__system *s)
     }
     reverse(f);
     reverse(&s->walls);
+    s->body.frame.omega = -s->body.frame.omega;
 }
 
 /** Evaluates the forces with all velocities reversed. */
@@ -167,9 +169,11 @@ static bool evaluate_reversed(sph2d_sim *sim)
     sph2d__profile *profile = &sim->system.profile;
     bool on = profile->on;
     profile->on = false; /* all of this counts as bookkeeping */
+    sph2d__bodies_know(sim, true);
     reverse_all(&sim->system);
     bool ok = sim->method->evaluate(&sim->system);
     reverse_all(&sim->system);
+    sph2d__bodies_know(sim, false);
     profile->on = on;
     return ok;
 }

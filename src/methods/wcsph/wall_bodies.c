@@ -135,7 +135,7 @@ static sph2d__twist change_of(const sph2d__system *s, const sph2d__rigid *r, con
 static void feel(sph2d__system *s, const sph2d__rigid *r, uint64_t first)
 {
     const sph2d__twist *a = &r->state->felt;
-    double w2 = r->state->felt_spin * r->state->felt_spin;
+    double w2 = r->state->felt_way.turn * r->state->felt_way.turn;
     for (uint64_t id = r->first_id; id < r->end_id; ++id) {
         size_t b = s->rigid_index[id - first];
         sph2d_vec2 arm = arm_of(s, r, b);
