@@ -279,6 +279,24 @@ START_TEST(impulses_on_a_body_are_what_it_gains)
 }
 END_TEST
 
+START_TEST(a_body_that_hits_liquid_at_the_start_begins_with_a_short_step)
+{
+    double share[2];
+    for (int hits = 0; hits < 2; ++hits) {
+        start_pool();
+        pool.block.velocity = (sph2d_vec2){0, 0};
+        pool.body.outline.box = (sph2d_box){{0.5, 0.24}, {0.82, 0.48}};
+        pool.body.velocity = (sph2d_vec2){hits ? -1 : 0, 0};
+        sph2d_sim *sim = test_create(&pool.scene, NULL);
+        test_steps(sim, 1);
+        share[hits] = sph2d_sim_time(sim) / sph2d_sim_plan(sim)->time_step;
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_double_eq_tol(share[1], 0.1, 1e-12);
+    ck_assert_double_eq_tol(share[0], 1, 1e-12);
+}
+END_TEST
+
 START_TEST(threads_and_resuming_change_no_bit)
 {
     sph2d_sim *alone = pool_of(_i, 1), *team = pool_of(_i, 3), *resumed = NULL;
@@ -467,6 +485,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, motors_turn_and_brake_with_their_torque);
     tcase_add_loop_test(tests, what_the_liquid_loses_the_body_gains, 0, KINDS);
     tcase_add_loop_test(tests, impulses_on_a_body_are_what_it_gains, 0, KINDS);
+    tcase_add_test(tests, a_body_that_hits_liquid_at_the_start_begins_with_a_short_step);
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
     tcase_add_loop_test(tests, resuming_in_a_tank_that_turns_changes_no_bit, 0, 2);
     tcase_add_loop_test(tests, a_neutral_body_under_water_stays, 0, 3);
