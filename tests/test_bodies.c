@@ -453,6 +453,22 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
 }
 END_TEST
 
+START_TEST(checks_take_no_longer_with_the_tiniest_spacing)
+{
+    static sph2d_report report;
+    sph2d_obstacle post = sph2d_obstacle_default();
+    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.9, 0.4}, 0.2}};
+    start_pool();
+    pool.scene.obstacles = &post;
+    pool.scene.obstacle_count = 1;
+    pool.scene.spacing = 1e-12;
+    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.65, 0.7}, 0.18}};
+    sph2d_report_clear(&report);
+    sph2d_scene_check(&pool.scene, &report); /* minutes, and the time limit of tests, without a bound */
+    ck_assert(!test_report_has(&report, SPH2D_CODE_OVERLAP, "bodies[0]"));
+}
+END_TEST
+
 START_TEST(small_and_odd_bodies_are_warned_of)
 {
     static sph2d_report report;
@@ -492,6 +508,7 @@ Suite *suite_bodies(void)
     tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
     tcase_add_test(tests, blows_are_energy_that_is_fed);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 12);
+    tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);
     tcase_add_test(tests, small_and_odd_bodies_are_warned_of);
     suite_add_tcase(suite, tests);
     return suite;

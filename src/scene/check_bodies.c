@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
@@ -17,6 +18,8 @@ typedef sph2d__checker checker;
 static const double FEW_SPACINGS = 4, LIGHTEST = 0.05, HEAVIEST = 20;
 /* How deep a body may overlap at the start [spacings]. */
 static const double DEPTH = 0.05;
+/* Circles have no more pieces than this here, however small the spacing. */
+static const double MOST_PIECES = 2000;
 
 static sph2d_diagnostic *fault(checker *c, size_t k, sph2d_code code, const char *key, const char *message)
 {
@@ -113,6 +116,13 @@ static void check_springs(checker *c, size_t k)
     }
 }
 
+/** The length of the pieces of a circle. */
+static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
+{
+    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
+    return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
+}
+
 /** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */
 static bool overlaps(const checker *c, size_t own, size_t other)
 {
@@ -122,7 +132,8 @@ static bool overlaps(const checker *c, size_t own, size_t other)
     const sph2d_box b = sph2d__outline_bounds(&scene->obstacles[other].outline, scene->spacing);
     if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
         return false;
-    return sph2d__obstacles_overlap(&scene->obstacles[own], &start, &scene->obstacles[other], scene->spacing,
+    double piece = fmax(piece_of(scene, &scene->obstacles[own].outline), piece_of(scene, &scene->obstacles[other].outline));
+    return sph2d__obstacles_overlap(&scene->obstacles[own], &start, &scene->obstacles[other], piece,
                                     DEPTH * scene->spacing);
 }
 
@@ -134,7 +145,8 @@ static void check_place(checker *c, size_t k)
     sph2d__pose start = {.cosine = 1};
     const char *side = "";
     char text[160], other[64];
-    double beyond = sph2d__beyond_sides(scene, &scene->bodies[k].outline, &start, scene->spacing, &side);
+    const sph2d_outline *outline = &scene->bodies[k].outline;
+    double beyond = sph2d__beyond_sides(scene, outline, &start, piece_of(scene, outline), &side);
     if (beyond > DEPTH * scene->spacing) {
         snprintf(text, sizeof text, "starts %.3g m beyond the %s side of the domain", beyond, side);
         fault(c, k, SPH2D_CODE_OUTSIDE, "", text);
