@@ -304,9 +304,9 @@ $(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/lib
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faults_shim.so: tests/faults/shim.c
 	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -shared -fPIC -o $@ $<
-$(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/libsph2d-study.a $(BUILD)/libsph2d-io.a \
-    $(BUILD)/libsph2d.a $(BUILD)/variant
-	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/libsph2d-study.a \
+    $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant

@@ -21,6 +21,7 @@ seed() { # seed NAME SCENE OPTIONS...: one snapshot
 }
 scenes=tests/fuzz/corpus/scene
 seed plain $scenes/everything.yaml -s run.until=0.01
+seed bodies $scenes/bodies.yaml -s run.until=0.01
 seed packed $scenes/fitted.yaml -s run.until=0.01 -s 'run.snapshots={every: 0.01, compress: 6}'
 
 # A sanitizer's own memory has no bound, what is asked for at once has one.

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <sph2d/contacts.h>
 #include <sph2d/io.h>
 #include <sph2d/sim.h>
 
@@ -36,6 +37,8 @@ static void step(const sph2d_scene *scene)
     sph2d_report report = {0};
     sph2d_sim *sim = NULL;
     sph2d_status status = sph2d_sim_create(scene, &options, &sim, &report);
+    if (status == SPH2D_OK)
+        status = sph2d_contacts_attach(sim);
     for (int i = 0; i < STEPS && status == SPH2D_OK; ++i)
         status = sph2d_sim_step(sim, &report);
     sph2d_sim_destroy(sim);
