@@ -343,6 +343,30 @@ START_TEST(resuming_in_a_tank_that_turns_changes_no_bit)
 }
 END_TEST
 
+/** A body lighter than a particle gives way to all that strike it in a step: it does not fly off faster than they were. */
+START_TEST(particles_that_strike_a_light_body_make_no_energy)
+{
+    start_pool();
+    pool.scene.method = sph2d_scene_default().method;
+    pool.scene.method.name = (sph2d_method)_i;
+    pool.block.velocity = (sph2d_vec2){3, 0};
+    pool.body.outline.box = (sph2d_box){{0.5, 0.2}, {0.58, 0.28}};
+    pool.body.density = 50;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    double scale = sph2d_sim_summary(sim).energy_scale, fastest = 0, stopped = 0;
+    while (sph2d_sim_time(sim) < 0.1) {
+        test_steps(sim, 1);
+        sph2d_body_state b = sph2d_sim_body(sim, 0);
+        fastest = fmax(fastest, hypot(b.velocity.x, b.velocity.y) + 0.057 * fabs(b.rate));
+        stopped = fmin(stopped, sph2d_sim_summary(sim).energy_stopped);
+    }
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_msg(fastest < 8 && stopped > -1e-3 * scale && s.energy_rise < 0.01 * scale,
+                  "method %d: %g m/s, %g stopped, rise %g", _i, fastest, stopped / scale, s.energy_rise / scale);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_neutral_body_under_water_stays)
 {
     static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
@@ -504,6 +528,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, a_body_that_hits_liquid_at_the_start_begins_with_a_short_step);
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
     tcase_add_loop_test(tests, resuming_in_a_tank_that_turns_changes_no_bit, 0, 2);
+    tcase_add_loop_test(tests, particles_that_strike_a_light_body_make_no_energy, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_loop_test(tests, a_neutral_body_under_water_stays, 0, 3);
     tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
     tcase_add_test(tests, blows_are_energy_that_is_fed);

@@ -70,6 +70,8 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec
     if (moving->rigid)
         *to = hits > 0 ? (sph2d_vec2){to->x - shift.x, to->y - shift.y} : at;
     if (hits > 0 && moving->rigid) {
+        double share = sph2d__bodies_share(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
+        *v = (sph2d_vec2){before.x + share * (v->x - before.x), before.y + share * (v->y - before.y)};
         *to_bodies += energy_at(sim, *to, *v) - energy_at(sim, at, before);
         sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
     }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/shape.h"
 #include "scene/wall_names.h"
@@ -306,6 +307,23 @@ void sph2d__bodies_know(sph2d_sim *sim, bool felt)
         r->way = felt ? r->state->felt_way : r->state->velocity;
         set_walls(sim, r);
     }
+}
+
+double sph2d__bodies_share(const sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 at, sph2d_vec2 change)
+{
+    const sph2d__rigid *r = moving->rigid;
+    const sph2d__pose *pose = &moving->to;
+    double square = change.x * change.x + change.y * change.y;
+    double x = at.x - pose->center.x - pose->displacement.x, y = at.y - pose->center.y - pose->displacement.y;
+    double turn = x * change.y - y * change.x;
+    if (!(square > 0))
+        return 1;
+    /* By n particles of mass m, each of which keeps 1 - s of its speed towards a body of mass M there, kinetic energy
+     * changes by n s (s/2 + s n m/(2 M) - 1) m u^2: it falls for s = 1/(1 + n m/M). No more than these are in front. */
+    double gives = (r->free.x * change.x * change.x + r->free.y * change.y * change.y) / (r->mass * square) +
+                   r->free.turn * turn * turn / (r->inertia * square);
+    double front = fmax(1, SPH2D__PI * r->radius / sim->system.spacing);
+    return 1 / (1 + front * sim->system.mass * gives);
 }
 
 void sph2d__bodies_strike(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 at, sph2d_vec2 change)
