@@ -319,8 +319,8 @@ START_TEST(threads_and_resuming_change_no_bit)
 }
 END_TEST
 
-/** Coriolis' force on boundary particles counts with the velocities of the last evaluation, which are not those at the end
- *  of the step; a sample of dissipation, as after 80 steps, evaluates once more. */
+/** Coriolis' force on boundary particles counts with the velocities of the last evaluation, which are not those at the
+ *  end of the step; a sample of dissipation, as after 80 steps, evaluates once more. */
 START_TEST(resuming_in_a_tank_that_turns_changes_no_bit)
 {
     start_pool();
@@ -343,7 +343,7 @@ START_TEST(resuming_in_a_tank_that_turns_changes_no_bit)
 }
 END_TEST
 
-/** A body lighter than a particle gives way to all that strike it in a step: it does not fly off faster than they were. */
+/** A body lighter than a particle gives way to all that strike it in a step, and does not fly off faster than they. */
 START_TEST(particles_that_strike_a_light_body_make_no_energy)
 {
     start_pool();

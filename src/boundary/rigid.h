@@ -26,7 +26,7 @@ typedef struct sph2d__rigid_state {
     sph2d__twist pushed;       /**< force of the liquid by the last evaluation, or projection */
     sph2d__twist pressed;      /**< the part of that by pressure */
     sph2d__twist felt;         /**< acceleration that its boundary particles had in the last evaluation ... */
-    sph2d__twist felt_way;     /**< ... and velocity, which adds the centripetal one, and Coriolis' in a tank that turns */
+    sph2d__twist felt_way;     /**< ... and velocity, with its centripetal part, and Coriolis' in a tank that turns */
     sph2d__twist liquid;       /**< the same in the mean over the last step, with particles that were stopped */
 } sph2d__rigid_state;
 

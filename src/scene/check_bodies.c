@@ -132,9 +132,9 @@ static bool overlaps(const checker *c, size_t own, size_t other)
     const sph2d_box b = sph2d__outline_bounds(&scene->obstacles[other].outline, scene->spacing);
     if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
         return false;
-    double piece = fmax(piece_of(scene, &scene->obstacles[own].outline), piece_of(scene, &scene->obstacles[other].outline));
-    return sph2d__obstacles_overlap(&scene->obstacles[own], &start, &scene->obstacles[other], piece,
-                                    DEPTH * scene->spacing);
+    const sph2d_obstacle *body = &scene->obstacles[own], *wall = &scene->obstacles[other];
+    double piece = fmax(piece_of(scene, &body->outline), piece_of(scene, &wall->outline));
+    return sph2d__obstacles_overlap(body, &start, wall, piece, DEPTH * scene->spacing);
 }
 
 /** A body starts within the domain's walls and clear of obstacles and of the bodies before it. */

@@ -67,8 +67,8 @@ sph2d_status sph2d__bodies_project(sph2d_sim *sim, double dt, double split);
 /** Ends a step: impulses of contacts with particles, and the boundary particles' velocities. */
 void sph2d__bodies_close(sph2d_sim *sim, double dt);
 
-/** The part of a change of velocity that stops a particle at a body, such that energy does not grow: the body gives way, and
- *  others may strike it in the same step. */
+/** The part of a change of velocity that stops a particle at a body, such that energy does not grow: the body gives
+ *  way, and others may strike it in the same step. */
 double sph2d__bodies_share(const sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 at, sph2d_vec2 change);
 
 /** Counts a particle that a body has stopped, by any thread: the change of its velocity [m/s]. */

@@ -149,10 +149,11 @@ static void reverse(sph2d__store *t)
     }
 }
 
-/** Reverses all velocities, and the velocity gradients of the last step. The tank turns the other way, too: Coriolis'
- *  force, which does no work, and the pressures of walls by it stay. */
-static void reverse_all(sph2d__system *s)
+/** Reverses all velocities, and the velocity gradients of the last step. Where walls move, the tank turns the other way,
+ *  too: the pressures of walls by Coriolis' force, which does no work, stay as they are. */
+static void reverse_all(sph2d_sim *sim)
 {
+    sph2d__system *s = &sim->system;
     sph2d__store *f = &s->fluid;
     for (size_t i = 0; i < f->count && f->stretch; ++i) {
         f->stretch[i] = -f->stretch[i];
@@ -160,7 +161,8 @@ static void reverse_all(sph2d__system *s)
     }
     reverse(f);
     reverse(&s->walls);
-    s->body.frame.omega = -s->body.frame.omega;
+    if (sim->moving_count > 0)
+        s->body.frame.omega = -s->body.frame.omega;
 }
 
 /** Evaluates the forces with all velocities reversed. */
@@ -170,9 +172,9 @@ static bool evaluate_reversed(sph2d_sim *sim)
     bool on = profile->on;
     profile->on = false; /* all of this counts as bookkeeping */
     sph2d__bodies_know(sim, true);
-    reverse_all(&sim->system);
+    reverse_all(sim);
     bool ok = sim->method->evaluate(&sim->system);
-    reverse_all(&sim->system);
+    reverse_all(sim);
     sph2d__bodies_know(sim, false);
     profile->on = on;
     return ok;
