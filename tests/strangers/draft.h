@@ -19,7 +19,18 @@ typedef struct draft {
     bool fitted, layered, full, free, periodic_x, periodic_y;
     bool open[4];
     double support, max_compression, cfl, area;
+    bool bodied; /**< whether it is of those that may have bodies and a tank that moves */
 } draft;
+
+/** A place for something of so large a half size, and all that are taken. */
+typedef struct place {
+    double x, y, half_x, half_y;
+} place;
+enum { MOST_PLACES = 8 };
+typedef struct places {
+    place items[MOST_PLACES];
+    int count;
+} places;
 
 /** The next random number, and what is made of it: evenly between two numbers, evenly over decades, a chance. */
 uint64_t draft_next(draft *d);
@@ -39,5 +50,10 @@ bool is(const draft *d, const char *method);
 void write_method(draft *d);
 /** Writes forms of the sides' walls that the method has, and how slippery they are. */
 void write_walls(draft *d);
+
+/** Writes rigid bodies, clear of the places from `first` on: those of obstacles and sources, not of liquid. */
+void write_bodies(draft *d, const places *taken, int first);
+/** Writes the motion of the tank. */
+void write_tank(draft *d);
 
 #endif

@@ -9,6 +9,7 @@
  *   + M B^2 <(x - centre)^2>/2     of the central force
  *   + sigma 2 sqrt(pi A)           of the surface of a round drop of the liquid's area A
  *   + elastic energy at the start
+ *   + the first two of bodies, with the energy of their springs
  *
  * but at least M (0.01 c0)^2/2, so that liquid at rest without any force has a scale, too. */
 #include <math.h>
@@ -19,16 +20,30 @@ static const double pi = 3.14159265358979323846;
 
 static bool moves(const sph2d_motion *motion)
 {
-    return motion->path.count > 0 || motion->rate != 0 ||
-           (motion->frequency > 0 && hypot(motion->amplitude.x, motion->amplitude.y) > 0);
+    return motion->path.count > 0 || motion->rate != 0 || motion->swing_count > 0 ||
+           (motion->frequency > 0 && (hypot(motion->amplitude.x, motion->amplitude.y) > 0 || motion->angle != 0));
+}
+
+bool tank_moves(const sph2d_scene *s)
+{
+    return moves(&s->motion);
+}
+
+bool walls_are_at_rest(const sph2d_scene *s)
+{
+    bool rest = true;
+    for (size_t i = 0; i < s->obstacle_count; ++i)
+        rest = rest && !moves(&s->obstacles[i].motion);
+    return rest;
 }
 
 bool scene_is_closed(const sph2d_scene *s)
 {
     const bool period_x = s->boundary.left == SPH2D_SIDE_PERIODIC, period_y = s->boundary.bottom == SPH2D_SIDE_PERIODIC;
-    bool drive = s->source_count > 0 || s->drain_count > 0 || s->interaction_count > 0;
-    for (size_t i = 0; i < s->obstacle_count; ++i)
-        drive = drive || moves(&s->obstacles[i].motion);
+    bool drive = s->source_count > 0 || s->drain_count > 0 || s->interaction_count > 0 || moves(&s->motion);
+    for (size_t i = 0; i < s->body_count; ++i)
+        drive = drive || (s->bodies[i].motor.torque > 0 && s->bodies[i].motor.rate != 0);
+    drive = drive || !walls_are_at_rest(s);
     drive = drive || s->wall_speeds.left != 0 || s->wall_speeds.right != 0 || s->wall_speeds.bottom != 0 ||
             s->wall_speeds.top != 0;
     // Forces along a period have no potential.
@@ -111,5 +126,5 @@ double energy_scale(const sph2d_scene *s, const sph2d_sim *sim)
     }
     const double surface = s->fluid.surface_tension * 2 * sqrt(pi * total / s->fluid.density);
     const double least = 0.5 * total * 1e-4 * plan->sound_speed * plan->sound_speed;
-    return fmax(m * sum + surface + elastic_energy(s, plan, &fluid), least);
+    return fmax(m * sum + surface + elastic_energy(s, plan, &fluid) + bodies_scale(s, fall), least);
 }

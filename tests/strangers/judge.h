@@ -29,6 +29,9 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
     0.2 /* and this part of what is reported: kernels of other widths see other means where it varies */
 #define DENSITY_LOW 0.25 /* least density over rest density where density is integrated */
 #define DENSITY_HIGH 4.0 /* largest, of liquid that does not start compressed */
+#define CONTACTS_BOUND 0.01 /* energy that contacts give back of what they took: a step's forces act on both sides */
+#define OVERLAP_BOUND 0.1 /* of bodies with each other, obstacles and sides [spacings] */
+#define INSIDE_BOUND 0.2  /* how deep liquid is in a body [spacings] */
 
 /** What a run by the library found. Numbers that were not judged are NaN. */
 typedef struct library_run {
@@ -37,11 +40,16 @@ typedef struct library_run {
     double scale, rise, since; /**< energy scale [J/m]; largest rise over it; when that was reached [s] */
     double packing, density;   /**< mean density over rest density inside the liquid, by counting and as reported */
     double p99, highest;       /**< of the compression by counting */
+    double overlap, taken;     /**< of bodies, the deepest [spacings]; most that contacts gave back over the scale */
     sph2d_summary summary;
 } library_run;
 
 /** Whether the scene has no drive, so that its energy cannot rise. */
 bool scene_is_closed(const sph2d_scene *scene);
+/** Whether the tank moves. */
+bool tank_moves(const sph2d_scene *scene);
+/** Whether no obstacle moves. */
+bool walls_are_at_rest(const sph2d_scene *scene);
 /** The energy that a scene has to spend at its start [J/m], by which a rise is measured; see energy.c. */
 double energy_scale(const sph2d_scene *scene, const sph2d_sim *sim);
 /** Elastic energy [J/m] of liquid with a state equation; 0 for the others. */
@@ -51,6 +59,16 @@ double elastic_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sp
 double held_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sph2d_view *fluid, bool start);
 /** Counts particles inside the liquid, at least 20, away from walls and surfaces: fills packing to highest. */
 void measure_packing(const sph2d_scene *scene, const sph2d_sim *sim, library_run *run);
+
+/** Mass of a body [kg/m], and energy of all bodies and springs that counts for energy_scale() [J/m]. */
+double body_mass(const sph2d_body *body);
+double bodies_scale(const sph2d_scene *scene, double (*fall)(const sph2d_scene *, double x, double y));
+/** How deep bodies overlap each other, obstacles and sides that are walls now, the most [m]; says what does. */
+double bodies_overlap(const sph2d_scene *scene, const sph2d_sim *sim, char text[200]);
+/** Particles that lie in bodies deeper than so much [m]. */
+size_t particles_in_bodies(const sph2d_scene *scene, const sph2d_sim *sim, double depth);
+/** Whether all that is known of bodies is finite. */
+bool bodies_are_finite(const sph2d_scene *scene, const sph2d_sim *sim);
 
 /** A judgement that is asked for. Strings are borrowed. */
 typedef struct judge_request {

@@ -15,8 +15,10 @@ typedef struct watch {
     const sph2d_scene *scene;
     sph2d_sim *sim;
     verdict *verdict;
-    bool energy, ruined;
+    bool energy, ruined, walls_rest;
     double lowest, held; // least energy; of pcisph, whose solver stores nothing, least elastic energy
+    double taken;        // most energy that contacts have taken
+    char overlap[200];   // what overlaps deepest
 } watch;
 
 /** Finite, and of a density that a liquid can have. */
@@ -74,12 +76,33 @@ static void look_at_energy(watch *w, library_run *run)
                                : elastic_energy(w->scene, plan, &fluid);
     if (w->scene->method.name == SPH2D_METHOD_PCISPH)
         elastic = w->held = fmin(w->held, elastic);
-    const double energy = s.kinetic + s.potential - s.energy_fed + elastic;
+    const double energy = s.kinetic + s.potential + s.bodies - s.energy_fed + elastic;
+    w->taken = fmax(w->taken, s.energy_contacts);
+    run->taken = fmax(run->taken, (w->taken - s.energy_contacts) / run->scale);
     w->lowest = fmin(w->lowest, energy);
     const double rise = (energy - w->lowest) / run->scale;
     if (rise > run->rise) {
         run->rise = rise;
         run->since = s.time;
+    }
+}
+
+/** Finite, and clear of each other and of walls at rest. */
+static void look_at_bodies(watch *w, library_run *run)
+{
+    if (w->scene->body_count == 0 || w->ruined)
+        return;
+    if (!bodies_are_finite(w->scene, w->sim)) {
+        verdict_fail(w->verdict, "finite", "a body has a value that is not finite at t = %g s, step %llu",
+                     sph2d_sim_time(w->sim), (unsigned long long)sph2d_sim_steps(w->sim));
+        w->ruined = true;
+        return;
+    }
+    char text[200];
+    const double depth = w->walls_rest ? bodies_overlap(w->scene, w->sim, text) / w->scene->spacing : 0;
+    if (depth > run->overlap) {
+        run->overlap = depth;
+        snprintf(w->overlap, sizeof w->overlap, "%s at t = %g s", text, sph2d_sim_time(w->sim));
     }
 }
 
@@ -151,6 +174,9 @@ static void look_behind_walls(const watch *w, size_t inside_at_start)
         if (inside > inside_at_start)
             verdict_fail(w->verdict, "walls", "%zu particles are inside closed obstacles, %zu were at the start",
                          inside, inside_at_start);
+        const size_t in_bodies = particles_in_bodies(w->scene, w->sim, INSIDE_BOUND * w->scene->spacing);
+        if (in_bodies > 0 && !w->ruined)
+            verdict_fail(w->verdict, "walls", "%zu particles are inside bodies", in_bodies);
     }
 }
 
@@ -162,6 +188,10 @@ static void judge_end(const watch *w, library_run *run, size_t inside_at_start)
     if (isfinite(run->rise) && run->rise > ENERGY_BOUND)
         verdict_fail(w->verdict, "energy", "kinetic + potential + elastic rises by %.3g %% of %.4g J/m until t = %g s",
                      100 * run->rise, run->scale, run->since);
+    if (isfinite(run->rise) && run->taken > CONTACTS_BOUND)
+        verdict_fail(w->verdict, "energy", "contacts gave %.3g %% of %.4g J/m", 100 * run->taken, run->scale);
+    if (run->overlap > OVERLAP_BOUND)
+        verdict_fail(w->verdict, "bodies", "%s overlap by %.3g spacings", w->overlap, run->overlap);
     measure_packing(w->scene, w->sim, run);
     if (fabs(run->packing - run->density) > PACKING_BOUND + PACKING_SLACK * fabs(run->density - 1))
         verdict_fail(w->verdict, "packing", "mean density inside is %.4f of rest density by counting, %.4f as reported",
@@ -186,14 +216,13 @@ library_run judge_by_library(const judge_request *request, const sph2d_scene *sc
     options.threads = 1;
     options.isa = isa_of_name(request->isa);
     *sim = NULL;
-    sph2d_status made = sph2d_sim_create(scene, &options, sim, NULL);
-    sph2d_contacts_attach(*sim);
-    if (made != SPH2D_OK)
+    if (sph2d_sim_create(scene, &options, sim, NULL) != SPH2D_OK || sph2d_contacts_attach(*sim) != SPH2D_OK)
         return run;
     run.started = true;
     run.scale = energy_scale(scene, *sim);
     watch w = {.scene = scene, .sim = *sim, .verdict = v, .lowest = INFINITY, .held = INFINITY};
     w.energy = scene_is_closed(scene);
+    w.walls_rest = walls_are_at_rest(scene);
     if (w.energy)
         run.rise = 0;
     const size_t inside = count_inside(scene, *sim);
@@ -204,6 +233,7 @@ library_run judge_by_library(const judge_request *request, const sph2d_scene *sc
         status = sph2d_sim_step(*sim, NULL);
         look_at_particles(&w, &run);
         look_at_energy(&w, &run);
+        look_at_bodies(&w, &run);
     }
     run.finished = status == SPH2D_OK;
     run.summary = sph2d_sim_summary(*sim);

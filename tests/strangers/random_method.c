@@ -92,14 +92,14 @@ void write_method(draft *d)
 {
     const bool named = !chance(d, 0.15);
     snprintf(d->method, sizeof d->method, "%s",
-             !named                      ? "muller"
+             !named                      ? d->bodied ? "wcsph" : "muller"
              : d->full && chance(d, 0.7) ? "wcsph"
                                          : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
     const bool soft = is(d, "muller");
     d->max_compression = soft ? 0.1 : 0.01;
     d->support = soft ? 2 : is(d, "wcsph") ? 3 : 2.4;
     d->cfl = soft ? 0.4 : is(d, "wcsph") ? 0.25 : 0.4 / d->support;
-    if (!named)
+    if (!named) /* scenes without bodies are as old as another default */
         return;
     fprintf(d->out, "method: {name: %s", d->method);
     if (is(d, "wcsph"))

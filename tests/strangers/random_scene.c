@@ -84,16 +84,7 @@ static void write_fluid(draft *d)
     fputs("}\n", d->out);
 }
 
-/** A place for something of so large a half size, and whether it is free of what is there. */
-typedef struct place {
-    double x, y, half_x, half_y;
-} place;
-enum { MOST_PLACES = 8 };
-typedef struct places {
-    place items[MOST_PLACES];
-    int count;
-} places;
-
+/** A place for something of so large a half size, free of what is there. */
 static bool find_place(draft *d, places *taken, double half_x, double half_y, bool on_floor, place *out)
 {
     for (int attempt = 0; attempt < 30 && taken->count < MOST_PLACES; ++attempt) {
@@ -310,9 +301,12 @@ static void write_fault(draft *d)
           d->out);
 }
 
+/* Scenes up to this seed have no bodies and no tank that moves: older than both, and the same since. */
+enum { WITHOUT_BODIES = 1000 };
+
 void random_scene_write(uint64_t seed, FILE *out)
 {
-    draft d = {.out = out, .random = seed * 0x2545f4914f6cdd1du};
+    draft d = {.out = out, .random = seed * 0x2545f4914f6cdd1du, .bodied = seed > WITHOUT_BODIES};
     const double kind = between(&d, 0, 1);
     d.full = kind < 0.15;
     d.free = kind > 0.88;
@@ -338,9 +332,14 @@ void random_scene_write(uint64_t seed, FILE *out)
         for (int i = 0; i < taken.count && shapes[i]; ++i)
             write_block(&d, &taken.items[i], shapes[i]);
     }
+    const int first = taken.count;
     write_obstacles(&d, &taken);
     write_drives(&d, &taken);
     write_fluid(&d);
+    if (d.bodied) {
+        write_tank(&d);
+        write_bodies(&d, &taken, first);
+    }
     const double until = run_time(&d);
     if (chance(&d, 0.06))
         write_fault(&d);

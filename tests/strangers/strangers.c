@@ -117,14 +117,16 @@ static void judge(const options *o, const task *t)
     if (file == NULL)
         _exit(2);
     fputs("finished,particles,steps,energy_scale,energy_rise,rise_time,compression_p99,compression_mean,"
-          "compression_max,packing,told_density,packing_p99,packing_max,left,drained\n",
+          "compression_max,packing,told_density,packing_p99,packing_max,left,drained,overlap,"
+          "contacts_gave\n",
           file);
     const sph2d_summary *s = &run.summary;
-    fprintf(file, "%d,%llu,%llu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%llu\n", run.finished,
+    fprintf(file, "%d,%llu,%llu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%llu,%.6g,%.6g\n",
+            run.finished,
             (unsigned long long)s->particles, (unsigned long long)s->steps, run.scale, run.rise, run.since,
             s->compression_p99, s->compression_mean, s->compression_max, run.packing, run.density, run.p99, run.highest,
             (unsigned long long)s->left_open[0] + s->left_open[1] + s->left_open[2] + s->left_open[3],
-            (unsigned long long)s->drained);
+            (unsigned long long)s->drained, run.overlap, run.taken);
     fclose(file);
     _exit(0);
 }
