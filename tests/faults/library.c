@@ -52,6 +52,8 @@ static void read_sim(sph2d_sim *sim)
     sph2d_sample sample;
     sph2d_sim_sample(sim, (sph2d_vec2){0.1, 0.1}, &sample);
     add(&sample, sizeof sample);
+    sph2d_body_state body = sph2d_sim_body(sim, 0);
+    add(&body, sizeof body);
 }
 
 static sph2d_status steps(sph2d_sim *sim, int count)
@@ -126,6 +128,14 @@ int main(void)
     source.at = (sph2d_vec2){0.8, 0.8};
     source.width = 0.2;
     source.speed = 20;
+    sph2d_spring spring = sph2d_spring_default();
+    spring.to = (sph2d_vec2){0.7, 0.5};
+    spring.stiffness = 10;
+    sph2d_body body = sph2d_body_default();
+    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.7, 0.2}, 0.1}};
+    body.density = 500;
+    body.springs = &spring;
+    body.spring_count = 1;
     sph2d_probe probe = sph2d_probe_default();
     probe.name = "level";
     probe.kind = SPH2D_PROBE_LEVEL;
@@ -133,7 +143,8 @@ int main(void)
     scene.blocks = &block;
     scene.sources = &source;
     scene.probes = &probe;
-    scene.block_count = scene.source_count = scene.probe_count = 1;
+    scene.bodies = &body;
+    scene.block_count = scene.body_count = scene.source_count = scene.probe_count = 1;
     sph2d_status status = run(&scene);
     if (status == SPH2D_OK)
         status = write_files();
