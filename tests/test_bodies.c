@@ -254,9 +254,9 @@ END_TEST
 START_TEST(impulses_on_a_body_are_what_it_gains)
 {
     sph2d_sim *sim = pool_of(_i, 1);
-    const sph2d_probe on_raft = {.name = "raft", .kind = SPH2D_PROBE_FORCE, .on = "raft", .at = {0.76, 0.36}, .rate = {.every = 0.01}};
     sph2d_sim_destroy(sim);
-    pool.probes[RAFT] = on_raft;
+    pool.probes[RAFT].kind = SPH2D_PROBE_FORCE;
+    pool.probes[RAFT].at = (sph2d_vec2){0.76, 0.36};
     sim = test_create(&pool.scene, NULL);
     const sph2d__rigid *r = &sim->bodies.items[0];
     double values[SPH2D_PROBE_MAX_COLUMNS], x = 0, y = 0, turn = 0, largest = 0, fastest = 0;
