@@ -52,29 +52,66 @@ bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p)
            (b.bottom == SPH2D_SIDE_WALL && p.y < d.min.y) || (b.top == SPH2D_SIDE_WALL && p.y > d.max.y);
 }
 
-static bool is_solid(const sph2d_sim *sim, sph2d_vec2 p)
+/** Position of a sample point of a cell. */
+static sph2d_vec2 sample_point(const sph2d__coverage *c, size_t i, size_t j, int k)
 {
-    if (sph2d__coverage_beyond_wall(&sim->scene, p))
-        return true;
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
-        const sph2d_obstacle *o = &sim->scene.obstacles[k];
-        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        if (sph2d__obstacle_fills(&sim->scene, o, sph2d__pose_invert(&pose, p)))
-            return true;
-    }
-    return false;
+    double x = (double)i + (k % POINTS + 0.5) / POINTS, y = (double)j + (k / POINTS + 0.5) / POINTS;
+    return (sph2d_vec2){c->origin.x + x * c->size_x, c->origin.y + y * c->size_y};
 }
 
-/** Counts the sample points of each cell that lie in walls. */
-static void find_solids(sph2d__coverage *c)
+/** A range of cells in one direction. */
+typedef struct span {
+    size_t begin, end;
+} span;
+
+/** The cells that overlap [low, high]. */
+static span span_of(double low, double high, double origin, double size, size_t count)
 {
+    double begin = fmax(floor((low - origin) / size), 0), end = fmin(ceil((high - origin) / size), (double)count);
+    return begin < end ? (span){(size_t)begin, (size_t)end} : (span){0, 0};
+}
+
+/** Bounds of what an obstacle fills, in its present position. */
+static sph2d_box bounds_of(const sph2d_sim *sim, const sph2d_obstacle *o, const sph2d__pose *pose)
+{
+    sph2d_box b = sph2d__outline_bounds(&o->outline, sim->scene.spacing);
+    double margin = sph2d__obstacle_is_hollow(o) ? sph2d__layer_thickness(&sim->scene) : 0;
+    sph2d_box all = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int k = 0; k < 4; ++k) {
+        sph2d_vec2 corner = {k & 1 ? b.max.x + margin : b.min.x - margin, k & 2 ? b.max.y + margin : b.min.y - margin};
+        sph2d_vec2 p = sph2d__pose_apply(pose, corner);
+        all = (sph2d_box){{fmin(all.min.x, p.x), fmin(all.min.y, p.y)}, {fmax(all.max.x, p.x), fmax(all.max.y, p.y)}};
+    }
+    return all;
+}
+
+/** Marks the sample points inside an obstacle. */
+static void mark_obstacle(const sph2d__coverage *c, const sph2d_obstacle *o, uint16_t *marks)
+{
+    sph2d__pose pose = sph2d__sim_pose_of(c->sim, o);
+    sph2d_box b = bounds_of(c->sim, o, &pose);
+    span x = span_of(b.min.x, b.max.x, c->origin.x, c->size_x, c->nx);
+    span y = span_of(b.min.y, b.max.y, c->origin.y, c->size_y, c->ny);
+    for (size_t j = y.begin; j < y.end; ++j)
+        for (size_t i = x.begin; i < x.end; ++i)
+            for (int k = 0; k < FULL; ++k) {
+                sph2d_vec2 p = sph2d__pose_invert(&pose, sample_point(c, i, j, k));
+                if (sph2d__obstacle_fills(&c->sim->scene, o, p))
+                    marks[j * c->nx + i] |= (uint16_t)(1u << k);
+            }
+}
+
+/** Counts the sample points of each cell that lie in walls. `marks`: a bit for each, initially 0. */
+static void find_solids(sph2d__coverage *c, uint16_t *marks)
+{
+    const sph2d_scene *scene = &c->sim->scene;
+    for (size_t k = 0; k < scene->obstacle_count; ++k)
+        mark_obstacle(c, &scene->obstacles[k], marks);
     for (size_t j = 0; j < c->ny; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             int n = 0;
-            for (int k = 0; k < FULL; ++k) {
-                double x = (double)i + (k % POINTS + 0.5) / POINTS, y = (double)j + (k / POINTS + 0.5) / POINTS;
-                n += is_solid(c->sim, (sph2d_vec2){c->origin.x + x * c->size_x, c->origin.y + y * c->size_y});
-            }
+            for (int k = 0; k < FULL; ++k)
+                n += marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(scene, sample_point(c, i, j, k));
             c->solid[j * c->nx + i] = (unsigned char)n;
         }
 }
@@ -146,11 +183,13 @@ bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
     c->fill = sph2d__alloc(sim->system.memory, nodes, sizeof(float));
     c->solid = sph2d__alloc(sim->system.memory, x.count * y.count, 1);
     void *walls = sph2d__alloc(sim->system.memory, nodes, sizeof(float));
-    bool ok = c->fill && c->solid && walls;
+    void *marks = sph2d__alloc(sim->system.memory, x.count * y.count, sizeof(uint16_t));
+    bool ok = c->fill && c->solid && walls && marks;
     if (ok) {
-        find_solids(c);
+        find_solids(c, marks);
         fill_nodes(c, walls);
     }
+    sph2d__release(sim->system.memory, &marks, marks ? x.count * y.count : 0, sizeof(uint16_t));
     sph2d__release(sim->system.memory, &walls, walls ? nodes : 0, sizeof(float));
     if (!ok)
         sph2d__coverage_free(c);
