@@ -23,7 +23,7 @@ static size_t corner_count(const sph2d_outline *o)
     case SPH2D_OUTLINE_POLYLINE:
         return o->polyline.count;
     case SPH2D_OUTLINE_CIRCLE:
-    case SPH2D_OUTLINE_ARC: // bodies are not looked for on arcs
+    case SPH2D_OUTLINE_ARC:
     case SPH2D_OUTLINE_NONE:
         break;
     }
@@ -41,7 +41,7 @@ static sph2d_vec2 corner(const sph2d_outline *o, size_t i)
 
 static bool is_open(const sph2d_outline *o)
 {
-    return o->kind == SPH2D_OUTLINE_LINE || o->kind == SPH2D_OUTLINE_POLYLINE;
+    return o->kind == SPH2D_OUTLINE_LINE || o->kind == SPH2D_OUTLINE_POLYLINE || o->kind == SPH2D_OUTLINE_ARC;
 }
 
 /** How deep a point is in a closed outline; negative outside and for lines. */
@@ -65,14 +65,19 @@ static double depth_in(const sph2d_outline *o, sph2d_vec2 p)
     return inside ? nearest : -nearest;
 }
 
+static sph2d_vec2 at_angle(sph2d_vec2 center, double radius, double angle)
+{
+    return (sph2d_vec2){center.x + radius * cos(angle), center.y + radius * sin(angle)};
+}
+
 /** A point along an outline; of those with corners, these are among them. */
 static sph2d_vec2 along(const sph2d_outline *o, size_t index)
 {
-    if (o->kind == SPH2D_OUTLINE_CIRCLE) {
-        const double angle = 2 * pi * (double)index / PIECES;
-        return (sph2d_vec2){o->circle.center.x + o->circle.radius * cos(angle),
-                            o->circle.center.y + o->circle.radius * sin(angle)};
-    }
+    const double turn = (double)index / PIECES;
+    if (o->kind == SPH2D_OUTLINE_CIRCLE)
+        return at_angle(o->circle.center, o->circle.radius, 2 * pi * turn);
+    if (o->kind == SPH2D_OUTLINE_ARC)
+        return at_angle(o->arc.center, o->arc.radius, o->arc.from + turn * (o->arc.to - o->arc.from));
     const size_t count = corner_count(o), edges = is_open(o) ? count - 1 : count, each = PIECES / edges + 1;
     const size_t edge = index / each % edges;
     const sph2d_vec2 a = corner(o, edge), b = corner(o, (edge + 1) % count);
@@ -84,6 +89,8 @@ static size_t along_count(const sph2d_outline *o)
 {
     if (o->kind == SPH2D_OUTLINE_CIRCLE)
         return PIECES;
+    if (o->kind == SPH2D_OUTLINE_ARC)
+        return PIECES + 1;
     const size_t edges = is_open(o) ? corner_count(o) - 1 : corner_count(o);
     return edges * (PIECES / edges + 1);
 }
