@@ -12,7 +12,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 5
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 6
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -32,6 +32,14 @@ static sph2d__lent bodies_array(sph2d_sim *sim)
 {
     return run_array("Bodies", "of each body: place, velocity, acceleration, what holds it up, force of the liquid",
                      SPH2D_F64, SPH2D__RIGID_VALUES * sim->bodies.count, sim->bodies.states);
+}
+
+static sph2d__lent squeeze_array(sph2d_sim *sim)
+{
+    sph2d__lent all = run_array("BodySqueeze", "of the boundary particles of bodies: rate of compression before them",
+                                SPH2D_F64, (size_t)(sim->bodies.end - sim->bodies.first), sim->system.rigid_squeeze);
+    all.array.unit[2] = -1;
+    return all;
 }
 
 /** Writes all arrays of the state and returns their number. */
@@ -61,6 +69,8 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
                              SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
+    if (sim->bodies.count > 0 && sim->method->density_rate)
+        out[n++] = squeeze_array(sim);
     return n;
 }
 
@@ -227,6 +237,10 @@ static bool load_bodies(loader *l, sph2d_sim *sim)
     const sph2d_array *from = find_array(l, &bodies.array, bodies.array.count);
     if (from)
         copy_values(l, from, sim->bodies.states, 0);
+    const sph2d__lent squeeze = squeeze_array(sim);
+    from = l->ok && sim->method->density_rate ? find_array(l, &squeeze.array, squeeze.array.count) : NULL;
+    if (from)
+        copy_values(l, from, sim->system.rigid_squeeze, 0);
     sph2d__bodies_stand(sim, sim->record.time);
     sph2d__bodies_know(sim, true); /* until the run goes on */
     return l->ok;

@@ -13,10 +13,33 @@
  *      (M + K)(q - h) = F(q') + K (q' - h) + all other forces
  *
  *  where h is acceleration by contacts, and q' is what the walls were placed with; the pressures of all walls are then
- *  found anew. The velocities on which it all depends stay those that were predicted. */
+ *  found anew. The velocities on which it all depends stay those that were predicted.
+ *
+ *  The part of p_b that a_b makes has no potential: its power on body and liquid is its volume times the rate of
+ *  compression D_b before the wall (wcsph.h), 0 as long as the liquid yields along the body. In an impact it is not, and
+ *  what a body did to liquid and what it got for it were 10 % apart until the sound had left. So of a_b counts
+ *  1/(1 + (D_b H/(0.05 c0))^2). Of 100 random scenes 6 with impacts on bodies gained 0.1 to 2.5 % of energy, with this
+ *  two 0.2 and 0.3 %; with 0.1 in place of 0.05 three 0.1 to 0.7 %, with 0.03 two 0.1 and 0.2 %. */
 #include "boundary/rigid.h"
 #include "kernels/kernel.h"
 #include "methods/wcsph/wcsph.h"
+
+/* D_b H/c0 at which half of an acceleration counts. */
+static const double SUDDEN = 0.05;
+
+double sph2d__wcsph_felt_part(const sph2d__system *s, size_t b)
+{
+    uint64_t id = s->walls.id[b], first = s->rigids[0].first_id, end = s->rigids[s->rigid_count - 1].end_id;
+    double t = id >= first && id < end ? s->rigid_squeeze[id - first] * s->support / (SUDDEN * s->sound_speed) : 0;
+    return 1 / (1 + t * t);
+}
+
+void sph2d__wcsph_keep_squeeze(sph2d__system *s)
+{
+    uint64_t first = s->rigids[0].first_id, end = s->rigids[s->rigid_count - 1].end_id;
+    for (uint64_t id = first; id < end; ++id)
+        s->rigid_squeeze[id - first] = s->walls.wall_rate[s->rigid_index[id - first]] / (s->support * s->support);
+}
 
 /** What a boundary particle adds: force by its pressure as it is, the same of a unit of pressure, and W_b. */
 typedef struct lever {
@@ -47,7 +70,7 @@ static lever lever_of(const sph2d__system *s, size_t b)
         sum.weight = (sph2d_vec2){sum.weight.x - rho * dx, sum.weight.y - rho * dy};
         weights += value;
     }
-    double share = weights > 1e-12 ? 1 / weights : 0;
+    double share = weights > 1e-12 ? sph2d__wcsph_felt_part(s, b) / weights : 0;
     sum.weight = (sph2d_vec2){share * sum.weight.x, share * sum.weight.y};
     return sum;
 }

@@ -45,7 +45,7 @@ SPH2D__INLINE double slip_factor(const sph2d__system *s, size_t b, const wall_su
 SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
 {
     sph2d__store *w = &s->walls;
-    double gx = -w->ax[b], gy = -w->ay[b];
+    double part = s->rigid_count > 0 ? sph2d__wcsph_felt_part(s, b) : 1, gx = -part * w->ax[b], gy = -part * w->ay[b];
     sph2d__body_add(&s->body, w->x[b], w->y[b], w->vx[b], w->vy[b], &gx, &gy);
     double pressure =
         share * ((double)sums->pressure[l] + gx * (double)sums->weight_x[l] + gy * (double)sums->weight_y[l]);

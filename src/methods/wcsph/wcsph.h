@@ -156,6 +156,12 @@ static inline double sph2d__connection(double filling)
  *  must then be found anew (wall_bodies.c). False when memory is short. */
 bool sph2d__wcsph_move_bodies(sph2d__system *system);
 
+/** Keeps D_b of the boundary particles of bodies until the next step: part of the state. */
+void sph2d__wcsph_keep_squeeze(sph2d__system *system);
+
+/** Part of the acceleration of boundary particle b, in a scene with bodies, that counts in its pressure: 1 for walls. */
+double sph2d__wcsph_felt_part(const sph2d__system *system, size_t b);
+
 /** A pair loop over a span of particles, compiled once for each instruction set, precision and kernel. */
 typedef struct sph2d__wcsph_pass {
     sph2d__span_work *by_kernel[SPH2D_KERNEL_COUNT];
