@@ -8,6 +8,7 @@
 
 #include "common.h"
 #include "scene/bodies.h"
+#include "scene/derive.h"
 #include "sim/simulation.h"
 
 enum { LEFT, RIGHT, BOTTOM, RAFT, SIDES = RAFT, PROBES };
@@ -152,6 +153,45 @@ START_TEST(a_body_on_a_spring_swings_with_its_period)
         test_steps(sim, 1);
     ck_assert_double_eq_tol(sph2d_sim_body(sim, 0).velocity.y, -0.25, 1e-12);
     sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** The speed of sound is for speeds that springs give: one without slack, attached at the centre of mass, gives
+ *  s sqrt(k/M). */
+START_TEST(springs_stretched_at_the_start_count_as_speed)
+{
+    start_alone();
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.body.velocity = (sph2d_vec2){0, 0};
+    pool.body.rate = 0;
+    double without = sph2d__scene_derive(&pool.scene).speed, mass = 400 * 0.4 * 0.32, fastest = 0;
+    pool.spring = sph2d_spring_default();
+    pool.spring.to = (sph2d_vec2){1.8, 5};
+    pool.spring.stiffness = 5000;
+    pool.body.springs = &pool.spring;
+    pool.body.spring_count = 1;
+    ck_assert(sph2d__scene_derive(&pool.scene).speed == without); /* as long as the scene draws it */
+    pool.spring.length = 0.5;                                     /* of 0.84 */
+    double speed = sph2d__scene_derive(&pool.scene).speed;
+    ck_assert_double_eq_tol(speed, 0.34 * sqrt(5000 / mass), 1e-12);
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    /* but the lake need not have as much energy for each kilogram */
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).energy_scale, 5000 * 0.34 * 0.34 / 2, 1e-9);
+    while (sph2d_sim_time(sim) < 0.3) {
+        test_steps(sim, 1);
+        fastest = fmax(fastest, fabs(sph2d_sim_body(sim, 0).velocity.y));
+    }
+    sph2d_sim_destroy(sim);
+    ck_assert(fastest <= speed * 1.001 && fastest > 0.99 * speed);
+    pool.spring.at = (sph2d_vec2){2, 4.16}; /* beside the centre of mass the body gives way by turning, too */
+    ck_assert_double_gt(sph2d__scene_derive(&pool.scene).speed, speed);
+    pool.body.hold = (sph2d_hold){SPH2D_SWITCH_ON, SPH2D_SWITCH_ON, SPH2D_SWITCH_ON};
+    ck_assert(sph2d__scene_derive(&pool.scene).speed == without);
+    pool.body.hold = (sph2d_hold){SPH2D_SWITCH_OFF, SPH2D_SWITCH_OFF, SPH2D_SWITCH_OFF};
+    pool.spring.length = 2;
+    ck_assert_double_gt(sph2d__scene_derive(&pool.scene).speed, speed); /* pressed together */
+    pool.spring.slack = SPH2D_SWITCH_ON;
+    ck_assert(sph2d__scene_derive(&pool.scene).speed == without);
 }
 END_TEST
 
@@ -522,6 +562,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, mass_and_inertia_are_those_of_the_formulas);
     tcase_add_loop_test(tests, a_body_in_air_flies_a_parabola_and_turns_evenly, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_test(tests, a_body_on_a_spring_swings_with_its_period);
+    tcase_add_test(tests, springs_stretched_at_the_start_count_as_speed);
     tcase_add_test(tests, motors_turn_and_brake_with_their_torque);
     tcase_add_loop_test(tests, what_the_liquid_loses_the_body_gains, 0, KINDS);
     tcase_add_loop_test(tests, impulses_on_a_body_are_what_it_gains, 0, KINDS);

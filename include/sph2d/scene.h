@@ -237,9 +237,9 @@ typedef struct sph2d_method_options {
     /** Intended compression rho/rho0 - 1, impacts excluded, 1e-6 to 0.9; default 0: the method's, muller 0.1, the
      *  others 0.01. Determines the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of
      *  the liquid above the lowest point that walls and obstacles at rest let it reach, U the largest speed at the
-     *  start or of a source, pull the strongest interaction's acceleration * radius / 2, and 2 for the overshoot after
-     *  a release. pcisph keeps it in every step, and its sound speed is for a tenth of it; constraint corrects
-     *  particles beyond it individually. */
+     *  start, of a source, of a wall, or that a body gets by springs that are stretched at the start, pull the
+     *  strongest interaction's acceleration * radius / 2, and 2 for the overshoot after a release. pcisph keeps it in
+     *  every step, and its sound speed is for a tenth of it; constraint corrects particles beyond it individually. */
     double max_compression;
 
     /** Stiffness k in p = k (rho - rho0) [m^2/s^2], >= 0; default 0: derived as above. k = c0^2, except for muller,

@@ -344,8 +344,8 @@ typedef struct sph2d_summary {
      *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */
     double energy_pressed;
 
-    /** Scale of rise and error: (n m + mass of the bodies) (g h + U^2/2 + pull)/2 of the scene plus the surface energy of a round drop of its
-     *  liquid [J/m]. */
+    /** Scale of rise and error: (n m + mass of the bodies) (g h + U^2/2 + pull)/2 of the scene, with U but for springs, plus
+     *  the energy of bodies' springs at the start and the surface energy of a round drop of its liquid [J/m]. */
     double energy_scale;
 
     /** Largest difference between the densities of sph2d_sim_densities(), sampled every 500th step; 0 if never defined.

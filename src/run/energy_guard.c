@@ -9,7 +9,8 @@
  *      (m n + mass of bodies) (g h + U^2/2 + pull)/2,
  *
  *  the potential energy of a column as high as liquid can fall (sph2d__system.head), with n all particles that ever
- *  existed, plus the surface energy of a round drop of them. The error is
+ *  existed and U but for what springs of bodies give, plus the energy of these springs at the start and the surface energy
+ *  of a round drop of the liquid. The error is
  *
  *      kinetic + potential + elastic - start - added + dissipated.
  *

@@ -60,6 +60,51 @@ sph2d__mass_data sph2d__body_mass(const sph2d_body *body)
     return data;
 }
 
+sph2d_vec2 sph2d__spring_start(const sph2d_spring *spring, sph2d_vec2 center)
+{
+    return isnan(spring->at.x) || isnan(spring->at.y) ? center : spring->at;
+}
+
+double sph2d__spring_length(const sph2d_spring *spring, sph2d_vec2 start)
+{
+    return isnan(spring->length) ? hypot(spring->to.x - start.x, spring->to.y - start.y) : spring->length;
+}
+
+double sph2d__spring_energy(const sph2d_body *body, const sph2d_spring *spring)
+{
+    sph2d_vec2 at = sph2d__spring_start(spring, sph2d__body_mass(body).center);
+    double stretch = hypot(spring->to.x - at.x, spring->to.y - at.y) - sph2d__spring_length(spring, at);
+    bool loose = spring->slack == SPH2D_SWITCH_ON && stretch < 0;
+    const sph2d_hold *hold = &body->hold;
+    bool held = hold->x == SPH2D_SWITCH_ON && hold->y == SPH2D_SWITCH_ON && hold->angle == SPH2D_SWITCH_ON;
+    return loose || held ? 0 : spring->stiffness * stretch * stretch / 2;
+}
+
+double sph2d__body_speed(const sph2d_body *body)
+{
+    return hypot(body->velocity.x, body->velocity.y) +
+           fabs(body->rate) * sph2d__outline_distance(&body->outline, sph2d__body_mass(body).center);
+}
+
+/** One over the mass that the end of a spring feels, at least: that of the body, as a lever as long as the end is away
+ *  from the centre of mass. */
+static double yielding(const sph2d_body *body, const sph2d_spring *spring)
+{
+    sph2d__mass_data m = sph2d__body_mass(body);
+    sph2d_vec2 at = sph2d__spring_start(spring, m.center), arm = {at.x - m.center.x, at.y - m.center.y};
+    bool goes = body->hold.x != SPH2D_SWITCH_ON || body->hold.y != SPH2D_SWITCH_ON;
+    bool turns = body->hold.angle != SPH2D_SWITCH_ON;
+    return (goes ? 1 / m.mass : 0) + (turns ? (arm.x * arm.x + arm.y * arm.y) / m.inertia : 0);
+}
+
+double sph2d__spring_speed(const sph2d_body *body)
+{
+    double square = 0;
+    for (size_t i = 0; i < body->spring_count; ++i)
+        square += 2 * sph2d__spring_energy(body, &body->springs[i]) * yielding(body, &body->springs[i]);
+    return sqrt(square);
+}
+
 static sph2d_obstacle obstacle_of(const sph2d_body *body)
 {
     sph2d_obstacle obstacle = sph2d_obstacle_default();

@@ -18,6 +18,18 @@ typedef struct sph2d__mass_data {
 /** Of a body with a valid outline. */
 sph2d__mass_data sph2d__body_mass(const sph2d_body *body);
 
+/** Where a spring holds a body whose centre of mass is given, as the scene draws it; and its length without force. */
+sph2d_vec2 sph2d__spring_start(const sph2d_spring *spring, sph2d_vec2 center);
+double sph2d__spring_length(const sph2d_spring *spring, sph2d_vec2 start);
+
+/** Energy of a spring as the scene draws it, where it can move the body [J/m]. */
+double sph2d__spring_energy(const sph2d_body *body, const sph2d_spring *spring);
+
+/** The largest speed of a body's points at the start; and a bound, in vacuum, of that of the ends of its springs later,
+ *  if these turn all that they store at the start into motion [m/s]. */
+double sph2d__body_speed(const sph2d_body *body);
+double sph2d__spring_speed(const sph2d_body *body);
+
 /** Appends the bodies to the obstacles of a copy of a scene. False when memory is short. */
 bool sph2d__append_bodies(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory);
 

@@ -54,11 +54,8 @@ static double wall_speed(const sph2d_scene *scene)
     double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         speed = fmax(speed, obstacle_speed(&scene->obstacles[i]));
-    for (size_t k = 0; k < scene->body_count; ++k) {
-        const sph2d_body *body = &scene->bodies[k];
-        double radius = sph2d__outline_distance(&body->outline, sph2d__body_mass(body).center);
-        speed = fmax(speed, hypot(body->velocity.x, body->velocity.y) + fabs(body->rate) * radius);
-    }
+    for (size_t k = 0; k < scene->body_count; ++k)
+        speed = fmax(speed, sph2d__body_speed(&scene->bodies[k]));
     return speed;
 }
 
@@ -90,6 +87,20 @@ static double height_of(const sph2d_scene *scene, const sph2d__drive *drive, dou
     return drive->tilt > 0 ? fmin(still + across * drive->tilt, hypot(width, height)) : still;
 }
 
+/** What springs of bodies that are stretched at the start add: what is as fast by them makes pressure, but there may be
+ *  little of it, so that their energy counts by itself. */
+static void add_springs(const sph2d_scene *scene, sph2d__derived *d)
+{
+    double speed = d->speed;
+    for (size_t k = 0; k < scene->body_count; ++k) {
+        const sph2d_body *body = &scene->bodies[k];
+        d->speed = fmax(d->speed, hypot(sph2d__body_speed(body), sph2d__spring_speed(body)));
+        for (size_t i = 0; i < body->spring_count; ++i)
+            d->spring_energy += sph2d__spring_energy(body, &body->springs[i]);
+    }
+    d->spring_head = (d->speed * d->speed - speed * speed) / 2;
+}
+
 double sph2d__scene_reach(const sph2d_scene *scene)
 {
     double support = sph2d__method_resolve(scene->method).support_ratio;
@@ -113,6 +124,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
     d.speed = fmax(fmax(d.speed, wall_speed(scene)), drive.speed);
+    add_springs(scene, &d);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     double central_speed = scene->central_force.rate * farthest_liquid(scene);

@@ -18,10 +18,12 @@ typedef struct sph2d__derived {
     double mass;           /**< of a particle, density * spacing^2 [kg/m] */
     double gravity;        /**< largest gravity, with the acceleration of a tank that moves [m/s^2] */
     double height;         /**< largest height of liquid above the lowest point that it can reach, along gravity [m] */
-    double speed;          /**< largest speed at the start, of a source or of a wall [m/s] */
+    double speed;          /**< largest speed at the start, of a source, of a wall, or by springs of a body [m/s] */
     double pull; /**< depth of attractive potentials [m^2/s^2]: acceleration * radius / 2 of the strongest interaction,
                     and that of the central force at the farthest liquid */
     double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
+    double spring_head;      /**< the part of that by what only springs of bodies make fast [m^2/s^2] */
+    double spring_energy;    /**< of springs of bodies at the start [J/m] */
     double ripple_speed;     /**< minimum c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
     double soft_compression; /**< compression for which c0 is chosen: max_compression, for pcisph a tenth of it */
     double stiffness_part;   /**< c0^2 over the stiffness k: 1, for muller the factor of its pair force */

@@ -6,6 +6,7 @@
 
 #include "base/pi.h"
 #include "methods/terms/tension.h"
+#include "scene/bodies.h"
 #include "sim/bodies.h"
 #include "sim/simulation.h"
 
@@ -91,12 +92,10 @@ typedef struct stretch {
 
 static stretch stretch_of(const sph2d__rigid *r, const sph2d_spring *spring, const sph2d__pose *pose)
 {
-    bool centre = isnan(spring->at.x) || isnan(spring->at.y);
-    sph2d_vec2 start = centre ? r->center : spring->at, at = sph2d__pose_apply(pose, start);
+    sph2d_vec2 start = sph2d__spring_start(spring, r->center), at = sph2d__pose_apply(pose, start);
     sph2d_vec2 v = sph2d__pose_velocity(pose, at), to = {spring->to.x - at.x, spring->to.y - at.y};
     double distance = hypot(to.x, to.y);
-    double length = isnan(spring->length) ? hypot(spring->to.x - start.x, spring->to.y - start.y) : spring->length;
-    stretch s = {.arm = sph2d__pose_arm(pose, at), .by = distance - length};
+    stretch s = {.arm = sph2d__pose_arm(pose, at), .by = distance - sph2d__spring_length(spring, start)};
     if (distance > 0)
         s.along = (sph2d_vec2){to.x / distance, to.y / distance};
     s.rate = -(s.along.x * v.x + s.along.y * v.y);

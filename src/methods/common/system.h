@@ -76,6 +76,8 @@ typedef struct sph2d__system {
     double step;         /**< length of the present step [s] */
     double speed;        /**< largest speed of a particle at the start of the step [m/s] */
     double max_pressure; /**< largest pressure then, at least that of the scene's head [Pa] */
+    double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
+    double spring_energy; /**< of these springs at the start [J/m] */
     double head;    /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
     double tension; /**< wcsph: bound of negative pressures; infinite without tensile control [Pa] */
     double max_density; /**< largest density of a particle at the start of the step, at least rest density [kg/m^3] */
