@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "common.h"
+#include "scene/derive.h"
+#include "scene/frame.h"
 #include "sim/simulation.h"
 
 static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_MULLER, SPH2D_METHOD_PCISPH,
@@ -141,6 +143,83 @@ START_TEST(a_run_in_a_moving_tank_goes_on_from_its_state_bit_by_bit)
 }
 END_TEST
 
+static const sph2d_pose_point late[] = {
+    {0, 0, 0, 0}, {1, 0, 0, 0}, {1.5, 0.1, 0, 0.1}, {2, -0.2, 0, -0.3}, {3, 0, 0, 0}, {4, 0, 0, 0}};
+static const sph2d_path_point heavier[] = {{0, 0.3, -2}, {2, 0.3, -2}, {5, 1, -7}, {6, 0.3, -2}};
+static const sph2d_swing sway[] = {{.amplitude = {0.02, 0}, .frequency = 0.31}, {.angle = 0.1, .frequency = 0.073}};
+
+/** What moves the tank, or changes gravity, by its number; false beyond the last. */
+static bool drive_by(int kind)
+{
+    start(SPH2D_METHOD_WCSPH);
+    scene.motion = sph2d_motion_default();
+    scene.motion.ramp = kind == 1 ? 7 : 0;
+    if (kind <= 1)
+        scene.motion.amplitude = (sph2d_vec2){0.1, 0}, scene.motion.frequency = 0.7;
+    else if (kind == 2)
+        scene.motion.path = (sph2d_pose_path){late, 6};
+    else if (kind == 3)
+        scene.gravity_path = (sph2d_path){heavier, 4};
+    else if (kind == 4)
+        scene.motion.swings = sway, scene.motion.swing_count = 2;
+    else
+        scene.motion.rate = 0.2;
+    return kind <= 5;
+}
+
+/** Or a run that is made longer when it is resumed would be another one. */
+START_TEST(the_length_of_a_run_does_not_change_its_sound_speed)
+{
+    for (int kind = 0; drive_by(kind); ++kind) {
+        scene.run.until = 100;
+        sph2d__derived whole = sph2d__scene_derive(&scene);
+        for (double until = 0; until < 50; until = 3 * until + 0.1) {
+            scene.run.until = until;
+            sph2d__derived part = sph2d__scene_derive(&scene);
+            ck_assert_msg(part.sound_speed == whole.sound_speed && part.head == whole.head,
+                          "drive %d to %g s: %g of %g", kind, until, part.sound_speed, whole.sound_speed);
+        }
+    }
+}
+END_TEST
+
+START_TEST(the_largest_gravity_and_tilt_are_found)
+{
+    double omega = 2 * TEST_PI * 0.7, g = hypot(0.3, 2);
+    drive_by(0);
+    scene.gravity = (sph2d_vec2){0, -2};
+    sph2d__drive drive = sph2d__scene_drive(&scene);
+    double sideways = 0.1 * omega * omega, size = hypot(2, sideways);
+    ck_assert_double_eq_tol(drive.gravity, size, 1e-5 * size);
+    ck_assert_double_eq_tol(drive.tilt, sideways / size, 1e-5);
+    ck_assert_double_eq_tol(drive.speed, 0.1 * omega, 1e-12);
+    drive_by(3);
+    ck_assert(sph2d__scene_drive(&scene).gravity == hypot(1, 7));
+    drive_by(4); /* of two swings that meet seldom */
+    drive = sph2d__scene_drive(&scene);
+    ck_assert_double_eq_tol(drive.tilt, 0.1 + 0.02 * pow(2 * TEST_PI * 0.31, 2) / g, 0.005);
+    drive_by(5);
+    ck_assert(sph2d__scene_drive(&scene).tilt == 1);
+}
+END_TEST
+
+/** In no more time than this test has, whatever the ratio of the frequencies. */
+START_TEST(the_longest_motions_are_looked_at_briefly)
+{
+    static sph2d_pose_point way[5000];
+    static sph2d_swing swings[100];
+    for (int k = 0; k < 5000; ++k)
+        way[k] = (sph2d_pose_point){k * 1e6, 0.1 * sin(k), 0, 0};
+    for (int k = 0; k < 100; ++k)
+        swings[k] = (sph2d_swing){.angle = 1e-4, .frequency = k ? 1e6 * k : 1e-6};
+    start(SPH2D_METHOD_WCSPH);
+    scene.motion.path = (sph2d_pose_path){way, 5000};
+    scene.motion.swings = swings;
+    scene.motion.swing_count = 100;
+    ck_assert_double_gt(sph2d__scene_drive(&scene).tilt, 1e-3);
+}
+END_TEST
+
 START_TEST(a_tank_that_jumps_is_refused)
 {
     static const sph2d_pose_point way[] = {{0, 0, 0, 0}, {0.3, 0.1, 0, 0}, {0.6, 0, 0, 0}};
@@ -168,6 +247,9 @@ Suite *suite_frame(void)
     tcase_add_loop_test(tests, gravity_follows_its_path, 0, METHODS);
     tcase_add_loop_test(tests, a_tank_that_pitches_balances_energy, 0, METHODS);
     tcase_add_loop_test(tests, a_run_in_a_moving_tank_goes_on_from_its_state_bit_by_bit, 0, METHODS);
+    tcase_add_test(tests, the_length_of_a_run_does_not_change_its_sound_speed);
+    tcase_add_test(tests, the_largest_gravity_and_tilt_are_found);
+    tcase_add_test(tests, the_longest_motions_are_looked_at_briefly);
     tcase_add_test(tests, a_tank_that_jumps_is_refused);
     suite_add_tcase(suite, tests);
     return suite;

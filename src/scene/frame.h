@@ -44,7 +44,7 @@ sph2d__course sph2d__tank_course(const sph2d_scene *scene, sph2d_pose_point *ben
 /** The frame at a time [s]. */
 sph2d__frame sph2d__frame_at(const sph2d_scene *scene, const sph2d__course *tank, double time);
 
-/** What the drive of a scene can do to its liquid, in its run. */
+/** What the drive of a scene can do to its liquid, however long its run: a run that goes on later is the same. */
 typedef struct sph2d__drive {
     double gravity; /**< the largest gravity, with the acceleration of the tank's centre [m/s^2] */
     double tilt;    /**< the largest sine of the angle between that and g0; 1 beyond a right angle */

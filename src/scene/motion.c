@@ -42,6 +42,19 @@ bool sph2d__motion_turns(const sph2d_motion *m)
     return turns;
 }
 
+sph2d__frequencies sph2d__motion_frequencies(const sph2d_motion *m)
+{
+    sph2d__frequencies f = {0, 0};
+    for (size_t k = 0; k <= m->swing_count; ++k) {
+        sph2d_swing s = swing_of(m, k);
+        if (!swings(s))
+            continue;
+        f.lowest = f.lowest > 0 ? fmin(f.lowest, s.frequency) : s.frequency;
+        f.highest = fmax(f.highest, s.frequency);
+    }
+    return f;
+}
+
 /* ---- paths ------------------------------------------------------------------------------------------------------- */
 
 size_t sph2d__motion_bends(const sph2d_motion *m)

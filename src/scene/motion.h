@@ -20,6 +20,12 @@ bool sph2d__motion_moves(const sph2d_motion *motion);
 /** Whether it ever turns. */
 bool sph2d__motion_turns(const sph2d_motion *motion);
 
+/** The lowest and the highest frequency of its oscillations [1/s]; both 0 without any. */
+typedef struct sph2d__frequencies {
+    double lowest, highest;
+} sph2d__frequencies;
+sph2d__frequencies sph2d__motion_frequencies(const sph2d_motion *motion);
+
 /** The number of second derivatives that its course needs; 0 with straight lines. */
 size_t sph2d__motion_bends(const sph2d_motion *motion);
 

@@ -30,8 +30,6 @@ read_scene() {
     read -r x0 y0 x1 y1 <<<"$numbers"
     spacing=$(sed -n 's/^spacing: //p' scene.yaml)
     until=$(sed -n 's/^run: {until: \(.*\)}$/\1/p' scene.yaml)
-    # A shorter run of a tank that moves is another one, in which the tank may have less acceleration.
-    if grep -q '^motion:' scene.yaml; then shorter=wall; else shorter=until; fi
 }
 
 # A point that has room for a gauge.
@@ -147,7 +145,7 @@ run_in_parts() {
     reached=0 stops=0
     case $((RANDOM % 5)) in
     0) kinds=(steps steps steps wall) ;;
-    1) kinds=("$shorter" "$shorter" steps) ;;
+    1) kinds=(until until steps) ;;
     2) kinds=(KILL "$(pick KILL TERM wall)" "$(pick KILL steps)") ;;
     3) kinds=(wall wall wall wall wall wall wall wall) ;;
     4) kinds=("$(pick INT TERM HUP)" "$(pick INT TERM HUP wall)" "$(pick KILL HUP wall steps)") ;;

@@ -14,8 +14,7 @@
 
 #include "judge.h"
 
-enum { PATH_SIZE = 600, TEXT_SIZE = 1 << 16, MOST_SECONDS = 60, EXIT_REJECTED = 65, EXIT_NO_INPUT = 66,
-       EXIT_STOPPED = 75 };
+enum { PATH_SIZE = 600, TEXT_SIZE = 1 << 16, MOST_SECONDS = 60, EXIT_REJECTED = 65, EXIT_NO_INPUT = 66 };
 
 /** How a command ended and what it said. */
 typedef struct ending {
@@ -240,8 +239,8 @@ static void add_changes(arguments *a, const judge_request *p)
         ADD(a, "-s", p->changes[i]);
 }
 
-/** Runs to the end on one thread, or, by an option and its value, half-way on two. */
-static void run_by_command(const judge_request *p, const char *snapshots, const char *const stop[2], ending *e)
+/** Runs to the end on one thread, or, by a change of run.until, half-way on two. */
+static void run_by_command(const judge_request *p, const char *snapshots, const char *stop, ending *e)
 {
     char folder[PATH_SIZE];
     snprintf(folder, sizeof folder, "%s/%s", p->folder, stop ? "parts" : "whole");
@@ -250,22 +249,21 @@ static void run_by_command(const judge_request *p, const char *snapshots, const 
     add_changes(&a, p);
     ADD(&a, "-s", snapshots, "-j", stop ? "2" : "1");
     if (stop)
-        ADD(&a, stop[0], stop[1]);
+        ADD(&a, "-s", stop);
     perform(p, stop ? "half" : "whole", a.items, e);
 }
 
-/** The largest acceleration of a tank counts that it has in the run, so a shorter run is another one: it is stopped by
- *  the clock. */
-static void run_in_parts(const judge_request *p, const char *snapshots, double until, bool by_clock, ending *e)
+/** A shorter run, and the rest of it. */
+static void run_in_parts(const judge_request *p, const char *snapshots, double until, ending *e)
 {
     char folder[PATH_SIZE], half[64], end[64];
     snprintf(folder, sizeof folder, "%s/parts", p->folder);
     snprintf(half, sizeof half, "run.until=%.17g", until / 2);
     snprintf(end, sizeof end, "run.until=%.17g", until);
-    run_by_command(p, snapshots, (const char *const[2]){by_clock ? "--max-wall" : "-s", by_clock ? "0.03s" : half}, e);
+    run_by_command(p, snapshots, half, e);
     arguments a = {.count = 0};
     ADD(&a, p->command, "resume", folder, "--json", "-j", "2", "--no-frames", "-s", end);
-    if (e->code == (by_clock ? EXIT_STOPPED : 0))
+    if (e->code == 0)
         perform(p, "parts", a.items, e);
 }
 
@@ -293,7 +291,6 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
         return library;
     }
     const double until = sph2d_scene_file_scene(file)->run.until;
-    const bool driven = tank_moves(sph2d_scene_file_scene(file));
     snprintf(snapshots, sizeof snapshots, "run.snapshots={every: %.17g}", until);
     run_by_command(p, snapshots, NULL, &run);
     first_message(&run, message);
@@ -313,7 +310,7 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
                                            : "does not start");
         if (run.code == 0) {
             judge_summary(checked, &run, &library, v);
-            run_in_parts(p, snapshots, until, driven, &parts);
+            run_in_parts(p, snapshots, until, &parts);
             if (is_honest("a run in parts", &parts, v) && parts.code != 0)
                 verdict_fail(v, "bits", "a run in one goes to its end, one in parts ends with %d", parts.code);
             else if (parts.code == 0 && sim)

@@ -24,11 +24,6 @@ static bool moves(const sph2d_motion *motion)
            (motion->frequency > 0 && (hypot(motion->amplitude.x, motion->amplitude.y) > 0 || motion->angle != 0));
 }
 
-bool tank_moves(const sph2d_scene *s)
-{
-    return moves(&s->motion);
-}
-
 bool walls_are_at_rest(const sph2d_scene *s)
 {
     bool rest = true;

@@ -46,8 +46,6 @@ typedef struct library_run {
 
 /** Whether the scene has no drive, so that its energy cannot rise. */
 bool scene_is_closed(const sph2d_scene *scene);
-/** Whether the tank moves. */
-bool tank_moves(const sph2d_scene *scene);
 /** Whether no obstacle moves. */
 bool walls_are_at_rest(const sph2d_scene *scene);
 /** The energy that a scene has to spend at its start [J/m], by which a rise is measured; see energy.c. */
