@@ -194,7 +194,10 @@ typedef struct sph2d_body_state {
     /** Angle by which it has turned since the start, anticlockwise [rad]. */
     double angle;
 
-    /** Velocity of that point [m/s]. */
+    /** Velocity of that point [m/s]. By methods wcsph and muller contacts act on the velocity with which a body moves
+     *  through a step, and half a step of its other forces is added at the end. So a body that rests on a floor, and
+     *  does not move, has a velocity a dt/2 here, a being its weight less buoyancy over its mass: the contacts of the
+     *  next step, which are not known yet, undo it. */
     sph2d_vec2 velocity;
 
     /** Angular velocity, anticlockwise [rad/s]. */
