@@ -553,7 +553,8 @@ typedef struct sph2d_motor {
 
 /** A rigid body that the liquid moves, and that moves the liquid: a solid of boundary particles like a closed obstacle.
  *  Its mass, inertia and all forces are per metre of depth. Bodies meet each other and walls where the program has a
- *  solver for contacts (sph2d_sim_set_contacts()); the command has. Not with fitted operators. */
+ *  solver for contacts (sph2d_sim_set_contacts()); the command has, and keeps a fifth of a spacing between them: a body
+ *  drawn on a floor rises by that. Not with fitted operators. */
 typedef struct sph2d_body {
     /** A name for probes, as of an obstacle; default NULL: none. */
     const char *name;

@@ -617,7 +617,9 @@ static const sph2d_key scene_items[] = {
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
     LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),
-    LIST("bodies", bodies, body, "rigid bodies that the liquid moves"),
+    LIST("bodies", bodies, body,
+         "rigid bodies that the liquid moves; contacts keep them a fifth of a spacing from walls and each other, so "
+         "that one drawn on a floor rises by that"),
     LIST("interactions", interactions, interaction, "pull or push at a moving point"),
     LIST("probes", probes, probe, "time series"),
     {"run", SPH2D_KEY_GROUP, false, AT(sph2d_scene, run), .keys = &run_keys, .unit = "",
