@@ -20,6 +20,7 @@
 static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
+    w->kick = dt / 2;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
         w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
