@@ -101,6 +101,32 @@ START_TEST(diffusion_takes_what_sound_loses)
 }
 END_TEST
 
+/** Compressed liquid at rest, whose density relaxes to its sum, and an isolated particle, whose density is reset. */
+START_TEST(changes_of_density_take_elastic_energy)
+{
+    plain_liquid(0.05);
+    close_periods();
+    scene.method.density_diffusion = 0.1;
+    scene.method.tensile_control = SPH2D_SWITCH_ON;
+    scene.method.time_step = 0.0003;
+    if (_i == 1)
+        block = test_particle(0.05, 0.5, 0.5, 0, 0);
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i)
+        f->density[i] = 1005;
+    ck_assert(sim->method->evaluate(&sim->system));
+    sph2d_summary s = sph2d_sim_summary(sim);
+    double start = sim->record.energy_start = sim->record.energy_low = energy_of(&s);
+    s = run(sim, 1200);
+    double lost = start - energy_of(&s);
+    ck_assert_double_gt(lost, 0.3 * start);
+    ck_assert_double_le(fabs(s.energy_diffused - lost), 1e-3 * lost);
+    ck_assert_double_le(fabs(s.energy_error), 1e-3 * lost);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /** A lone particle that is stopped by a line, straight or at a slant: what it loses is booked, to the counted part. */
 START_TEST(a_wall_at_rest_takes_what_it_stops)
 {
@@ -418,6 +444,7 @@ Suite *suite_ledger(void)
     TCase *cases = tcase_create("ledger");
     tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 4);
     tcase_add_loop_test(cases, diffusion_takes_what_sound_loses, 0, 2);
+    tcase_add_loop_test(cases, changes_of_density_take_elastic_energy, 0, 2);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
     tcase_add_test(cases, a_wall_takes_nothing_from_what_is_held_against_it);
     tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 5);

@@ -331,7 +331,8 @@ typedef struct sph2d_summary {
     /** Energy dissipated by viscosity, artificial viscosity, wall friction, dampers [J/m]. */
     double energy_viscous;
 
-    /** Elastic energy dissipated by density diffusion [J/m]. */
+    /** Elastic energy dissipated by diffusion of density, its relaxation to its sum, and its reset to rest density in
+     *  isolated particles [J/m]. */
     double energy_diffused;
 
     /** Energy removed by the swept test against walls at rest and by reflections [J/m]. */

@@ -126,7 +126,8 @@ static uint64_t sweep_fixed(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph
 /** What happened to particles during an advection. */
 typedef struct events {
     uint64_t hits, reflections, not_finite;
-    int64_t stopped, driven; /**< energy lost to walls, and gained from moving ones, in quanta (simulation.h) */
+    /** Energy lost to walls, gained from moving ones, and lost by changes of density, in quanta (simulation.h). */
+    int64_t stopped, driven, diffused;
 } events;
 
 /** Position and velocity of a particle after its displacement. */
@@ -307,8 +308,9 @@ static void advect_batches(void *with, size_t first, size_t last)
         sph2d__batch batch;
         batch.first = n * SPH2D__BATCH;
         batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
-        batch.kick = 0;
+        batch.kick = batch.diffused = 0;
         a->set(a->sim, a->dt, &batch);
+        met.diffused += quanta_of(a->sim, batch.diffused);
         advect_batch(a->sim, a->shift, &batch, &met);
         if (a->after)
             a->after(a->sim, a->dt, &batch);
@@ -319,6 +321,7 @@ static void advect_batches(void *with, size_t first, size_t last)
     a->met.not_finite += met.not_finite;
     a->met.stopped += met.stopped;
     a->met.driven += met.driven;
+    a->met.diffused += met.diffused;
     sph2d__team_unlock(a->sim->system.team);
 }
 
@@ -342,6 +345,7 @@ sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sp
     sim->record.reflections += a.met.reflections;
     sim->record.energy_stopped += (double)a.met.stopped * sph2d__sim_energy_quantum(sim);
     sim->record.energy_walls += (double)a.met.driven * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_diffused += (double)a.met.diffused * sph2d__sim_energy_quantum(sim);
     return a.met.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }
 

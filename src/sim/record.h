@@ -26,7 +26,8 @@
     X(energy_walls, "EnergyWalls", 1, 1, -2, "work of walls that move, per metre")                                     \
     X(energy_forces, "EnergyForces", 1, 1, -2, "work of interactions and of forces along periods, per metre")          \
     X(energy_viscous, "EnergyViscous", 1, 1, -2, "energy dissipated by viscosity, per metre")                          \
-    X(energy_diffused, "EnergyDiffused", 1, 1, -2, "elastic energy dissipated by density diffusion, per metre")        \
+    X(energy_diffused, "EnergyDiffused", 1, 1, -2,                                                                     \
+      "elastic energy dissipated by diffusion, relaxation and resets of density, per metre")                           \
     X(energy_stopped, "EnergyStopped", 1, 1, -2, "energy lost by continuous collision and reflections, per metre")     \
     X(energy_contacts, "EnergyContacts", 1, 1, -2, "energy that contacts of bodies took, per metre")                   \
     X(energy_pressed, "EnergyPressed", 1, 1, -2, "energy dissipated by the pressure projection, per metre")            \

@@ -7,7 +7,7 @@
  *      walls      sum_b v_b . F_b            F_b force of boundary particle b on the liquid by pressure and friction
  *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, the frame of a tank, gravity along a period
  *      viscosity  sum_i m v_i . (a_i(v) - a_i(-v))/2
- *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt minus drho_i/dt without diffusion)
+ *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt minus drho_i/dt without diffusion and relaxation)
  *
  *  Viscous forces are odd in velocity, all others even. Two evaluations of the method's own forces, with the velocities
  *  and with all of them reversed, therefore give the exact power of friction. The dissipated heat is minus
@@ -270,7 +270,9 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
     bool on = s->profile.on;
     s->profile.on = false;
     s->method.density_diffusion = 0;
+    s->only_divergence = true;
     sim->method->density_rate(s);
+    s->only_divergence = false;
     s->method.density_diffusion = delta;
     s->profile.on = on;
     sph2d__profile_enter(&s->profile, before);

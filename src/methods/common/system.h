@@ -33,6 +33,7 @@ typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
     sph2d__neighbours neighbours, wall_neighbours; /**< lists of fluid and boundary particles, if the method has them */
+    bool only_divergence;                          /**< no relaxation of density now: work.c looks for its work */
     bool walls_press;                              /**< some boundary particles exert pressure */
     bool walls_move;                               /**< some boundary particles move */
     double *wall_spin;  /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */

@@ -13,6 +13,7 @@
  *  with the shift velocity w (methods/terms/shift.h), which the rate of density includes. Without dissipation and
  *  shifting the rate depends on positions and velocities alone: the scheme is then time-reversible, so that energy has
  *  no long-term drift. */
+#include "methods/common/state_equation.h"
 #include "methods/wcsph/wcsph.h"
 #include "sim/stages.h"
 
@@ -29,15 +30,25 @@ static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
     }
 }
 
-/** Advances density by its rate, then the second half of the drift and the shift. Isolated particles have rest density.
- */
+/** The density of particle i after the step. Isolated particles have rest density; the elastic energy that they give up
+ *  counts as diffused. */
+static double next_density(const sph2d_sim *sim, size_t i, double dt, sph2d__batch *w)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    if (sph2d__connection(f->filling[i]) > 0)
+        return f->density[i] + dt * f->density_rate[i];
+    if (f->density[i] != sim->system.rest_density)
+        w->diffused += sim->system.mass * sph2d__elastic_of(&sim->system, f->density[i]);
+    return sim->system.rest_density;
+}
+
+/** Advances density by its rate, then the second half of the drift and the shift. */
 static void advance_density(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     sph2d__store *f = &sim->system.fluid;
     const bool shifted = sim->system.method.shifting > 0;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        f->density[i] =
-            sph2d__connection(f->filling[i]) > 0 ? f->density[i] + dt * f->density_rate[i] : sim->system.rest_density;
+        f->density[i] = next_density(sim, i, dt, w);
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
         w->dx[k] = dt / 2 * f->vx[i] + (shifted ? dt * f->shift_x[i] : 0);

@@ -136,7 +136,7 @@ SPH2D__INLINE void finish_strain(const sph2d__system *s, size_t i, const rate_su
 SPH2D__INLINE void relax_density(sph2d__system *s, size_t i)
 {
     sph2d__store *f = &s->fluid;
-    if (is_inside(s, i))
+    if (is_inside(s, i) && !s->only_divergence)
         f->density_rate[i] += (f->packing[i] - f->density[i]) * s->sound_speed / (RELAXATION_TIME * s->support);
 }
 
