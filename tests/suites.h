@@ -88,6 +88,7 @@
     X(loads)                                                                                                           \
     X(bodies)                                                                                                          \
     X(viscosity_form)                                                                                                  \
+    X(viscous_step)                                                                                                    \
     X(coverage)                                                                                                        \
     X(contacts)                                                                                                        \
     X(contacts_pile)                                                                                                   \

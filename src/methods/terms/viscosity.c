@@ -6,6 +6,8 @@
 
 /* The central form damps compression three times as fast as shear. */
 static const double CENTRAL = 3;
+/* The most that the rate of gathered particles shortens the step: 2.8 for a moment in honey poured from a jar. */
+static const double GATHERED = 3;
 
 static bool is_laplacian(const sph2d__system *s)
 {
@@ -35,6 +37,27 @@ double sph2d__viscosity_at_least(const sph2d__system *s)
 double sph2d__viscosity_step(sph2d_kernel kernel)
 {
     return 0.067 / (sph2d__kernel_constant(kernel) * sph2d__kernel_value_at(kernel, 0));
+}
+
+double sph2d__viscous_rate(sph2d__viscosity viscosity, double block)
+{
+    return 2 * 8 * viscosity.central * block;
+}
+
+bool sph2d__viscosity_limits(const sph2d__system *s)
+{
+    double acoustic = s->method.cfl * s->support / s->sound_speed;
+    double viscous = sph2d__viscosity_step(s->method.kernel) * s->support * s->support / sph2d__viscosity_limiting(s);
+    return sph2d__viscosity_of(s).central > 0 && !(s->method.time_step > 0) && viscous < GATHERED * acoustic;
+}
+
+void sph2d__viscous_rate_raise(sph2d__system *s, double rate)
+{
+    double most;
+    __atomic_load(&s->viscous_rate, &most, __ATOMIC_RELAXED);
+    while (rate > most &&
+           !__atomic_compare_exchange(&s->viscous_rate, &most, &rate, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
 }
 
 sph2d_vec2 sph2d__viscosity_force(sph2d__viscosity viscosity, double share, double dx, double dy, double dvx,

@@ -40,6 +40,25 @@ double sph2d__viscosity_at_least(const sph2d__system *system);
  *  0.073 over W(0) H^2 for all kernels; this is 0.067 over it, 0.03 for Wendland's C2. */
 double sph2d__viscosity_step(sph2d_kernel kernel);
 
+/** An upper bound of the rates at which the central form damps motions [1/s], from the largest eigenvalue `block` of
+ *  sum V_j |W'/r| (r_ij r_ij)/r_ij^2/rho_i of all particles, liquid and rough walls around them:
+ *
+ *      sum over pairs k_ij (v_ij . n_ij)^2 <= 2 sum_i v_i . D_i v_i,     D_i = 8 mu block,     rate = 2 max D_i
+ *
+ *  A step is stable up to 1/rate: the forces of midpoint.c are those of velocities that were predicted by a whole step.
+ *  In liquid that fills space the rate is 0.83 over the step above, 1.1 in disorder. But where threads and edges get
+ *  thin, and along walls, density keeps the rest density by its rate of change while particles gather. Honey poured
+ *  from a jar then had sums of V W of 1.3 to 1.6, largest eigenvalues of 1.0 to 1.1 over the step above, and gained
+ *  three times the scene's energy; by this rate it takes a third more steps and gains nothing. What the rate is too
+ *  large by, a quarter to a third, is left to the friction of smooth walls, which is not in it. */
+double sph2d__viscous_rate(sph2d__viscosity viscosity, double block);
+
+/** Whether the rate above can limit the step: whether viscosity would if its step were a third. */
+bool sph2d__viscosity_limits(const sph2d__system *system);
+
+/** Raises the system's viscous_rate to at least `rate`; threads may do so at once, the largest stays. */
+void sph2d__viscous_rate_raise(sph2d__system *system, double rate);
+
 /** The viscous force, of both forms, on particle i by boundary particle b [N/m]: (dx, dy) and (dvx, dvy) are the
  *  position and velocity of i relative to b, `share` is V_i V_b (W'/r) [1/m^4 m^4]. */
 sph2d_vec2 sph2d__viscosity_force(sph2d__viscosity viscosity, double share, double dx, double dy, double dvx,

@@ -5,6 +5,8 @@
 #ifndef SPH2D_METHODS_TERMS_VISCOSITY_PAIR_H
 #define SPH2D_METHODS_TERMS_VISCOSITY_PAIR_H
 
+#include <math.h>
+
 #include "simd/lanes.h"
 
 /** Sums of the Laplacian form, without the factors that are common to all neighbours. */
@@ -24,6 +26,28 @@ SPH2D__INLINE void sph2d__drag_add(sph2d__drag *sum, sph2d__lanes share, sph2d__
 SPH2D__INLINE sph2d__lanes sph2d__central_stress(sph2d__lanes damping, sph2d__lanes r2, sph2d__lanes tiny)
 {
     return damping / sph2d__lanes_max(r2, tiny);
+}
+
+/** Sums for the largest eigenvalue of a particle's block (viscosity.h), without the common factors; negative. */
+typedef struct sph2d__block {
+    sph2d__lanes xx, xy, yy;
+} sph2d__block;
+
+/** Adds a neighbour: `share` is V_j (W'/r), `tiny` the least r^2. */
+SPH2D__INLINE void sph2d__block_add(sph2d__block *sum, sph2d__lanes share, sph2d__lanes dx, sph2d__lanes dy,
+                                    sph2d__lanes r2, sph2d__lanes tiny)
+{
+    sph2d__lanes inverse = 1 / sph2d__lanes_max(r2, tiny), x = inverse * dx, y = inverse * dy;
+    sum->xx += share * (x * dx);
+    sum->xy += share * (x * dy);
+    sum->yy += share * (y * dy);
+}
+
+/** The larger eigenvalue of minus a sum. */
+static inline double sph2d__block_most(double xx, double xy, double yy)
+{
+    double half = (xx - yy) / 2;
+    return sqrt(half * half + xy * xy) - (xx + yy) / 2;
 }
 
 #endif

@@ -26,6 +26,7 @@ typedef struct force_sums {
     sph2d__lanes relative_x, relative_y; /* V_j g v_ij: opposite to the velocity relative to the neighbours, as g < 0 */
     sph2d__lanes packing;                /* W/W(dx) */
     sph2d__lanes of_bodies;              /* the same of the boundary particles of bodies alone */
+    sph2d__block block;
 } force_sums;
 
 /** The terms of a scene, constants in each copy of the loops. */
@@ -34,6 +35,7 @@ typedef struct terms {
     sph2d__detail detail;
     bool laplacian, central; /**< forms of viscosity */
     bool eddies;             /**< subgrid viscosity; never without `central` */
+    bool blocks;             /**< the step follows from the viscous blocks; never without `central` */
 } terms;
 
 /** Parameters of the scene. */
@@ -129,6 +131,8 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
     add_central(sums, with, own, p, 1, f->pressure[j] * volume * volume, damped);
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, p->g * volume, dvx, dvy);
+    if (with.blocks)
+        sph2d__block_add(&sums->block, p->g * volume, p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
     if (with.detail >= SPH2D__DETAIL_GRADIENT) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - own->density;
         add_neighbourhood(sums, with, k, p, vg, 1);
@@ -157,6 +161,8 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
     sums->press_y += along * along_y;
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, p->g * (volume * no_slip), dvx, dvy);
+    if (with.blocks)
+        sph2d__block_add(&sums->block, p->g * (volume * no_slip), p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
         add_neighbourhood(sums, with, k, p, p->g * volume, ratio);
     if (k->bodies_end > 0 && k->ids[j] >= k->bodies_first && k->ids[j] < k->bodies_end)
@@ -233,6 +239,14 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
         *ax += drag * (double)sums->drag.x[l];
         *ay += drag * (double)sums->drag.y[l];
     }
+}
+
+/** The rate of viscosity at particle i, by its block: viscosity.h [1/s]. */
+SPH2D__INLINE double viscous_rate_of(const sph2d__system *s, size_t i, const force_sums *sums, int l,
+                                     const constants *k)
+{
+    double most = sph2d__block_most((double)sums->block.xx[l], (double)sums->block.xy[l], (double)sums->block.yy[l]);
+    return sph2d__viscous_rate(k->viscosity, slope_scale(s) * most / s->fluid.density[i]);
 }
 
 static constants constants_of(const sph2d__system *s)

@@ -33,6 +33,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
     const sph2d__packed liquid = sph2d__packed_of(s, f, false), walls = sph2d__packed_of(s, &s->walls, true);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls_press ? &s->wall_cells : NULL);
     sph2d__sieve sieve;
+    double rate = 0;
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
         group_state own = {.vx = sph2d__lanes_load(liquid.vx + g.first),
@@ -65,7 +66,12 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
             walls_of(s, &by, &g, &all, with, &k, &own, &walls);
         SPH2D__FOR_LANES (g, l)
             finish(s, g.first + (size_t)l, &all, &liquid_sums, l, with, &k);
+        if (with.blocks)
+            SPH2D__FOR_LANES (g, l)
+                rate = fmax(rate, viscous_rate_of(s, g.first + (size_t)l, &all, l, &k));
     }
+    if (with.blocks)
+        sph2d__viscous_rate_raise(s, rate);
 }
 
 /* ---- copies ------------------------------------------------------------------------------------------------------ */
@@ -74,7 +80,10 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
 static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 {
     const constants k = constants_of(s);
-    terms with = {.kernel = kernel, .detail = sph2d__wcsph_detail(&s->method), .eddies = k.eddies > 0};
+    terms with = {.kernel = kernel,
+                  .detail = sph2d__wcsph_detail(&s->method),
+                  .eddies = k.eddies > 0,
+                  .blocks = s->viscosity_limits};
 #ifndef SPH2D__BARE
     with.laplacian = k.viscosity.laplacian > 0;
 #endif
@@ -82,9 +91,10 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
     return with;
 }
 
-/* The copies of the loops for the usual kernel: detail, Laplacian and central form of viscosity, subgrid viscosity. */
-#define OF_DETAIL(X, detail) X(detail, 0, 0, 0) X(detail, 0, 1, 0) X(detail, 1, 0, 0) X(detail, 1, 1, 0)
-#define WITH_EDDIES(X) X(SHIFT, 0, 1, 1) X(SHIFT, 1, 1, 1)
+/* The copies of the loops for the usual kernel: detail, Laplacian and central form of viscosity, subgrid viscosity,
+ * blocks; for syrups only with the usual terms. */
+#define OF_DETAIL(X, detail) X(detail, 0, 0, 0, 0) X(detail, 0, 1, 0, 0) X(detail, 1, 0, 0, 0) X(detail, 1, 1, 0, 0)
+#define WITH_EDDIES(X) X(SHIFT, 0, 1, 1, 0) X(SHIFT, 1, 1, 1, 0) X(SHIFT, 0, 1, 1, 1)
 #define FOR_COPIES(X)                                                                                                  \
     OF_DETAIL(X, NONE)                                                                                                 \
     OF_DETAIL(X, GRADIENT)                                                                                             \
@@ -105,10 +115,10 @@ static __attribute__((noinline)) void force_by_tests(sph2d__system *s, size_t fi
 SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wall_adder *walls_of)
 {
     const terms with = terms_of(s, USUAL);
-#define TRY(of, form1, form2, form3)                                                                                   \
+#define TRY(of, form1, form2, form3, form4)                                                                            \
     if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 &&                       \
-        with.eddies == form3) {                                                                                        \
-        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, form3}, walls_of);                 \
+        with.eddies == form3 && with.blocks == form4) {                                                                \
+        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, form3, form4}, walls_of);          \
         return;                                                                                                        \
     }
     FOR_COPIES(TRY)

@@ -66,6 +66,7 @@ static void prepare(sph2d__system *s)
                 s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
         }
     walls_placed(s);
+    s->viscosity_limits = sph2d__viscosity_limits(s);
 }
 
 /** Whether density diffusion has Fourtakas' form, of the excess over hydrostatic density. */
@@ -167,6 +168,7 @@ static bool evaluate(sph2d__system *s)
         sph2d__friction_set(s);
     }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    s->viscous_rate = 0;
     RUN(force, s, &s->fluid);
     sph2d__friction_add(s);
     sph2d__tension_add(s);
@@ -203,7 +205,12 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 {
     double sound_speed = sqrt(sph2d__sound_speed2_at(s, s->max_density));
     double nu = sph2d__viscosity_limiting(s), viscous = sph2d__viscosity_step(s->method.kernel);
-    return sph2d__shortest_step(s, sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
+    double dt = sph2d__shortest_step(s, sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
+    if (dt * s->viscous_rate > 1) {
+        dt = 1 / s->viscous_rate;
+        *limit = SPH2D__LIMIT_VISCOUS;
+    }
+    return dt;
 }
 
 /** The arrays of the strain rate. */
