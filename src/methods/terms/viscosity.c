@@ -6,7 +6,7 @@
 
 /* The central form damps compression three times as fast as shear. */
 static const double CENTRAL = 3;
-/* The most that the rate of gathered particles shortens the step: 2.8 for a moment in honey poured from a jar. */
+/* The most that the rate of gathered particles shortens the step: 2.2 to 2.8 for moments in honey poured from a jar. */
 static const double GATHERED = 3;
 
 static bool is_laplacian(const sph2d__system *s)
