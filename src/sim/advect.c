@@ -41,25 +41,33 @@ static bool reflect(sph2d_sim *sim, sph2d_vec2 p, sph2d_vec2 *v)
     return true;
 }
 
-/** Energy of a particle whose position and velocity a wall changes [J/m]: kinetic and potential, less what `push`, a
- *  change of velocity (push_of), has added before elastic energy paid for it. */
-static double energy_at(const sph2d_sim *sim, sph2d_vec2 push, sph2d_vec2 at, sph2d_vec2 v)
-{
-    return sph2d__sim_energy_of(sim, at.x, at.y, v.x, v.y) - sim->system.mass * (push.x * v.x + push.y * v.y);
-}
+/** A particle, and for how long its acceleration acted in the kick before this displacement [s]. */
+typedef struct kicked {
+    size_t particle;
+    double duration;
+} kicked;
 
-/** By how much the liquid's own forces changed the velocity of particle i in the kick before this displacement. Elastic
- *  energy pays for it, by the velocity that the wall leaves: a particle that pressure pulls against a wall, which stops
- *  it in each step, loses nothing. Without this 16 particles that fell on the upper end of a line lost 58 % of the
- *  energy scale more, and two that a rim held 63 J/m per second, 70 times their potential energy. */
-static sph2d_vec2 push_of(const sph2d_sim *sim, size_t i, double kick)
+/** By how much the liquid's own forces changed its velocity in the kick. Elastic energy pays for it, by the velocity that
+ *  the wall leaves: a particle that pressure pulls against a wall, which stops it in each step, loses nothing. Without
+ *  this 16 particles that fell on the upper end of a line lost 58 % of the energy scale more, and two that a rim held
+ *  63 J/m per second, 70 times their potential energy. */
+static sph2d_vec2 push_of(const sph2d_sim *sim, kicked k)
 {
     const sph2d__store *f = &sim->system.fluid;
+    size_t i = k.particle;
     double bx = 0, by = 0;
-    if (!(kick > 0))
+    if (!(k.duration > 0))
         return (sph2d_vec2){0, 0};
     sph2d__body_add(&sim->system.body, f->x[i], f->y[i], f->vx[i], f->vy[i], &bx, &by);
-    return (sph2d_vec2){kick * (f->ax[i] - bx), kick * (f->ay[i] - by)};
+    return (sph2d_vec2){k.duration * (f->ax[i] - bx), k.duration * (f->ay[i] - by)};
+}
+
+/** Energy of a particle whose position and velocity a wall changes [J/m]: kinetic and potential, less what the kick has
+ *  added before elastic energy paid for it. */
+static double energy_at(const sph2d_sim *sim, kicked k, sph2d_vec2 at, sph2d_vec2 v)
+{
+    sph2d_vec2 push = push_of(sim, k);
+    return sph2d__sim_energy_of(sim, at.x, at.y, v.x, v.y) - sim->system.mass * (push.x * v.x + push.y * v.y);
 }
 
 /** Brings a place to the period in which a body is drawn: bodies cross periodic sides whole. */
@@ -71,7 +79,7 @@ static sph2d_vec2 to_image(const sph2d_sim *sim, const sph2d__moving *moving, sp
                         p.y + sph2d__period_nearest(arm.y, period->length_y) - arm.y};
 }
 
-static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 push, sph2d_vec2 from, sph2d_vec2 *to,
+static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, kicked k, sph2d_vec2 from, sph2d_vec2 *to,
                           sph2d_vec2 *v, double *to_bodies)
 {
     sph2d_vec2 at = *to, before = *v, shift = {0, 0};
@@ -87,12 +95,12 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec
     if (hits > 0 && moving->rigid) {
         double share = sph2d__bodies_share(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
         *v = (sph2d_vec2){before.x + share * (v->x - before.x), before.y + share * (v->y - before.y)};
-        *to_bodies += energy_at(sim, push, *to, *v) - energy_at(sim, push, at, before);
+        *to_bodies += energy_at(sim, k, *to, *v) - energy_at(sim, k, at, before);
         sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
     }
     if (hits > 0 && sph2d__loads_wanted(sim))
         sph2d__loads_contact(sim, moving->wall, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
-                             energy_at(sim, push, *to, *v) - energy_at(sim, push, at, before));
+                             energy_at(sim, k, *to, *v) - energy_at(sim, k, at, before));
     return (uint64_t)hits;
 }
 
@@ -104,12 +112,12 @@ typedef struct near_obstacles {
 } near_obstacles;
 
 /** Keeps a displacement on its side of moving obstacles. */
-static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d_vec2 push, sph2d_vec2 from,
+static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, kicked who, sph2d_vec2 from,
                              sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
 {
     uint64_t hits = 0;
     for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)
-        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], push, from, to, v, to_bodies);
+        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], who, from, to, v, to_bodies);
     return hits;
 }
 
@@ -145,9 +153,9 @@ static int64_t quanta_of(const sph2d_sim *sim, double energy)
 }
 
 /** The difference of a particle's energy between two of them, in quanta. */
-static int64_t quanta_between(const sph2d_sim *sim, sph2d_vec2 push, end more, end less)
+static int64_t quanta_between(const sph2d_sim *sim, kicked k, end more, end less)
 {
-    return quanta_of(sim, energy_at(sim, push, more.at, more.v) - energy_at(sim, push, less.at, less.v));
+    return quanta_of(sim, energy_at(sim, k, more.at, more.v) - energy_at(sim, k, less.at, less.v));
 }
 
 /** Moves one particle that may meet a wall or a periodic side. */
@@ -156,8 +164,9 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__
     sph2d__store *f = &sim->system.fluid;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     const size_t i = batch->first + k;
+    const kicked who = {i, batch->kick};
     double dx = batch->dx[k], dy = batch->dy[k];
-    sph2d_vec2 from = {f->x[i], f->y[i]}, v = {batch->vx[k], batch->vy[k]}, push = push_of(sim, i, batch->kick);
+    sph2d_vec2 from = {f->x[i], f->y[i]}, v = {batch->vx[k], batch->vy[k]};
     end free = {{from.x + dx, from.y + dy}, v};
     uint64_t reflected = 0, stopped, pushed = 0;
     if (sim->system.walls_reflect) {
@@ -172,14 +181,14 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__
     sph2d_vec2 to = {from.x + dx, from.y + dy};
     stopped = sweep_fixed(sim, from, &to, &v);
     if (reflected + stopped > 0)
-        met->stopped += quanta_between(sim, push, free, (end){to, v});
+        met->stopped += quanta_between(sim, who, free, (end){to, v});
     if (near->all || near->count > 0) {
         end before = {to, v};
         double to_bodies = 0;
-        pushed = sweep_moving(sim, near, push, from, &to, &v, &to_bodies);
+        pushed = sweep_moving(sim, near, who, from, &to, &v, &to_bodies);
         if (pushed > 0) {
             int64_t bodies = quanta_of(sim, to_bodies);
-            met->driven += quanta_between(sim, push, (end){to, v}, before) - bodies;
+            met->driven += quanta_between(sim, who, (end){to, v}, before) - bodies;
             met->stopped -= bodies;
         }
     }
@@ -190,7 +199,7 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__
         from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
         uint64_t held = sweep_fixed(sim, from, &in, &v);
         if (held > 0)
-            met->stopped += quanta_between(sim, push, before, (end){in, v});
+            met->stopped += quanta_between(sim, who, before, (end){in, v});
         stopped += held;
     }
     met->reflections += reflected;

@@ -7,7 +7,6 @@
 
 #include <math.h>
 
-#include "boundary/rigid.h"
 #include "kernels/kernel.h"
 #include "methods/terms/shift.h"
 #include "methods/terms/viscosity.h"
@@ -25,7 +24,6 @@ typedef struct force_sums {
     sph2d__lanes grad_c_x, grad_c_y;
     sph2d__lanes relative_x, relative_y; /* V_j g v_ij: opposite to the velocity relative to the neighbours, as g < 0 */
     sph2d__lanes packing;                /* W/W(dx) */
-    sph2d__lanes of_bodies;              /* the same of the boundary particles of bodies alone */
     sph2d__block block;
 } force_sums;
 
@@ -48,7 +46,6 @@ typedef struct constants {
     sph2d__real no_slip; /**< 1 if walls are rough, else 0 */
     const unsigned char *slips;
     const uint64_t *ids; /**< of boundary particles: their slip, where walls differ, by id, and their ids */
-    uint64_t bodies_first, bodies_end; /**< ids of those of bodies; 0: none */
 } constants;
 
 /* Lower bound of divisors that may be 0. */
@@ -165,8 +162,6 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
         sph2d__block_add(&sums->block, p->g * (volume * no_slip), p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
         add_neighbourhood(sums, with, k, p, p->g * volume, ratio);
-    if (k->bodies_end > 0 && k->ids[j] >= k->bodies_first && k->ids[j] < k->bodies_end)
-        sums->of_bodies += sph2d__kernel_value(with.kernel, p->q);
 }
 
 /** The renormalised gradient of density: M^-1 b with M = sum V (x_j - x_i) grad W and b = sum V (rho_j - rho_i) grad W,
@@ -208,7 +203,7 @@ SPH2D__INLINE void finish_concentration(sph2d__system *s, size_t i, const force_
     double ratio = sph2d__strain_rate(f, i) * s->support / (CONTACT_STRAIN * s->sound_speed);
     bool at_surface = f->surface_distance[i] < s->support;
     double contact = at_surface ? fmin(wall_packing / CONTACT_WALLS, 1) / (1 + ratio * ratio) : 0;
-    if (sums->of_bodies[l] > 0) /* would be shifted into the gap that opens where liquid parts from a body */
+    if (s->rigid_count > 0 && wall_packing > 0 && sph2d__wcsph_near_body(s, i)) /* would be shifted into the gap that opens where liquid parts from a body */
         contact = 1;
     double unit = min_eigenvalue < SPRAY ? 0 : (1 - contact) * s->support * scale;
     double cx = unit * (double)sums->grad_c_x[l], cy = unit * (double)sums->grad_c_y[l];
@@ -260,9 +255,7 @@ static constants constants_of(const sph2d__system *s)
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                        .no_slip = s->walls_rough,
                        .slips = s->wall_slips,
-                       .ids = s->walls.id,
-                       .bodies_first = s->rigid_count > 0 ? s->rigids[0].first_id : 0,
-                       .bodies_end = s->rigid_count > 0 ? s->rigids[s->rigid_count - 1].end_id : 0};
+                       .ids = s->walls.id};
 }
 
 /* |S| H/c0 above which tensile control acts only if it removes energy. */

@@ -34,6 +34,23 @@ double sph2d__wcsph_felt_part(const sph2d__system *s, size_t b)
     return 1 / (1 + t * t);
 }
 
+bool sph2d__wcsph_near_body(const sph2d__system *s, size_t i)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    uint64_t first = s->rigids[0].first_id, end = s->rigids[s->rigid_count - 1].end_id;
+    uint32_t cell = sph2d__cells_find(&s->wall_cells, f->x[i], f->y[i]);
+    if (cell == UINT32_MAX)
+        return false;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
+        double dx = w->x[b] - (f->x[i] + ranges.x[r]), dy = w->y[b] - (f->y[i] + ranges.y[r]);
+        if (w->id[b] >= first && w->id[b] < end && dx * dx + dy * dy < s->support * s->support)
+            return true;
+    }
+    return false;
+}
+
 void sph2d__wcsph_keep_squeeze(sph2d__system *s)
 {
     uint64_t first = s->rigids[0].first_id, end = s->rigids[s->rigid_count - 1].end_id;

@@ -165,6 +165,9 @@ bool sph2d__wcsph_move_bodies(sph2d__system *system);
 /** Keeps D_b of the boundary particles of bodies until the next step: part of the state. */
 void sph2d__wcsph_keep_squeeze(sph2d__system *system);
 
+/** Whether boundary particles of bodies are within the support radius of particle i of the fluid. */
+bool sph2d__wcsph_near_body(const sph2d__system *system, size_t i);
+
 /** Part of the acceleration of boundary particle b, in a scene with bodies, that counts in its pressure: 1 for walls. */
 double sph2d__wcsph_felt_part(const sph2d__system *system, size_t b);
 
