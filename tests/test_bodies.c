@@ -407,6 +407,46 @@ START_TEST(particles_that_strike_a_light_body_make_no_energy)
 }
 END_TEST
 
+/** 2.7 % of the energy were from nothing where all of the body's acceleration counted in the pressure before it. */
+START_TEST(liquid_that_strikes_a_light_raft_makes_no_energy)
+{
+    start_pool();
+    pool.scene.method = sph2d_scene_default().method;
+    pool.scene.gravity.y = 0;
+    pool.block = test_block(0.2, 0.5, 1, 0.9);
+    pool.block.velocity = (sph2d_vec2){0.2, -1.2};
+    pool.body.outline.box = (sph2d_box){{0.1, 0.26}, {1.1, 0.48}};
+    pool.body.density = 85;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(sim) < 0.05)
+        test_steps(sim, 1);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_double_le(s.energy_rise, 0.001 * s.energy_scale);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** By the step that is stable for the liquid alone its friction would turn the slab's velocity round in each step. */
+START_TEST(syrup_moves_a_light_slab_stably)
+{
+    start_pool();
+    pool.scene.method = sph2d_scene_default().method;
+    pool.scene.wall_slip = _i ? SPH2D_SLIP_SMOOTH : SPH2D_SLIP_NONE;
+    pool.scene.fluid.dynamic_viscosity = 200;
+    pool.block = test_block(0, 0, 1.2, 0.8);
+    pool.block.velocity = (sph2d_vec2){0, 0};
+    pool.body.outline.box = (sph2d_box){{0.56, 0.12}, {0.64, 0.68}};
+    pool.body.density = 80;
+    sph2d_sim *sim = test_create(&pool.scene, NULL);
+    test_steps(sim, 400);
+    sph2d_body_state b = sph2d_sim_body(sim, 0);
+    sph2d_summary s = sph2d_sim_summary(sim);
+    ck_assert_double_le(hypot(b.velocity.x, b.velocity.y), 1);
+    ck_assert_double_le(s.energy_rise, 0.001 * s.energy_scale);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_neutral_body_under_water_stays)
 {
     static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
@@ -596,6 +636,8 @@ Suite *suite_bodies(void)
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
     tcase_add_loop_test(tests, resuming_in_a_tank_that_turns_changes_no_bit, 0, 2);
     tcase_add_loop_test(tests, particles_that_strike_a_light_body_make_no_energy, 0, SPH2D_METHOD_CONSTRAINT + 1);
+    tcase_add_test(tests, liquid_that_strikes_a_light_raft_makes_no_energy);
+    tcase_add_loop_test(tests, syrup_moves_a_light_slab_stably, 0, 2);
     tcase_add_loop_test(tests, a_neutral_body_under_water_stays, 0, 3);
     tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
     tcase_add_loop_test(tests, a_body_on_a_floor_has_half_a_kick_and_stays, 0, SPH2D_METHOD_CONSTRAINT + 1);
