@@ -34,10 +34,11 @@ static sph2d__lent bodies_array(sph2d_sim *sim)
                      SPH2D_F64, SPH2D__RIGID_VALUES * sim->bodies.count, sim->bodies.states);
 }
 
-static sph2d__lent squeeze_array(sph2d_sim *sim)
+static sph2d__lent compression_rates_array(sph2d_sim *sim)
 {
-    sph2d__lent all = run_array("BodySqueeze", "of the boundary particles of bodies: rate of compression before them",
-                                SPH2D_F64, (size_t)(sim->bodies.end - sim->bodies.first), sim->system.rigid_squeeze);
+    size_t count = (size_t)(sim->bodies.end - sim->bodies.first);
+    sph2d__lent all = run_array("BodyCompressionRates", "of bodies' boundary particles: compression before them",
+                                SPH2D_F64, count, sim->system.rigid_compression_rate);
     all.array.unit[2] = -1;
     return all;
 }
@@ -70,7 +71,7 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
     if (sim->bodies.count > 0 && sim->method->density_rate)
-        out[n++] = squeeze_array(sim);
+        out[n++] = compression_rates_array(sim);
     return n;
 }
 
@@ -237,10 +238,10 @@ static bool load_bodies(loader *l, sph2d_sim *sim)
     const sph2d_array *from = find_array(l, &bodies.array, bodies.array.count);
     if (from)
         copy_values(l, from, sim->bodies.states, 0);
-    const sph2d__lent squeeze = squeeze_array(sim);
-    from = l->ok && sim->method->density_rate ? find_array(l, &squeeze.array, squeeze.array.count) : NULL;
+    const sph2d__lent rates = compression_rates_array(sim);
+    from = l->ok && sim->method->density_rate ? find_array(l, &rates.array, rates.array.count) : NULL;
     if (from)
-        copy_values(l, from, sim->system.rigid_squeeze, 0);
+        copy_values(l, from, sim->system.rigid_compression_rate, 0);
     sph2d__bodies_stand(sim, sim->record.time);
     sph2d__bodies_know(sim, true); /* until the run goes on */
     return l->ok;

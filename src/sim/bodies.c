@@ -65,11 +65,11 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     all->contacts = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->contacts);
     all->forces = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *all->forces);
     uint32_t *index = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *index);
-    double *squeeze = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *squeeze);
+    double *rates = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *rates);
     bool tension = sim->system.surface_tension > 0;
     if (tension)
         all->tensions = sph2d__arena_alloc(arena, &sim->memory, walls + 1, sizeof *all->tensions);
-    if (!all->items || !all->states || !all->strikes || !all->contacts || !all->forces || !index || !squeeze ||
+    if (!all->items || !all->states || !all->strikes || !all->contacts || !all->forces || !index || !rates ||
         (tension && !all->tensions))
         return SPH2D_NOMEM;
     all->count = count;
@@ -78,7 +78,7 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     sim->system.rigids = all->items;
     sim->system.rigid_count = count;
     sim->system.rigid_index = index;
-    sim->system.rigid_squeeze = squeeze;
+    sim->system.rigid_compression_rate = rates;
     tie_outlines(sim);
     sph2d__bodies_stand(sim, 0);
     sph2d__bodies_index(sim, 0);

@@ -42,7 +42,7 @@ typedef struct sph2d__system {
     size_t rigid_count;
     sph2d__body_pairs body_pairs; /**< of their boundary particles with the liquid, in methods that solve for pressure */
     uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
-    double *rigid_squeeze; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
+    double *rigid_compression_rate; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
 
     double spacing;         /**< dx [m] */
     double support;         /**< support radius H [m] */

@@ -203,8 +203,8 @@ SPH2D__INLINE void finish_concentration(sph2d__system *s, size_t i, const force_
     double ratio = sph2d__strain_rate(f, i) * s->support / (CONTACT_STRAIN * s->sound_speed);
     bool at_surface = f->surface_distance[i] < s->support;
     double contact = at_surface ? fmin(wall_packing / CONTACT_WALLS, 1) / (1 + ratio * ratio) : 0;
-    if (s->rigid_count > 0 && wall_packing > 0 && sph2d__wcsph_near_body(s, i)) /* would be shifted into the gap that opens where liquid parts from a body */
-        contact = 1;
+    if (s->rigid_count > 0 && wall_packing > 0 && sph2d__wcsph_near_body(s, i))
+        contact = 1; /* it would be shifted into the gap that opens where liquid parts from a body */
     double unit = min_eigenvalue < SPRAY ? 0 : (1 - contact) * s->support * scale;
     double cx = unit * (double)sums->grad_c_x[l], cy = unit * (double)sums->grad_c_y[l];
     if (min_eigenvalue < BULK || at_surface) {

@@ -72,7 +72,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
         return status;
     sim->method->density_rate(&sim->system);
     if (sim->bodies.count > 0)
-        sph2d__wcsph_keep_squeeze(&sim->system);
+        sph2d__wcsph_keep_compression_rates(&sim->system);
     sph2d__sim_book_diffusion(sim, dt);
     sph2d__sim_set_drift_interval(sim, middle, end);
     status = sph2d__advect(sim, dt, advance_density, sph2d__predict);

@@ -99,8 +99,9 @@
  *  Where liquid parts from a body a gap opens, which counts as surface only from H on; until then shifts would fill it,
  *  and the liquid, still under tension, would follow the body round. So none is shifted that has a body within H. A
  *  circle that falls into water (examples/falling_circle, 22 spacings across) is 1.0 % too deep after 0.05 s and 7 % at
- *  the end, not 4 and 21 % as with them; 11 across -2.4 and 2.2 %. Without tension in scenes with bodies
- *  it was 3.5 % too high and 2.3 % too deep, but of 300 random scenes in 6 more the liquid kept voids. */
+ *  the end, not 4 and 21 % as with them; 11 across -2.4 and 2.2 %: the depth at the end grows with resolution. Without
+ *  tension in scenes with bodies it was 3.5 % too high and 2.3 % too deep, but of 300 random scenes in several more the
+ *  liquid kept voids. */
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_H
 #define SPH2D_METHODS_WCSPH_WCSPH_H
 
@@ -163,7 +164,7 @@ static inline double sph2d__connection(double filling)
 bool sph2d__wcsph_move_bodies(sph2d__system *system);
 
 /** Keeps D_b of the boundary particles of bodies until the next step: part of the state. */
-void sph2d__wcsph_keep_squeeze(sph2d__system *system);
+void sph2d__wcsph_keep_compression_rates(sph2d__system *system);
 
 /** Whether boundary particles of bodies are within the support radius of particle i of the fluid. */
 bool sph2d__wcsph_near_body(const sph2d__system *system, size_t i);
