@@ -3,6 +3,7 @@
  * outlines of the scene alone. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "judge.h"
 
@@ -163,6 +164,7 @@ typedef struct placed {
     const sph2d_outline *outline;
     sph2d_vec2 from, to;
     double cosine, sine;
+    double reach; // of the outline from there; +inf: not known
 } placed;
 
 static sph2d_vec2 now(const placed *p, sph2d_vec2 at)
@@ -180,7 +182,11 @@ static sph2d_vec2 drawn(const placed *p, sph2d_vec2 at)
 static placed body_now(const sph2d_scene *s, const sph2d_sim *sim, size_t k)
 {
     const sph2d_body_state state = sph2d_sim_body(sim, k);
-    return (placed){&s->bodies[k].outline, center_of(&s->bodies[k]), state.center, cos(state.angle), sin(state.angle)};
+    const sph2d_outline *o = &s->bodies[k].outline;
+    placed p = {o, center_of(&s->bodies[k]), state.center, cos(state.angle), sin(state.angle), 0};
+    for (size_t i = 0; i < along_count(o); ++i)
+        p.reach = fmax(p.reach, hypot(along(o, i).x - p.from.x, along(o, i).y - p.from.y));
+    return p;
 }
 
 static double period(const sph2d_scene *s, bool y)
@@ -210,6 +216,8 @@ static double overlap(const sph2d_scene *s, placed a, const placed *b)
 {
     a.to.x = b->to.x + nearest_image(a.to.x - b->to.x, period(s, false));
     a.to.y = b->to.y + nearest_image(a.to.y - b->to.y, period(s, true));
+    if (hypot(a.to.x - b->to.x, a.to.y - b->to.y) > a.reach + b->reach)
+        return -INFINITY;
     return fmax(deepest(&a, b), deepest(b, &a));
 }
 
@@ -244,25 +252,32 @@ static void keep(double *most, double depth, char text[200], size_t body, const 
         snprintf(text, 200, "bodies[%zu] and %s[%zu]", body, what, index);
 }
 
+static double overlap_with_obstacle(const sph2d_scene *s, placed body, size_t index)
+{
+    // All points of an obstacle at rest are where they are drawn.
+    const placed other = {&s->obstacles[index].outline, {0, 0}, {0, 0}, 1, 0, INFINITY};
+    body.to.x -= period(s, false) * floor((body.to.x - s->domain.min.x) / fmax(period(s, false), 1e-300));
+    body.to.y -= period(s, true) * floor((body.to.y - s->domain.min.y) / fmax(period(s, true), 1e-300));
+    return fmax(deepest(&body, &other), deepest(&other, &body));
+}
+
 double bodies_overlap(const sph2d_scene *s, const sph2d_sim *sim, char text[200])
 {
     double most = 0;
-    for (size_t k = 0; k < s->body_count; ++k) {
-        const placed body = body_now(s, sim, k);
-        keep(&most, beyond_sides(s, &body), text, k, "a side", SIZE_MAX);
-        for (size_t i = 0; i < k; ++i) {
-            const placed other = body_now(s, sim, i);
-            keep(&most, overlap(s, body, &other), text, k, "bodies", i);
-        }
-        for (size_t i = 0; i < s->obstacle_count; ++i) {
-            // All points of an obstacle at rest are where they are drawn.
-            const placed other = {&s->obstacles[i].outline, {0, 0}, {0, 0}, 1, 0};
-            placed image = body;
-            image.to.x -= period(s, false) * floor((body.to.x - s->domain.min.x) / fmax(period(s, false), 1e-300));
-            image.to.y -= period(s, true) * floor((body.to.y - s->domain.min.y) / fmax(period(s, true), 1e-300));
-            keep(&most, fmax(deepest(&image, &other), deepest(&other, &image)), text, k, "obstacles", i);
-        }
+    placed *bodies = calloc(s->body_count + 1, sizeof *bodies);
+    if (!bodies) {
+        snprintf(text, 200, "out of memory: any bodies");
+        return INFINITY;
     }
+    for (size_t k = 0; k < s->body_count; ++k) {
+        bodies[k] = body_now(s, sim, k);
+        keep(&most, beyond_sides(s, &bodies[k]), text, k, "a side", SIZE_MAX);
+        for (size_t i = 0; i < k; ++i)
+            keep(&most, overlap(s, bodies[k], &bodies[i]), text, k, "bodies", i);
+        for (size_t i = 0; i < s->obstacle_count; ++i)
+            keep(&most, overlap_with_obstacle(s, bodies[k], i), text, k, "obstacles", i);
+    }
+    free(bodies);
     return most;
 }
 
