@@ -336,6 +336,8 @@ START_TEST(walls_that_are_not_there_are_refused)
         const char *path, *text;
     } cases[] = {
         {"post", "past", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "post"},
+        {"post", "nothing of the kind", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT,
+         "probes[0].on", "the name of an obstacle, body or side: post, left, right, bottom, top"},
         {"post", "top", SPH2D_PROBE_WORK, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "not a wall"},
         {"post", "post", SPH2D_PROBE_ENERGY, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "force"},
         {"left", "left", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "obstacles[0].name",

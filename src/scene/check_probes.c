@@ -79,7 +79,7 @@ static void refuse_name(checker *c, const char *path, const char *name)
     char message[160];
     snprintf(message, sizeof message, "no wall or body has the name '%.64s'", name);
     sph2d__suggest_word(sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, message), name, names,
-                        "the name of an obstacle, body or side:");
+                        "the name of an obstacle, body or side");
 }
 
 /** Warns of the torque on a wall that turns in liquid whose viscosity has Morris' form: its stress is mu grad u in place
