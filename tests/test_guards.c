@@ -267,6 +267,40 @@ START_TEST(densities_and_energies_of_no_liquid_are_stopped)
 }
 END_TEST
 
+/* The hint names what shortens this run's steps: cfl does not where viscosity or the scene sets them. */
+START_TEST(a_hint_on_energy_names_what_helps)
+{
+    static const struct {
+        double viscosity, time_step;
+        sph2d_viscosity_form form;
+        const char *hint;
+    } cases[] = {
+        {0.001, 0, SPH2D_VISCOSITY_DEFAULT, "try a smaller method.cfl, method.artificial_viscosity: 0.05, or"},
+        {200, 0, SPH2D_VISCOSITY_DEFAULT, "try shorter steps, by a method.time_step of "},
+        {1000, 0, SPH2D_VISCOSITY_MORRIS, "try method.viscosity_form: monaghan, whose steps are shorter, or"},
+        {200, 1e-3, SPH2D_VISCOSITY_DEFAULT, "try leaving method.time_step out, for an adaptive step, or"},
+    };
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.viscosity_form = cases[_i].form;
+    scene.method.time_step = cases[_i].time_step;
+    scene.fluid.dynamic_viscosity = cases[_i].viscosity;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_status status = step_until_stopped(sim, 30);
+    ck_assert_int_eq(status, cases[_i].time_step > 0 ? SPH2D_GUARD : SPH2D_OK); /* that step is unstable by itself */
+    for (size_t i = 0; i < sim->system.fluid.count && status == SPH2D_OK; ++i)
+        sim->system.fluid.vx[i] += 2;
+    if (status == SPH2D_OK)
+        status = step_until_stopped(sim, 20);
+    ck_assert_int_eq(status, SPH2D_GUARD);
+    check_stopped(sim, SPH2D_CODE_ENERGY, "from nothing");
+    const char *hint = report.items[0].hint;
+    ck_assert_msg(strstr(hint, cases[_i].hint) && strstr(hint, "times the scale"), "%s", hint);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* A drop that falls until it is faster than the sound speed that somebody set. */
 START_TEST(liquid_faster_than_its_sound_is_stopped)
 {
@@ -391,6 +425,7 @@ Suite *suite_guards(void)
     TCase *survivors = tcase_create("survivors");
     tcase_add_loop_test(survivors, a_burst_survives_and_keeps_its_momentum, 0, 2);
     tcase_add_loop_test(survivors, densities_and_energies_of_no_liquid_are_stopped, 0, 3);
+    tcase_add_loop_test(survivors, a_hint_on_energy_names_what_helps, 0, 4);
     tcase_add_test(survivors, liquid_faster_than_its_sound_is_stopped);
     tcase_add_loop_test(survivors, extreme_scenes_are_refused_or_right, 0, 2 * EXTREMES);
     tcase_add_test(survivors, nothing_is_no_fault);

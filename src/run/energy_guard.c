@@ -22,6 +22,7 @@
  *  elastic energy stored, summed from sample to sample, so that oscillations cancel. A negative sum is dissipation. A
  *  positive sum is not added to the balance, and so remains in the error. */
 #include <math.h>
+#include <stdio.h>
 
 #include "run/run.h"
 #include "scene/method_table.h"
@@ -98,6 +99,21 @@ static size_t find_fastest(const sph2d__store *f)
     return fastest;
 }
 
+/** The keys that may help: cfl shortens no step that viscosity limits, nor one of a fixed length, and a liquid so viscous
+ *  needs no damping. */
+static void find_remedies(const sph2d_sim *sim, char *out, size_t size)
+{
+    const sph2d__record *r = &sim->record;
+    if (sim->scene.method.time_step > 0)
+        snprintf(out, size, "leaving method.time_step out, for an adaptive step, or a shorter one");
+    else if (2 * r->limited_viscous <= r->steps)
+        snprintf(out, size, "a smaller method.cfl, %s", sph2d__method_row_of(&sim->scene.method)->damping_hint);
+    else if (sim->system.method.viscosity_form == SPH2D_VISCOSITY_MORRIS)
+        snprintf(out, size, "method.viscosity_form: monaghan, whose steps are shorter");
+    else
+        snprintf(out, size, "shorter steps, by a method.time_step of %.2g s", r->last_step / 2);
+}
+
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__record *r = &sim->record;
@@ -114,9 +130,11 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
         r->energy_rise, 100 * r->energy_rise / scale, scale, (unsigned long long)r->steps, r->time,
         (unsigned long long)f->id[i], f->x[i], f->y[i], sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where),
         f->vx[i], f->vy[i]);
+    char remedies[120];
+    find_remedies(sim, remedies, sizeof remedies);
     sph2d_diagnostic_hint(d,
-                          "check the scene at that position; %s or a smaller spacing damps the liquid, and "
-                          "run.max_energy_rise allows more than %g times the scale",
-                          sph2d__method_row_of(&sim->scene.method)->damping_hint, largest);
+                          "check the scene at that position; try %s, or a smaller spacing; run.max_energy_rise allows "
+                          "more than %g times the scale",
+                          remedies, largest);
     return false;
 }

@@ -40,7 +40,7 @@ static double projected_support(sph2d_kernel kernel)
 /* What pcisph and constraint share. */
 #define PROJECTED                                                                                                      \
     .support_of_kernel = projected_support, .cfl = 0.4, .cfl_by_spacing = true, .side_form = SPH2D_WALL_GENERALISED,   \
-    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .damping_hint = "a smaller method.cfl"
+    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .damping_hint = "more fluid.dynamic_viscosity"
 
 static const sph2d__method_row rows[] = {
     {.info = {.method = SPH2D_METHOD_WCSPH,
