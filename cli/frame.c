@@ -145,6 +145,14 @@ static sph2d_status make_values(const particle_source *source, const frame_style
 
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
+/** The domain and a spacing around it, so that the first layer of every wall is in the image. */
+static sph2d_box view_of(const frame_style *style)
+{
+    sph2d_box d = style->domain;
+    double dx = style->spacing;
+    return (sph2d_box){{d.min.x - dx, d.min.y - dx}, {d.max.x + dx, d.max.y + dx}};
+}
+
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report)
 {
@@ -155,7 +163,7 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
     bool points = style->frames.style == SPH2D_STYLE_POINTS;
     double default_radius = (points ? 0.5 : 2) * style->spacing;
     *picture = (sph2d_picture){
-        .view = style->domain,
+        .view = view_of(style),
         .radius = style->frames.radius > 0 ? style->frames.radius : default_radius,
         .count = fluid.count,
         .x = fluid.data[0],

@@ -127,6 +127,48 @@ START_TEST(color_bar_takes_any_numbers)
 }
 END_TEST
 
+/* A wall that reaches under the colour bar is cut off there. */
+START_TEST(nothing_is_behind_the_color_bar)
+{
+    enum { WIDTH = 640, HEIGHT = 360, WALL = 200 };
+    const double x[] = {0.25, 0.75}, y[] = {0.5, 0.5}, values[] = {1.0, 2.0};
+    double wall_x[WALL], wall_y[WALL];
+    for (size_t i = 0; i < WALL; ++i) {
+        wall_x[i] = 0.02 * (double)i; /* beyond the right edge of the image */
+        wall_y[i] = 0.9;
+    }
+    sph2d_picture picture = {.view = {{0.0, 0.0}, {1.6, 1.0}},
+                             .radius = 0.01,
+                             .count = 2,
+                             .x = x,
+                             .y = y,
+                             .values = values,
+                             .value_label = "speed [m/s]",
+                             .wall_x = wall_x,
+                             .wall_y = wall_y,
+                             .wall_radius = 0.02};
+    sph2d_renderer *renderer = make_renderer(NULL, WIDTH, HEIGHT, SPH2D_STYLE_POINTS);
+    static unsigned char without[4 * WIDTH * HEIGHT];
+    memcpy(without, draw(renderer, &picture), sizeof without);
+    picture.wall_count = WALL;
+    const unsigned char *pixels = draw(renderer, &picture);
+    unsigned last = 0; /* column that the wall changes */
+    for (unsigned k = 0; k < WIDTH * HEIGHT; ++k)
+        if (memcmp(pixels + 4 * (size_t)k, without + 4 * (size_t)k, 4) != 0 && k % WIDTH > last)
+            last = k % WIDTH;
+    ck_assert_uint_gt(last, WIDTH / 2);
+    ck_assert_uint_lt(last, WIDTH * 9 / 10);
+    picture.values = NULL; /* no bar, and the wall goes on */
+    picture.value_label = NULL;
+    pixels = draw(renderer, &picture) + 4 * (WIDTH - 1);
+    bool reaches = false;
+    for (unsigned row = 0; row < HEIGHT; ++row)
+        reaches |= pixels[(size_t)row * 4 * WIDTH] < 120;
+    ck_assert(reaches);
+    sph2d_renderer_destroy(renderer);
+}
+END_TEST
+
 START_TEST(not_finite_is_left_out)
 {
     for (sph2d_style style = SPH2D_STYLE_METABALLS; style <= SPH2D_STYLE_POINTS; ++style) {
@@ -266,6 +308,7 @@ Suite *suite_drawing(void)
     tcase_add_test(drawing, water_covers_its_area);
     tcase_add_test(drawing, points_show_values);
     tcase_add_test(drawing, color_bar_takes_any_numbers);
+    tcase_add_test(drawing, nothing_is_behind_the_color_bar);
     tcase_add_test(drawing, not_finite_is_left_out);
     tcase_add_test(drawing, far_from_the_origin_looks_the_same);
     tcase_add_test(drawing, any_size_works);

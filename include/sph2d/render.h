@@ -52,7 +52,8 @@ typedef struct sph2d_render_options {
 SPH2D_API sph2d_render_options sph2d_render_options_default(void);
 
 /** What to draw: borrowed arrays. Particles whose position is not finite are omitted; particles outside the view are
- *  drawn if they are inside the image. With `values` a colour bar takes the right side of an image that is wide enough.
+ *  drawn if they are inside the image. With `values` a colour bar takes the right side of an image that is wide enough,
+ *  where nothing else is drawn.
  *  Start it with `{0}`. */
 typedef struct sph2d_picture {
     /** The part of the plane to show [m]; fitted into the image with its aspect kept. */

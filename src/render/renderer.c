@@ -157,6 +157,7 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
 typedef struct layout {
     sph2d__view view;
     bool legend;
+    int reserved;    /* columns for the legend, on the right [px] */
     double min, max; /* ends of the colour range */
 } layout;
 
@@ -167,8 +168,8 @@ static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *pic
     *out = (layout){
         .legend = self->style == SPH2D_STYLE_POINTS && colored, .min = picture->value_min, .max = picture->value_max};
     const int width = (int)self->width, height = (int)self->height;
-    const int reserved = out->legend ? sph2d__colorbar_width(width, height, picture->value_label) : 0;
-    if (!sph2d__view_fit(&out->view, picture->view, self->width, self->height, (unsigned)reserved))
+    out->reserved = out->legend ? sph2d__colorbar_width(width, height, picture->value_label) : 0;
+    if (!sph2d__view_fit(&out->view, picture->view, self->width, self->height, (unsigned)out->reserved))
         return invalid(report, "the view of the picture is empty or not finite");
     if (out->legend && out->min == 0.0 && out->max == 0.0)
         sph2d__color_range(picture->values, picture->count, &out->min, &out->max);
@@ -221,7 +222,12 @@ static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *pict
     const sph2d__gl *gl = &self->gl;
     sph2d__gl_clear_errors(gl);
     draw_background(gl, &self->target, &at->view, picture->view);
+    if (at->reserved > 0) { /* no wall behind the numbers */
+        gl->Enable(GL_SCISSOR_TEST);
+        gl->Scissor(0, 0, self->target.width - at->reserved, self->target.height);
+    }
     draw_particles(self, picture, at);
+    gl->Disable(GL_SCISSOR_TEST);
     sph2d__target_bind(gl, &self->target);
     gl->Finish(); /* so that the time of reading does not include drawing */
     const double begun = seconds();

@@ -30,6 +30,19 @@ expect 0 "$SPH2D" render points/snapshot_000007.h5 points/snapshot_000002.h5 -o 
 same order/frame_000000.png points/frames/frame_000007.png
 same order/frame_000001.png points/frames/frame_000002.png
 
+# Every wall is in the image, where the width limits the view, too: a tank without its left side looks different.
+cat >wide.yaml <<END
+domain: {min: [0, 0], max: [1, 0.4]}
+spacing: 0.02
+blocks:
+  - box: {min: [0.3, 0], max: [0.6, 0.2]}
+run: {frames: {every: 1, style: points, color: speed}}
+END
+for side in wall open; do
+    expect 0 "$SPH2D" check wide.yaml -q -s boundary.left=$side --preview $side.png
+done
+cmp -s wall.png open.png && fail 'the left wall is outside the image'
+
 # A signal stops it after a frame.
 many=''
 for _ in $(seq 60); do many="$many $(echo points/snapshot_*.h5)"; done
