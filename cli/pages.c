@@ -415,6 +415,10 @@ static void write_probes(const form *f, const sph2d_key *kinds)
         f->row(cells, 2);
     }
     f->end_table();
+    f->paragraph(
+        "Forces are those of the liquid; contact is particles that a wall or its spring stops, not bodies that "
+        "touch it. Work is what a wall does on the liquid and, by contact, on bodies; power is that on the "
+        "liquid alone, by pressure and friction.");
 }
 
 static const sph2d_key *find_key(const sph2d_keys *keys, const char *name)

@@ -16,12 +16,15 @@ typedef struct world {
 
 /** Called once per step: each body comes with its place and the velocity that the liquid's force, gravity and springs
  *  give it, and leaves with the velocity that the engine decides on. An engine that integrates forces by itself takes
- *  them from sph2d_sim_body() and overwrites the velocities. */
-static sph2d_status move(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count)
+ *  them from sph2d_sim_body() and overwrites the velocities. This one's floor is at rest and does no work; one that
+ *  moves would add its work to `wall_work`, for the energy balance. */
+static sph2d_status move(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count,
+                         double *wall_work)
 {
     world *w = user;
     const double half_height = 0.05;
     (void)sim;
+    (void)wall_work;
     for (size_t k = 0; k < count; ++k) {
         double next = bodies[k].center.y + dt * bodies[k].velocity.y - half_height;
         if (next < w->floor) {

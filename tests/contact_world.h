@@ -6,7 +6,7 @@
 
 #include "contacts/contacts.h"
 
-enum { WORLD_BODIES = 1000, WORLD_OBSTACLES = 4 };
+enum { WORLD_BODIES = 1000, WORLD_OBSTACLES = 4, WORLD_WALLS = SPH2D__SIDES + WORLD_OBSTACLES };
 
 typedef struct contact_world {
     sph2d_scene scene;
@@ -16,8 +16,9 @@ typedef struct contact_world {
     sph2d_contact_body states[WORLD_BODIES];
     sph2d_obstacle obstacles[WORLD_OBSTACLES];
     sph2d_body_state walls[WORLD_OBSTACLES]; /**< of these; moved by their velocities */
-    double gain;                             /**< largest rise of kinetic energy by contacts, of what was there */
-    double overlap;                          /**< largest overlap of two bodies or of one with a side [m] */
+    double work[WORLD_WALLS];                /**< of each wall so far, as the solver tells [J/m] */
+    double gain;    /**< largest rise of kinetic energy less `work` by contacts, of what was there */
+    double overlap; /**< largest overlap of two bodies or of one with a side [m] */
 } contact_world;
 
 /** An empty world: a domain of 1 m by 1 m with four walls, spacing 1 mm, gravity, steps of 0.5 ms. It is static. */

@@ -87,6 +87,7 @@
     X(gauge)                                                                                                           \
     X(loads)                                                                                                           \
     X(bodies)                                                                                                          \
+    X(bodies_carried)                                                                                                  \
     X(viscosity_form)                                                                                                  \
     X(viscous_step)                                                                                                    \
     X(coverage)                                                                                                        \

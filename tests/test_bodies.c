@@ -470,8 +470,10 @@ END_TEST
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
 /** Stops every body that moves down, and counts its calls. */
-static sph2d_status stop_falls(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count)
+static sph2d_status stop_falls(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count,
+                               double *wall_work)
 {
+    ck_assert_double_eq(wall_work[0], 0);
     ck_assert_uint_eq(count, sph2d_sim_scene(sim)->body_count);
     ck_assert_double_gt(dt, 0);
     ++*(int *)user;

@@ -4,6 +4,7 @@
 #include <check.h>
 #include <math.h>
 
+#include "base/pi.h"
 #include "contact_world.h"
 #include "sph2d/contacts.h"
 #include "suites.h"
@@ -43,10 +44,10 @@ START_TEST(far_apart)
 {
     contact_world *w = two_discs(0);
     sph2d_contact_body before = w->states[0];
-    ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, 2) == SPH2D_OK);
+    ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, 2, w->work) == SPH2D_OK);
     ck_assert_double_eq(w->states[0].velocity.x, before.velocity.x);
     w->states[1].rate = NAN;
-    ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, 2) == SPH2D_INVALID);
+    ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, 2, w->work) == SPH2D_INVALID);
     ck_assert(sph2d_contacts_attach(NULL) == SPH2D_INVALID);
 }
 END_TEST
@@ -88,6 +89,16 @@ START_TEST(held)
 }
 END_TEST
 
+/** A wall moves along x to a disc of radius 0.05 at x, from 0.2; without gravity. */
+static uint32_t wall_meets_disc(contact_world *w, double x, double speed)
+{
+    sph2d_outline outline = {.kind = SPH2D_OUTLINE_BOX, .box = {{0.1, 0.3}, {0.2, 0.7}}};
+    w->gravity.y = 0;
+    world_obstacle(w, outline, (sph2d_vec2){0.15, 0.5});
+    w->walls[0].velocity.x = speed;
+    return world_disc(w, x, 0.5, 0.05);
+}
+
 /** A belt takes a box to its speed; a wall that moves takes a disc along. */
 START_TEST(moving_walls)
 {
@@ -96,16 +107,16 @@ START_TEST(moving_walls)
     uint32_t a = world_box(w, 0.2, 0.0502, 0.1, 0.1);
     world_run(w, 600);
     NEAR(w->states[a].velocity.x, 0.5, 1e-6);
+    NEAR(w->work[SPH2D__SIDE_BOTTOM], 10 * 0.5 * 0.5, 1e-4); /* momentum by the belt's speed: half of it is lost */
+    ck_assert_double_eq(w->work[SPH2D__SIDE_LEFT], 0);
+    ck_assert_double_le(w->gain, 1e-12);
 
     w = world_new();
-    w->gravity.y = 0;
-    a = world_disc(w, 0.4, 0.5, 0.05);
-    sph2d_outline outline = {.kind = SPH2D_OUTLINE_BOX, .box = {{0.1, 0.3}, {0.2, 0.7}}};
-    world_obstacle(w, outline, (sph2d_vec2){0.15, 0.5});
-    w->walls[0].velocity.x = 1;
+    a = wall_meets_disc(w, 0.4, 1);
     world_run(w, 600);
     NEAR(w->states[a].velocity.x, 1, 1e-12);
     NEAR(w->states[a].center.x, 0.2 + 0.3 + 0.05, 0.001);
+    NEAR(w->work[SPH2D__SIDES], 1000 * SPH2D__PI * 0.0025, 1e-6);
 
     /* A bar that turns hits it away. */
     w = world_new();
@@ -116,6 +127,43 @@ START_TEST(moving_walls)
     w->walls[0].rate = 5;
     world_run(w, 200);
     ck_assert_double_gt(w->states[a].velocity.y, 0.5);
+    ck_assert_double_le(w->gain, 1e-12);
+}
+END_TEST
+
+/** Each side is a belt of its own, and a box that is pressed on it takes momentum by the belt's speed. */
+START_TEST(belts)
+{
+    static const sph2d_vec2 to[SPH2D__SIDES] = {{-9.81, 0}, {9.81, 0}, {0, -9.81}, {0, 9.81}};
+    contact_world *w = world_new();
+    double *const speeds[SPH2D__SIDES] = {&w->scene.wall_speeds.left, &w->scene.wall_speeds.right,
+                                          &w->scene.wall_speeds.bottom, &w->scene.wall_speeds.top};
+    w->gravity = to[_i];
+    *speeds[_i] = 0.4;
+    world_box(w, 0.5 + 0.4498 * to[_i].x / 9.81, 0.5 + 0.4498 * to[_i].y / 9.81, 0.1, 0.1);
+    world_run(w, 600);
+    for (int side = 0; side < SPH2D__SIDES; ++side)
+        NEAR(w->work[side], side == _i ? 10 * 0.4 * 0.4 : 0, 1e-4);
+}
+END_TEST
+
+/** A wall that moves brings all that a bounce without friction has, and what pushes out a disc that it overlaps. */
+START_TEST(work)
+{
+    contact_world *w = world_new();
+    uint32_t a = wall_meets_disc(w, 0.4, 1);
+    w->bodies[a].restitution = 1;
+    w->bodies[a].friction = 0;
+    world_run(w, 600);
+    NEAR(w->states[a].velocity.x, 2, 1e-9);
+    NEAR(w->work[SPH2D__SIDES], world_kinetic(w), 1e-9);
+
+    w = world_new();
+    a = wall_meets_disc(w, 0.2501, 0.004);
+    world_run(w, 50);
+    NEAR(w->states[a].velocity.x, 2 * 0.004, 1e-9); /* the push wants three times the speed; energy is for twice */
+    NEAR(w->work[SPH2D__SIDES], world_kinetic(w), 1e-12);
+    ck_assert_double_le(w->gain, 1e-12);
 }
 END_TEST
 
@@ -223,6 +271,8 @@ Suite *suite_contacts(void)
     tcase_add_test(tests, inclines);
     tcase_add_test(tests, held);
     tcase_add_test(tests, moving_walls);
+    tcase_add_loop_test(tests, belts, 0, SPH2D__SIDES);
+    tcase_add_test(tests, work);
     tcase_add_test(tests, fast);
     tcase_add_test(tests, concave);
     tcase_add_test(tests, hollow);

@@ -83,9 +83,9 @@ START_TEST(same_bits)
             continue;
         }
         memcpy(first, w->states, sizeof first);
-        ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, first, BODIES) == SPH2D_OK);
+        ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, first, BODIES, w->work) == SPH2D_OK);
         stir(kept, BLOCKS);
-        ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, BODIES) == SPH2D_OK);
+        ck_assert(sph2d__contacts_solve(&w->scene, w->walls, w->dt, w->states, BODIES, w->work) == SPH2D_OK);
         ck_assert(memcmp(first, w->states, sizeof first) == 0);
         for (size_t k = 0; k < BLOCKS; ++k)
             free(kept[k]);

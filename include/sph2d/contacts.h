@@ -12,7 +12,8 @@
  *    never with more kinetic energy than the bodies came with.
  *  - Dry friction, and restitution, but for approaches so slow that the body would rise by less than 1/800 of its size
  *    in Earth's gravity. Of two bodies the geometric mean and the larger count, against walls the body's own.
- *  - Momentum is exchanged to round-off; kinetic energy never grows but by the work of walls that move.
+ *  - Momentum is exchanged to round-off; kinetic energy never grows but by the work of walls that move, which is told
+ *    to the energy balance.
  *  - Circles are circles; polygons may be concave (as a solid up to 128 corners, beyond that as the line of their
  *    outline). Lines, polylines and hollow or concave obstacles are lines without thickness, met from both sides,
  *    whatever layers of boundary particles a method puts behind them.

@@ -238,12 +238,19 @@ typedef struct sph2d_contact_body {
 /** Changes velocities of bodies that meet each other or walls, once per step of length dt [s], such that they do not
  *  overlap when each has moved by dt times its velocity. `sim` can be read: the scene has the outlines, and
  *  sph2d_sim_obstacle() says where walls that move are. What it returns other than SPH2D_OK ends the step. Results must
- *  follow from its arguments alone: a resumed run calls it with the same ones. */
+ *  follow from its arguments alone: a resumed run calls it with the same ones.
+ *
+ *  `wall_work` comes with zeros, one for each wall: the sides left, right, bottom, top, then the scene's obstacles.
+ *  The solver adds to them the work that the wall does on bodies in this step, impulse on a body times the velocity of
+ *  the wall where they touch [J/m]: part of energy_walls, and of the work that a probe of this wall measures. Walls at
+ *  rest do none. What a solver does not tell is missing there: it makes energy_contacts negative, counts as
+ *  energy_rise, from nothing, and may stop the run (SPH2D_GUARD). */
 typedef sph2d_status sph2d_contact_solver(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies,
-                                          size_t count);
+                                          size_t count, double *wall_work);
 
 /** Sets the solver for contacts of bodies, which is called with `user` in every step from the next one on; NULL: none,
- *  bodies then pass through each other and through walls. The kinetic energy that it takes counts as energy_contacts.
+ *  bodies then pass through each other and through walls. The kinetic energy that it takes, and the work of walls that
+ *  it tells, count as energy_contacts.
  *  Errors: SPH2D_INVALID for NULL. */
 SPH2D_API sph2d_status sph2d_sim_set_contacts(sph2d_sim *sim, sph2d_contact_solver *solver, void *user);
 
@@ -322,7 +329,7 @@ typedef struct sph2d_summary {
     /** Largest rise of energy_error above an earlier value [J/m]. */
     double energy_error_rise;
 
-    /** Work of moving walls, by pressure, friction and the swept test [J/m]. */
+    /** Work of moving walls: on the liquid by pressure, friction and the swept test, and on bodies by contact [J/m]. */
     double energy_walls;
 
     /** Work of interactions, the pointer and gravity along periods [J/m]. */
@@ -341,7 +348,9 @@ typedef struct sph2d_summary {
     /** Kinetic and potential energy of the bodies now, and of their springs [J/m]; part of energy_start and energy_rise. */
     double bodies;
 
-    /** Energy that contacts of bodies took: impacts and dry friction [J/m]. */
+    /** Energy that contacts of bodies took, of that of the bodies and of the work of moving walls on them: impacts and
+     *  dry friction [J/m]. It falls where a solver gives energy: libsph2d-contacts where it lifts a body that starts
+     *  nearer to a floor than the clearance, by its weight times the way. */
     double energy_contacts;
 
     /** Energy dissipated by the pressures of methods pcisph and constraint, with which impacts are inelastic: their

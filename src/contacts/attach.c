@@ -4,7 +4,8 @@
 #include "contacts/contacts.h"
 #include "sph2d/contacts.h"
 
-static sph2d_status solve(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count)
+static sph2d_status solve(void *user, const sph2d_sim *sim, double dt, sph2d_contact_body *bodies, size_t count,
+                          double *wall_work)
 {
     (void)user;
     const sph2d_scene *scene = sph2d_sim_scene(sim);
@@ -15,7 +16,7 @@ static sph2d_status solve(void *user, const sph2d_sim *sim, double dt, sph2d_con
         return SPH2D_NOMEM;
     for (size_t i = 0; i < obstacle_count; ++i)
         obstacles[i] = sph2d_sim_obstacle(sim, i);
-    sph2d_status status = sph2d__contacts_solve(scene, obstacles, dt, bodies, count);
+    sph2d_status status = sph2d__contacts_solve(scene, obstacles, dt, bodies, count, wall_work);
     sph2d__release(&memory, (void **)&obstacles, obstacle_count, sizeof *obstacles);
     return status;
 }

@@ -22,6 +22,9 @@
 struct cpBody;
 struct cpShape;
 
+/** The walls of wall_work (sph2d_contact_solver): sides, then obstacle i as SPH2D__SIDES + i. */
+enum { SPH2D__SIDE_LEFT, SPH2D__SIDE_RIGHT, SPH2D__SIDE_BOTTOM, SPH2D__SIDE_TOP, SPH2D__SIDES };
+
 /** A body or an obstacle where it is now, or a periodic image of a body. */
 typedef struct sph2d__placed {
     const sph2d_outline *outline;
@@ -30,6 +33,7 @@ typedef struct sph2d__placed {
     sph2d_vec2 velocity;     /**< of an obstacle's centre [m/s] */
     double rate;             /**< of an obstacle [rad/s] */
     uint32_t number;         /**< of the body; the number of bodies for obstacles */
+    uint32_t wall;           /**< of an obstacle or side: its place in wall_work */
     bool image;              /**< whether it is a periodic image */
     bool hollow;             /**< whether an obstacle has the liquid inside */
     sph2d_box box;           /**< around all of it, grown by the margin */
@@ -45,15 +49,16 @@ typedef struct sph2d__pair {
 
 /** A point where a body meets another one, or a wall. */
 typedef struct sph2d__contact {
-    uint32_t a, b;      /**< bodies; b is the number of bodies for a wall */
-    sph2d_vec2 normal;  /**< from a to b */
-    sph2d_vec2 arm_a;   /**< from the centre of mass of a to the middle of the gap [m] */
-    sph2d_vec2 arm_b;   /**< the same of b */
-    double gap;         /**< distance, negative where they overlap [m] */
-    sph2d_vec2 wall;    /**< velocity of the wall there [m/s] */
-    double friction;    /**< coefficient */
-    double restitution; /**< normal speed after over before */
-    double size;        /**< of the smaller of the two bodies [m] */
+    uint32_t a, b;        /**< bodies; b is the number of bodies for a wall */
+    sph2d_vec2 normal;    /**< from a to b */
+    sph2d_vec2 arm_a;     /**< from the centre of mass of a to the middle of the gap [m] */
+    sph2d_vec2 arm_b;     /**< the same of b */
+    double gap;           /**< distance, negative where they overlap [m] */
+    sph2d_vec2 wall;      /**< velocity of the wall there [m/s] */
+    uint32_t wall_number; /**< its place in wall_work */
+    double friction;      /**< coefficient */
+    double restitution;   /**< normal speed after over before */
+    double size;          /**< of the smaller of the two bodies [m] */
 } sph2d__contact;
 
 /** What one call works with. */
@@ -63,8 +68,9 @@ typedef struct sph2d__contacts {
     double dt;                         /**< length of the step [s] */
     sph2d_contact_body *bodies;
     uint32_t body_count;
-    double clearance; /**< that bodies keep [m] */
-    double margin;    /**< by which everything is grown in the search for what it may meet in the step [m] */
+    double *wall_work; /**< of each wall, on bodies (sph2d_contact_solver) [J/m] */
+    double clearance;  /**< that bodies keep [m] */
+    double margin;     /**< by which everything is grown in the search for what it may meet in the step [m] */
     sph2d__memory memory;
     sph2d__arena arena;
     sph2d__placed *placed; /**< bodies, then images, then obstacles */
@@ -77,10 +83,10 @@ typedef struct sph2d__contacts {
 } sph2d__contacts;
 
 /** Solves the contacts of a step: the library without a simulation. `obstacles` has a state for each obstacle of the
- *  scene. Errors: SPH2D_NOMEM, and SPH2D_INVALID for a place or velocity that is not finite; the bodies are then as
- *  they were. */
+ *  scene; the work of walls is added to `wall_work` (sph2d_contact_solver). Errors: SPH2D_NOMEM, and SPH2D_INVALID for
+ *  a place or velocity that is not finite; the bodies are then as they were. */
 sph2d_status sph2d__contacts_solve(const sph2d_scene *scene, const sph2d_body_state *obstacles, double dt,
-                                   sph2d_contact_body *bodies, size_t count);
+                                   sph2d_contact_body *bodies, size_t count, double *wall_work);
 
 /* ---- place.c ----------------------------------------------------------------------------------------------------- */
 
@@ -137,7 +143,7 @@ sph2d_status sph2d__find_groups(sph2d__contacts *c, sph2d__groups *groups);
 
 /* ---- relax.c ----------------------------------------------------------------------------------------------------- */
 
-/** Changes the velocities of the bodies by the impulses of all contacts. */
+/** Changes the velocities of the bodies by the impulses of all contacts, and adds the work of walls by these. */
 sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups);
 
 /** Grows a list to have room for one more item; false when memory is short. */

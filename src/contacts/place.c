@@ -164,6 +164,7 @@ static sph2d__placed placed_obstacle(const sph2d__contacts *c, size_t i)
     placed.from = center_of(placed.outline, obstacle->motion.center);
     placed.rate = state->rate;
     placed.number = c->body_count;
+    placed.wall = (uint32_t)(SPH2D__SIDES + i);
     placed.hollow = obstacle->liquid == SPH2D_LIQUID_INSIDE;
     turn(&placed, state->angle);
     return placed;

@@ -30,6 +30,7 @@ typedef struct motion {
 typedef struct group {
     sph2d__row *rows;
     double *should; /**< of each row: the speed of separation with bounces and pushes */
+    double *work;   /**< of the wall of each row, by what the bodies' velocities have of its impulses [J/m] */
     size_t row_count;
     sph2d__mover *movers;   /**< of all groups */
     const uint32_t *bodies; /**< of this one */
@@ -53,13 +54,26 @@ static double product(const sph2d__mover *m, motion a, motion b)
     return over(a.vx * b.vx, m->imx) + over(a.vy * b.vy, m->imy) + over(a.w * b.w, m->ii);
 }
 
+/** Work that the wall of a row did by its impulses, which are those on the wall. */
+static double row_work(const sph2d__row *row)
+{
+    return -(row->jn * row->wall_n + row->jt * row->wall_t);
+}
+
 /** Work that walls did by the impulses of a group. */
 static double work_of_walls(const group *g)
 {
     double work = 0;
     for (size_t i = 0; i < g->row_count; ++i)
-        work -= g->rows[i].jn * g->rows[i].wall_n + g->rows[i].jt * g->rows[i].wall_t;
+        work += row_work(&g->rows[i]);
     return work;
+}
+
+/** Books parts of the work so far, and of that by the present impulses: of the velocities that are taken between. */
+static void book_work(const group *g, double so_far, double now)
+{
+    for (size_t i = 0; i < g->row_count; ++i)
+        g->work[i] = so_far * g->work[i] + now * row_work(&g->rows[i]);
 }
 
 /** Takes velocities between `from` and those now, such that kinetic energy without the work of walls is no higher than
@@ -176,6 +190,7 @@ static void relax_group(group *g)
         g->start[i] = motion_of(&g->movers[g->bodies[i]]);
     bool more = ask_for_more(g);
     sph2d__rows_solve(g->rows, g->row_count, g->movers);
+    book_work(g, 0, 1);
     if (more && affordable(g))
         return;
     double work = work_of_walls(g);
@@ -184,11 +199,22 @@ static void relax_group(group *g)
         sph2d__rows_solve(g->rows, g->row_count, g->movers);
     }
     double must_work = work_of_walls(g);
-    double part = limit_energy(g, g->start, 0, must_work);
-    if (!more)
-        return;
-    exchange(g);
-    limit_energy(g, g->must, part * must_work, work);
+    double part = limit_energy(g, g->start, 0, must_work), rest = 0;
+    if (more) {
+        exchange(g);
+        rest = limit_energy(g, g->must, part * must_work, work);
+    }
+    book_work(g, rest, (1 - rest) * part);
+}
+
+/** Adds the work of a group's walls to that of all. */
+static void tell_work(sph2d__contacts *c, const group *g, const uint32_t *contacts)
+{
+    for (size_t k = 0; k < g->row_count; ++k) {
+        const sph2d__contact *contact = &c->contacts[contacts[k]];
+        if (contact->b == c->body_count)
+            c->wall_work[contact->wall_number] += g->work[k];
+    }
 }
 
 /** Memory for movers and for the largest group. */
@@ -197,9 +223,10 @@ static bool make_room(sph2d__contacts *c, group *g, size_t rows, size_t bodies)
     g->movers = sph2d__arena_alloc(&c->arena, &c->memory, c->body_count + (size_t)1, sizeof *g->movers);
     g->rows = sph2d__arena_alloc(&c->arena, &c->memory, rows, sizeof *g->rows);
     g->should = sph2d__arena_alloc(&c->arena, &c->memory, rows, sizeof *g->should);
+    g->work = sph2d__arena_alloc(&c->arena, &c->memory, rows, sizeof *g->work);
     g->start = sph2d__arena_alloc(&c->arena, &c->memory, bodies, sizeof *g->start);
     g->must = sph2d__arena_alloc(&c->arena, &c->memory, bodies, sizeof *g->must);
-    return g->movers && g->rows && g->should && g->start && g->must;
+    return g->movers && g->rows && g->should && g->work && g->start && g->must;
 }
 
 sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups)
@@ -220,6 +247,7 @@ sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups)
         for (size_t k = 0; k < g.row_count; ++k)
             prepare(&g.rows[k], &g.should[k], c, &c->contacts[groups->contacts[contact + k]], g.movers);
         relax_group(&g);
+        tell_work(c, &g, groups->contacts + contact);
         body = groups->body_end[i];
         contact = groups->contact_end[i];
     }

@@ -49,11 +49,11 @@ static sph2d_status run(sph2d__contacts *c)
 }
 
 sph2d_status sph2d__contacts_solve(const sph2d_scene *scene, const sph2d_body_state *obstacles, double dt,
-                                   sph2d_contact_body *bodies, size_t count)
+                                   sph2d_contact_body *bodies, size_t count, double *wall_work)
 {
     if (count == 0 || !(dt > 0))
         return SPH2D_OK;
-    sph2d__contacts c = {.scene = scene, .obstacles = obstacles, .dt = dt, .bodies = bodies};
+    sph2d__contacts c = {.scene = scene, .obstacles = obstacles, .dt = dt, .bodies = bodies, .wall_work = wall_work};
     c.body_count = (uint32_t)count;
     c.clearance = CLEARANCE * scene->spacing;
     c.memory = sph2d__memory_from((sph2d_allocator){0});

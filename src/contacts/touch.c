@@ -20,6 +20,7 @@ static sph2d_status add(sph2d__contacts *c, const sph2d__placed *a, const sph2d_
     contact->size = fmin(a->box.max.x - a->box.min.x, a->box.max.y - a->box.min.y) - 2 * c->margin;
     if (b->number == c->body_count) {
         contact->wall = sph2d__wall_velocity(b, at);
+        contact->wall_number = b->wall;
         contact->friction = first->friction;
         contact->restitution = first->restitution;
     } else {
@@ -167,9 +168,11 @@ static bool is_inside(const sph2d__placed *body, const sph2d__placed *b)
     return hypot(body->to.x - center.x, body->to.y - center.y) < b->outline->circle.radius;
 }
 
-static sph2d_status with_side(sph2d__contacts *c, const sph2d__placed *body, sph2d_vec2 normal, double at, double speed)
+static sph2d_status with_side(sph2d__contacts *c, const sph2d__placed *body, uint32_t number, double at, double speed)
 {
-    sph2d__placed side = {.number = c->body_count};
+    static const sph2d_vec2 outward[SPH2D__SIDES] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    sph2d_vec2 normal = outward[number];
+    sph2d__placed side = {.number = c->body_count, .wall = number};
     side.velocity = (sph2d_vec2){normal.y != 0 ? speed : 0, normal.x != 0 ? speed : 0};
     points all = points_of(body);
     sph2d_status status = SPH2D_OK;
@@ -190,13 +193,13 @@ static sph2d_status with_sides(sph2d__contacts *c, const sph2d__placed *body)
     double m = c->margin;
     sph2d_status status = SPH2D_OK;
     if (sides->left == SPH2D_SIDE_WALL && body->box.min.x < in.min.x + m)
-        status = with_side(c, body, (sph2d_vec2){-1, 0}, -in.min.x, speeds->left);
+        status = with_side(c, body, SPH2D__SIDE_LEFT, -in.min.x, speeds->left);
     if (status == SPH2D_OK && sides->right == SPH2D_SIDE_WALL && body->box.max.x > in.max.x - m)
-        status = with_side(c, body, (sph2d_vec2){1, 0}, in.max.x, speeds->right);
+        status = with_side(c, body, SPH2D__SIDE_RIGHT, in.max.x, speeds->right);
     if (status == SPH2D_OK && sides->bottom == SPH2D_SIDE_WALL && body->box.min.y < in.min.y + m)
-        status = with_side(c, body, (sph2d_vec2){0, -1}, -in.min.y, speeds->bottom);
+        status = with_side(c, body, SPH2D__SIDE_BOTTOM, -in.min.y, speeds->bottom);
     if (status == SPH2D_OK && sides->top == SPH2D_SIDE_WALL && body->box.max.y > in.max.y - m)
-        status = with_side(c, body, (sph2d_vec2){0, 1}, in.max.y, speeds->top);
+        status = with_side(c, body, SPH2D__SIDE_TOP, in.max.y, speeds->top);
     return status;
 }
 

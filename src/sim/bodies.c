@@ -63,14 +63,16 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     all->states = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->states);
     all->strikes = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->strikes);
     all->contacts = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->contacts);
+    all->wall_count = SPH2D__WALL_OBSTACLE + first;
+    all->wall_work = sph2d__arena_alloc(arena, &sim->memory, all->wall_count, sizeof *all->wall_work);
     all->forces = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *all->forces);
     uint32_t *index = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *index);
     double *rates = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *rates);
     bool tension = sim->system.surface_tension > 0;
     if (tension)
         all->tensions = sph2d__arena_alloc(arena, &sim->memory, walls + 1, sizeof *all->tensions);
-    if (!all->items || !all->states || !all->strikes || !all->contacts || !all->forces || !index || !rates ||
-        (tension && !all->tensions))
+    if (!all->items || !all->states || !all->strikes || !all->contacts || !all->wall_work || !all->forces || !index ||
+        !rates || (tension && !all->tensions))
         return SPH2D_NOMEM;
     all->count = count;
     for (size_t k = 0; k < count; ++k)
@@ -143,13 +145,28 @@ static sph2d_status solve_contacts(sph2d_sim *sim, double dt)
                                                 .velocity = {r->way.x, r->way.y},
                                                 .rate = r->way.turn};
     }
-    sph2d_status status = all->solver(all->user, sim, dt, all->contacts, all->count);
+    for (size_t i = 0; i < all->wall_count; ++i)
+        all->wall_work[i] = 0;
+    sph2d_status status = all->solver(all->user, sim, dt, all->contacts, all->count, all->wall_work);
     for (size_t k = 0; status == SPH2D_OK && k < all->count; ++k) {
         const sph2d_contact_body *c = &all->contacts[k];
         sph2d__rigid *r = &all->items[k];
         r->way = (sph2d__twist){r->free.x * c->velocity.x, r->free.y * c->velocity.y, r->free.turn * c->rate};
     }
     return status;
+}
+
+/** Books what walls did on bodies by contact. Returns their work. */
+static double book_walls(sph2d_sim *sim)
+{
+    const sph2d__bodies *all = &sim->bodies;
+    double sum = 0;
+    for (size_t i = 0; all->solver && i < all->wall_count; ++i) {
+        sum += all->wall_work[i];
+        sph2d__loads_carry(sim, (int)i, all->wall_work[i]);
+    }
+    sim->record.energy_walls += sum;
+    return sum;
 }
 
 /** The velocity amid the impulses of all other forces in a step of length dt, for which motors and contacts work. */
@@ -179,7 +196,7 @@ static sph2d_status meet(sph2d_sim *sim, double dt)
     double driven = kinetic_amid(sim, dt);
     sph2d_status status = solve_contacts(sim, dt);
     record->energy_forces += driven - free;
-    record->energy_contacts += driven - kinetic_amid(sim, dt);
+    record->energy_contacts += driven - kinetic_amid(sim, dt) + book_walls(sim);
     for (size_t k = 0; k < sim->bodies.count; ++k) {
         sph2d__rigid *r = &sim->bodies.items[k];
         sph2d__twist change = sph2d__twist_add(r->way, -1, r->meant), *held = &r->state->held_up;

@@ -316,6 +316,13 @@ void sph2d__loads_reflect(sph2d_sim *sim, size_t b, sph2d_vec2 at, sph2d_vec2 ch
         count_contact(sim, sim->loads.walls[sim->system.walls.id[b]], at, change, 0);
 }
 
+void sph2d__loads_carry(sph2d_sim *sim, int wall, double work)
+{
+    for (size_t k = 0; k < sim->loads.count; ++k)
+        if (matches(sim->loads.items[k].wall, wall))
+            sim->loads.states[k].work += work;
+}
+
 /* ---- steps ------------------------------------------------------------------------------------------------------- */
 
 static void add_impulse(sph2d__pull *to, double dt, const sph2d__pull *from)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file loads.h
- *  Forces of the liquid on walls, and the work of walls, as probes of kinds force and work measure them. A scene
- *  without such probes has no loads, and all of these functions return at once.
+ *  Forces of the liquid on walls, and the work of walls on it and on bodies, as probes of kinds force and work measure
+ *  them. A scene without such probes has no loads, and all of these functions return at once.
  *
  *  The force on a wall is minus the sum of what it exerts on the particles, so that momentum is balanced: the pair
  *  forces of its boundary particles as in the method's last evaluation, the springs of sides, and per step what
@@ -30,7 +30,7 @@ typedef struct sph2d__load_state {
     sph2d__pull pressure, friction; /**< of the last evaluation; pressure: and surface tension */
     sph2d__pull springs, contact;   /**< contact: of the last step, over its length */
     sph2d__pull impulse;            /**< since the probe's last sample */
-    double power, work;             /**< of the wall on the liquid [W/m], since the start [J/m] */
+    double power, work;             /**< of the wall on the liquid [W/m]; and on bodies, since the start [J/m] */
 } sph2d__load_state;
 
 /** Number of doubles in it. */
@@ -70,6 +70,9 @@ void sph2d__loads_find(sph2d_sim *sim, double kept);
 void sph2d__loads_contact(sph2d_sim *sim, int wall, sph2d_vec2 at, sph2d_vec2 change, double work);
 /** The same of boundary particle b. */
 void sph2d__loads_reflect(sph2d_sim *sim, size_t b, sph2d_vec2 at, sph2d_vec2 change);
+
+/** Counts the work of a wall on bodies that touch it [J/m]. */
+void sph2d__loads_carry(sph2d_sim *sim, int wall, double work);
 
 /** Impulses of particles that a body has stopped, in quanta. */
 typedef struct sph2d__strikes {

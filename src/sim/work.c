@@ -14,6 +14,8 @@
  *  this power plus the work of moving walls by friction, which is part of the first line. Spring walls have a potential
  *  (sph2d__sim_energy_of) and a damping, which is summed separately: it is clamped, and so not odd.
  *
+ *  The work of walls on bodies by contact is booked with each step, as the solver for contacts tells it (bodies.c).
+ *
  *  Fitted operators have no forces between particles and walls. With them the friction of sliding sides is part of the
  *  viscous power, and the pressure on moving obstacles is not known. */
 #include <math.h>
