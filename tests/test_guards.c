@@ -153,6 +153,31 @@ START_TEST(a_particle_outside_a_wall_is_named)
 }
 END_TEST
 
+/** The hint names what moves there, and a fixed step only where the scene has one. */
+START_TEST(a_hint_on_an_escape_names_what_squeezes)
+{
+    sph2d_block block;
+    sph2d_scene scene = dam(&block);
+    sph2d_obstacle gate = sph2d_obstacle_default();
+    gate.outline.kind = SPH2D_OUTLINE_BOX;
+    gate.outline.box = (sph2d_box){{0.9, 0.3}, {0.99, 0.6}};
+    gate.motion.rate = _i == 1 ? 1e-9 : 0;
+    scene.obstacles = &gate;
+    scene.obstacle_count = 1;
+    scene.method.time_step = _i == 2 ? 1e-5 : 0;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 5);
+    sim->system.fluid.x[11] = 1.005;
+    sim->system.fluid.y[11] = 0.45;
+    ck_assert_int_eq(step_until_stopped(sim, 1), SPH2D_GUARD);
+    const char *hint = report.items[0].hint;
+    ck_assert_int_eq(report.items[0].code, SPH2D_CODE_ESCAPED);
+    ck_assert_msg((strstr(hint, "obstacles[0] squeezes it against the right side") != NULL) == (_i == 1), "%s", hint);
+    ck_assert_msg((strstr(hint, "method.time_step") != NULL) == (_i == 2), "%s", hint);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_collapsing_step_is_stopped)
 {
     /* A particle of 10^4 c0 makes steps of 4e-5 H/c0, which go on; one of 10^6 c0 is stopped, but not at once. */
@@ -419,6 +444,7 @@ Suite *suite_guards(void)
     tcase_add_test(tests, a_step_beyond_the_support_is_refused_at_the_start);
     tcase_add_test(tests, nan_is_found_in_the_step_in_which_it_appears);
     tcase_add_test(tests, a_particle_outside_a_wall_is_named);
+    tcase_add_loop_test(tests, a_hint_on_an_escape_names_what_squeezes, 0, 3);
     tcase_add_test(tests, a_collapsing_step_is_stopped);
     tcase_add_test(tests, a_step_grows_by_a_fifth_at_most);
     suite_add_tcase(suite, tests);

@@ -83,26 +83,26 @@ static extremes find_extremes(const sph2d_sim *sim)
     return s.found;
 }
 
-static void report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i, const char *what,
-                            const char *hint)
+static sph2d_diagnostic *report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i,
+                                         const char *what)
 {
     const sph2d__store *f = &sim->system.fluid;
-    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, code, NULL,
-                                           "%s: particle %llu at (%g, %g) with velocity (%g, %g), step %llu, time %g s",
-                                           what, (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i],
-                                           (unsigned long long)sim->record.steps, sim->record.time);
-    sph2d_diagnostic_hint(d, "%s", hint);
+    return sph2d_report_add(report, SPH2D_ERROR, code, NULL,
+                            "%s: particle %llu at (%g, %g) with velocity (%g, %g), step %llu, time %g s", what,
+                            (unsigned long long)f->id[i], f->x[i], f->y[i], f->vx[i], f->vy[i],
+                            (unsigned long long)sim->record.steps, sim->record.time);
 }
 
 static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report)
 {
+    const sph2d__store *f = &sim->system.fluid;
     if (e->not_finite != SIZE_MAX) {
-        report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->not_finite, "a value is not finite",
-                        "lower method.time_step or method.cfl");
+        sph2d_diagnostic *d =
+            report_particle(sim, report, SPH2D_CODE_NOT_FINITE, e->not_finite, "a value is not finite");
+        sph2d_diagnostic_hint(d, "lower method.time_step or method.cfl");
         return false;
     }
     if (e->implausible != SIZE_MAX) {
-        const sph2d__store *f = &sim->system.fluid;
         sph2d_vec2 at = {f->x[e->implausible], f->y[e->implausible]};
         char where[SPH2D__WHERE_SIZE];
         sph2d_diagnostic *d = sph2d_report_add(
@@ -117,8 +117,9 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
         return false;
     }
     if (e->escaped != SIZE_MAX) {
-        report_particle(sim, report, SPH2D_CODE_ESCAPED, e->escaped, "a particle is beyond a wall of the domain",
-                        "start liquid inside the domain; lower method.time_step");
+        sph2d_diagnostic *d = report_particle(sim, report, SPH2D_CODE_ESCAPED, e->escaped,
+                                              "a particle is beyond a wall of the domain");
+        sph2d__sim_hint_escape(sim, (sph2d_vec2){f->x[e->escaped], f->y[e->escaped]}, d);
         return false;
     }
     return true;

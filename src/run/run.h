@@ -9,6 +9,8 @@
 /** Checks all particles after velocity and acceleration are updated: finite values, largest speed, acceleration and
  *  compression; sets the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
+/** Hints at what to do about a particle at `place`, beyond a wall of the domain (escaped.c). */
+void sph2d__sim_hint_escape(const sph2d_sim *sim, sph2d_vec2 place, sph2d_diagnostic *diagnostic);
 /** Chooses the length of the next step from the largest speed [m/s] and acceleration [m/s^2] of a particle. */
 void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration);
 /** Largest initial velocity of a block [m/s]; the velocities of known flows do not count. */

@@ -390,6 +390,17 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
     return farthest;
 }
 
+double sph2d__outline_nearest(const sph2d_outline *outline, double spacing, sph2d_vec2 point)
+{
+    double least = INFINITY;
+    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        least = fmin(least, sph2d__segment_distance(&s, point));
+    }
+    return least;
+}
+
 sph2d_box sph2d__outline_bounds(const sph2d_outline *outline, double spacing)
 {
     sph2d_box b = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/** @file escaped.c
+ *  What to do about a particle that is beyond a wall of the domain. */
+#include <math.h>
+
+#include "run/run.h"
+#include "scene/bodies.h"
+
+/** The obstacle or body that moves and is nearest to a position, within the support radius; SIZE_MAX: none. */
+static size_t moving_near(const sph2d_sim *sim, sph2d_vec2 p)
+{
+    const sph2d_scene *scene = &sim->scene;
+    double least = sim->system.support;
+    size_t nearest = SIZE_MAX;
+    for (size_t k = 0; k < scene->obstacle_count; ++k) {
+        const sph2d_obstacle *o = &scene->obstacles[k];
+        if (!sph2d__obstacle_moves(o))
+            continue;
+        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
+        double distance = sph2d__outline_nearest(&o->outline, scene->spacing, sph2d__pose_invert(&pose, p));
+        if (distance < least) {
+            least = distance;
+            nearest = k;
+        }
+    }
+    return nearest;
+}
+
+/** The side beyond which a position is. */
+static const char *side_beyond(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    sph2d_box d = scene->domain;
+    return p.x < d.min.x ? "left" : p.x > d.max.x ? "right" : p.y < d.min.y ? "bottom" : "top";
+}
+
+void sph2d__sim_hint_escape(const sph2d_sim *sim, sph2d_vec2 p, sph2d_diagnostic *d)
+{
+    const sph2d_scene *scene = &sim->scene;
+    const char *side = side_beyond(scene, p);
+    bool fixed = scene->method.time_step > 0;
+    const char *step = fixed ? "; leave method.time_step out for an adaptive step, or lower it" : "";
+    char name[64];
+    size_t k = moving_near(sim, p);
+    if (k == SIZE_MAX)
+        sph2d_diagnostic_hint(d, "start liquid inside the domain%s", fixed ? step : "; lower method.cfl");
+    else if (scene->obstacles[k].body)
+        sph2d_diagnostic_hint(d, "%s presses it against the %s side: let what drives the body stop before%s",
+                              sph2d__obstacle_path(name, sizeof name, scene, k, ""), side, step);
+    else
+        sph2d_diagnostic_hint(d, "%s squeezes it against the %s side: let the motion stop a spacing before%s",
+                              sph2d__obstacle_path(name, sizeof name, scene, k, ""), side, step);
+}
