@@ -291,7 +291,7 @@ END_TEST
 START_TEST(a_blow_of_a_wall_is_warned_of)
 {
     static const sph2d_pose_point steps[2] = {{0.1, 0, 0, 0}, {0.2, 0.009, 0, 0}};
-    static const sph2d_pose_point jump[3] = {{0.1, 0, 0, 0}, {0.2, 0.05, 0, 0}, {0.4, 0.15, 0, 0}};
+    static const sph2d_pose_point jump[3] = {{0.1, 0, 0, 0}, {0.2, -0.05, 0, 0}, {0.4, -0.15, 0, 0}};
     scene.method = sph2d_scene_default().method;
     scene.method.sound_speed = 10;
     sph2d_motion *motion = &obstacles[2].motion;
@@ -318,6 +318,44 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
         }
         sph2d_report_clear(&report);
     }
+}
+END_TEST
+
+/** What comes nearer to a wall than a spacing from farther away is warned of, by how much and when; what was as near at
+ *  the start is not, and an opening is no wall. */
+START_TEST(a_motion_that_squeezes_liquid_is_warned_of)
+{
+    static sph2d_pose_point way[3] = {{0.1, 0, 0, 0}, {0.6, 0, 0, 0}, {0.8, 0, 0, 0}};
+    const struct {
+        double x, y;
+        const char *warned; /* of this; NULL: of nothing */
+    } cases[] = {{0.13, 0, NULL}, /* to 0.98, a spacing from the side */
+                 {0.14, 0, "to 0.5 spacings from the right side of the domain at t = 0.6 s"},
+                 {0.15, 0, "to 0 spacings from the right side of the domain at t = 0.6 s"},
+                 {0, 0.11, "to 0.5 spacings from obstacles[1] at t = 0.6"},
+                 {0, 0.1, NULL}};
+    scene.method = sph2d_scene_default().method;
+    obstacles[2].motion.path = (sph2d_pose_path){way, 3};
+    obstacles[2].motion.between = SPH2D_BETWEEN_LINES;
+    ends[0] = (sph2d_vec2){0.7, 0.77}; /* obstacles[0], a line above the circle */
+    ends[1] = (sph2d_vec2){0.9, 0.77};
+    obstacles[1] = obstacles[0];
+    obstacles[0] = obstacles[3];
+    obstacles[1].liquid = SPH2D_LIQUID_BOTH;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        way[1].x = way[2].x = cases[k].x;
+        way[1].y = way[2].y = cases[k].y;
+        ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
+        ck_assert_msg(report.count == (cases[k].warned != NULL), "case %zu: %s", k, test_report_text(&report));
+        if (cases[k].warned)
+            ck_assert_msg(strstr(report.items[0].message, cases[k].warned) != NULL, "%s", report.items[0].message);
+        sph2d_report_clear(&report);
+    }
+    way[1].x = way[2].x = 0.15;
+    way[1].y = way[2].y = 0;
+    scene.boundary.right = SPH2D_SIDE_OPEN;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+    ck_assert_msg(report.count == 0, "%s", test_report_text(&report));
 }
 END_TEST
 
@@ -505,6 +543,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_driven_flow_has_no_depth);
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
+    tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
     tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 5);

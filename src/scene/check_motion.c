@@ -1,21 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_motion.c
- *  Checks the motions of obstacles: their keys, jumps of their velocity, and that they stay within the domain and clear
- *  of other obstacles. */
+ *  Checks the motions of obstacles and of the tank: their keys, where they start, and jumps of their velocity. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
-#include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
-#include "scene/overlap.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -137,105 +133,32 @@ static void check_velocity_jump(checker *c, size_t i, const sph2d__course *cours
     }
 }
 
-/* ---- collisions -------------------------------------------------------------------------------------------------- */
-
-/* How often a motion is looked at, and how many pairs of segments are compared in all for one obstacle. Thinner overlaps
- * than DEPTH spacings pass: corners of a hinged flap dip into the floor, and ends of a paddle slide along walls. */
-static const double MAX_TIMES = 2000, MAX_PAIRS = 2e6, DEPTH = 2;
-
-/** An obstacle that moves, and how finely its motion is looked at. */
-typedef struct mover {
-    const sph2d_scene *scene;
-    const sph2d_outline *outline;
-    sph2d__course course;
-    size_t index, pieces;
-    double spacing, depth; /**< of the pieces of circles; that is too deep [m] */
-} mover;
-
-/** Whether the mover in a pose overlaps an obstacle at rest. */
-static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d_obstacle *other)
-{
-    return sph2d__obstacles_overlap(&m->scene->obstacles[m->index], pose, other, m->spacing, m->depth);
-}
-
-/** Whether another obstacle stands where the motion could hit it: it rests, and is clear of it at the start. */
-static bool can_hit(const mover *m, size_t other)
-{
-    sph2d__pose start = {.center = m->course.center, .cosine = 1};
-    const sph2d_obstacle *o = &m->scene->obstacles[other];
-    return other != m->index && !sph2d__obstacle_moves(o) && !overlaps(m, &start, o);
-}
-
-/** Looks at one time; false once something is hit. */
-static bool is_clear(checker *c, const mover *m, double time, const unsigned char *hits)
-{
-    sph2d__pose pose = sph2d__course_at(&m->course, time);
-    const char *side = "";
-    char message[160];
-    double beyond = sph2d__beyond_sides(m->scene, m->outline, &pose, m->spacing, &side);
-    message[0] = '\0';
-    if (beyond > m->depth)
-        snprintf(message, sizeof message, "takes it %.3g m beyond the %s side of the domain at t = %.4g s", beyond,
-                 side, time);
-    for (size_t k = 0; k < m->scene->obstacle_count && !message[0]; ++k)
-        if (hits && hits[k] && overlaps(m, &pose, &m->scene->obstacles[k]))
-            snprintf(message, sizeof message, "takes it through obstacles[%zu] at t = %.4g s", k, time);
-    if (message[0])
-        fault(c, m->index, SPH2D_CODE_OUTSIDE, "", message, "let it turn back before, or move what is in its way");
-    return !message[0];
-}
-
-/** Follows a motion to the end of the run, or of its path if nothing else moves it. */
-static void check_way(checker *c, const mover *m, unsigned char *hits)
-{
-    const sph2d_motion *motion = m->course.motion;
-    double pairs = 0, end = c->scene->run.until;
-    if (motion->path.count > 0 && motion->rate == 0 && motion->swing_count == 0 && !(motion->frequency > 0))
-        end = fmin(end, motion->path.items[motion->path.count - 1].t);
-    for (size_t k = 0; k < c->scene->obstacle_count; ++k) {
-        double here = (double)m->pieces * (double)sph2d__outline_pieces(&c->scene->obstacles[k].outline, m->spacing);
-        hits[k] = pairs + here < MAX_PAIRS / 10 && can_hit(m, k);
-        pairs += hits[k] ? here : 0;
-    }
-    double speed = sph2d__course_speed(&m->course, sph2d__outline_distance(m->outline, m->course.center));
-    double times = fmin(ceil(end * speed / c->scene->spacing), fmin(MAX_TIMES, MAX_PAIRS / fmax(pairs, 1)));
-    for (double k = 0; k <= times; ++k)
-        if (!is_clear(c, m, times > 0 ? end * k / times : 0, hits))
-            return;
-}
+/* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 /** A motion starts where the scene draws the obstacle: the liquid is placed around it there. */
-static bool starts_in_place(checker *c, const mover *m)
+static bool starts_in_place(checker *c, size_t i, const sph2d__course *course)
 {
-    sph2d__pose start = sph2d__course_at(&m->course, 0);
-    double radius = sph2d__outline_distance(m->outline, m->course.center);
+    sph2d__pose start = sph2d__course_at(course, 0);
+    double radius = sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center);
     double shift = hypot(start.displacement.x, start.displacement.y) + fabs(start.angle) * radius;
     if (shift <= c->scene->spacing / 10)
         return true;
     char message[120];
     snprintf(message, sizeof message, "takes it away from its place in the scene by %.3g m already at t = 0", shift);
-    fault(c, m->index, SPH2D_CODE_CONFLICT, "", message,
+    fault(c, i, SPH2D_CODE_CONFLICT, "", message,
           "draw it where it starts, and begin the path with [0, 0, 0]: a path is a displacement");
     return false;
 }
-
-/* ---- all of them ------------------------------------------------------------------------------------------------- */
 
 static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *hits)
 {
     const sph2d_obstacle *o = &c->scene->obstacles[i];
     size_t count = sph2d__motion_bends(&o->motion);
     void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
-    mover m = {.scene = c->scene,
-               .outline = &o->outline,
-               .course = sph2d__course_of(&o->motion, &o->outline, bends),
-               .index = i,
-               .spacing = o->outline.kind == SPH2D_OUTLINE_CIRCLE ? o->outline.circle.radius / 2 : c->scene->spacing,
-               .depth = DEPTH * c->scene->spacing};
-    m.pieces = sph2d__outline_pieces(m.outline, m.spacing);
-    if (starts_in_place(c, &m)) {
-        check_velocity_jump(c, i, &m.course);
-        check_way(c, &m, hits);
+    sph2d__course course = sph2d__course_of(&o->motion, &o->outline, bends);
+    if (starts_in_place(c, i, &course)) {
+        check_velocity_jump(c, i, &course);
+        sph2d__check_way(c, i, &course, hits);
     }
     sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
 }

@@ -4,6 +4,7 @@
 #ifndef SPH2D_SCENE_CHECKER_H
 #define SPH2D_SCENE_CHECKER_H
 
+#include "scene/motion.h"
 #include "sph2d/scene.h"
 
 typedef struct sph2d__checker {
@@ -60,6 +61,9 @@ void sph2d__check_obstacles(sph2d__checker *c);
 void sph2d__check_motion_keys(sph2d__checker *c);
 /** Checks that motions start in place, stay within walls and clear of obstacles, and warns of jumps of velocity. */
 void sph2d__check_motions(sph2d__checker *c);
+
+/** Follows the motion of obstacle `index` along its course; `hits` has room for a byte of each obstacle. */
+void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *course, unsigned char *hits);
 
 /** Checks the mass, freedoms and place of every body. */
 void sph2d__check_bodies(sph2d__checker *c);

@@ -59,28 +59,100 @@ bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose 
     return false;
 }
 
-double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose,
-                           double spacing, const char **side)
+/* ---- sides of the domain ----------------------------------------------------------------------------------------- */
+
+/** A side of the domain, and how far a segment is within it [m]. */
+typedef struct side_of {
+    const char *name;
+    sph2d_side kind;
+    double gap;
+} side_of;
+
+static side_of look_at_side(const sph2d_scene *scene, sph2d__segment s, int side)
 {
     const sph2d_box d = scene->domain;
     const sph2d_boundary b = scene->boundary;
+    switch (side) {
+    case 0:
+        return (side_of){"left", b.left, fmin(s.a.x, s.b.x) - d.min.x};
+    case 1:
+        return (side_of){"right", b.right, d.max.x - fmax(s.a.x, s.b.x)};
+    case 2:
+        return (side_of){"bottom", b.bottom, fmin(s.a.y, s.b.y) - d.min.y};
+    default:
+        return (side_of){"top", b.top, d.max.y - fmax(s.a.y, s.b.y)};
+    }
+}
+
+double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose,
+                           double spacing, const char **side)
+{
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     double deepest = 0;
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = piece_at(outline, pose, spacing, k);
-        const struct {
-            const char *name;
-            sph2d_side kind;
-            double depth;
-        } sides[4] = {{"left", b.left, d.min.x - fmin(s.a.x, s.b.x)},
-                      {"right", b.right, fmax(s.a.x, s.b.x) - d.max.x},
-                      {"bottom", b.bottom, d.min.y - fmin(s.a.y, s.b.y)},
-                      {"top", b.top, fmax(s.a.y, s.b.y) - d.max.y}};
-        for (int n = 0; n < 4; ++n)
-            if (sides[n].kind != SPH2D_SIDE_OPEN && sides[n].depth > deepest) {
-                deepest = sides[n].depth;
-                *side = sides[n].name;
+        for (int n = 0; n < SPH2D__SIDES; ++n) {
+            side_of here = look_at_side(scene, s, n);
+            if (here.kind != SPH2D_SIDE_OPEN && -here.gap > deepest) {
+                deepest = -here.gap;
+                *side = here.name;
             }
+        }
     }
     return deepest;
+}
+
+/* ---- gaps -------------------------------------------------------------------------------------------------------- */
+
+/** An outline as segments that are thick by a radius, where its obstacle is at a time: a solid circle is one point. */
+static size_t thick_pieces(const sph2d_outline *outline, bool solid, double spacing)
+{
+    return solid && outline->kind == SPH2D_OUTLINE_CIRCLE ? 1 : sph2d__outline_pieces(outline, spacing);
+}
+
+static sph2d__segment thick_piece(const sph2d_outline *outline, bool solid, const sph2d__pose *pose, double spacing,
+                                  size_t k, double *radius)
+{
+    *radius = 0;
+    if (!solid || outline->kind != SPH2D_OUTLINE_CIRCLE)
+        return piece_at(outline, pose, spacing, k);
+    sph2d_vec2 center = sph2d__pose_apply(pose, outline->circle.center);
+    *radius = outline->circle.radius;
+    return (sph2d__segment){center, center};
+}
+
+double sph2d__side_gap(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose, double spacing,
+                       int side, const char **name)
+{
+    size_t pieces = thick_pieces(outline, true, spacing);
+    double least = INFINITY, radius;
+    for (size_t k = 0; k < pieces; ++k) {
+        sph2d__segment s = thick_piece(outline, true, pose, spacing, k, &radius);
+        side_of here = look_at_side(scene, s, side);
+        if (here.kind == SPH2D_SIDE_WALL)
+            least = fmin(least, here.gap - radius);
+        if (name)
+            *name = here.name;
+    }
+    return least;
+}
+
+double sph2d__obstacles_gap(const sph2d_obstacle *obstacle, const sph2d__pose *pose, const sph2d_obstacle *other,
+                            double spacing)
+{
+    const sph2d_outline *own = &obstacle->outline, *its = &other->outline;
+    bool solid = !sph2d__obstacle_is_hollow(obstacle), firm = !sph2d__obstacle_is_hollow(other);
+    sph2d__pose rest = {.cosine = 1};
+    size_t count = thick_pieces(own, solid, spacing), others = thick_pieces(its, firm, spacing);
+    double least = INFINITY, r, q;
+    for (size_t k = 0; k < count; ++k) {
+        sph2d__segment s = thick_piece(own, solid, pose, spacing, k, &r);
+        for (size_t n = 0; n < others; ++n) {
+            sph2d__segment t = thick_piece(its, firm, &rest, spacing, n, &q);
+            double a = fmin(sph2d__segment_distance(&t, s.a), sph2d__segment_distance(&t, s.b));
+            double b = fmin(sph2d__segment_distance(&s, t.a), sph2d__segment_distance(&s, t.b));
+            least = fmin(least, fmin(a, b) - r - q);
+        }
+    }
+    return least;
 }
