@@ -321,6 +321,32 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
 }
 END_TEST
 
+/** A natural cubic through 0.2 s of rest, 0.5 m in 0.4 s and rest: s = 6 (0.5/0.4)/(2 (0.2 + 0.4) - 0.4) = 9.375 m/s^2 at
+ *  the inner points, and 0.2^2/6 s 2/(3 sqrt 3) = 24.06 mm beyond both ends. */
+START_TEST(a_cubic_that_overshoots_is_warned_of)
+{
+    static sph2d_pose_point rests[4] = {{0, 0, 0, 0}, {0.2, 0, 0, 0}, {0.6, 0, 0, 0}, {0.8, 0, 0, 0}};
+    static sph2d_pose_point close[8] = {{0, 0, 0, 0},   {0.18, 0, 0, 0}, {0.19, 0, 0, 0}, {0.2, 0, 0, 0},
+                                        {0.6, 0, 0, 0}, {0.61, 0, 0, 0}, {0.62, 0, 0, 0}, {0.8, 0, 0, 0}};
+    scene.method = sph2d_scene_default().method;
+    obstacles[3].motion.between = SPH2D_BETWEEN_CUBIC;
+    for (int k = 0; k < 4; ++k) {
+        double x = k == 0 || k == 3 ? 0.5 : 0, angle = k == 1 ? 1 : 0;
+        rests[2].x = rests[3].x = x;
+        rests[2].angle = rests[3].angle = angle;
+        for (int n = 4; n < 8; ++n)
+            close[n].x = x;
+        obstacles[3].motion.path = k == 3 ? (sph2d_pose_path){close, 8} : (sph2d_pose_path){rests, 4};
+        sph2d_report_clear(&report);
+        ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
+        const char *text = test_report_text(&report);
+        const char *says = k == 0 ? "obstacles[3].motion: its cubic path goes 0.024 m beyond its points in x at t = 0."
+                                  : "its cubic path goes 0.048 rad beyond its points in angle at t = 0.";
+        ck_assert_msg(k < 2 ? strstr(text, says) != NULL : !strstr(text, "beyond"), "case %d: %s", k, text);
+    }
+}
+END_TEST
+
 /** What comes nearer to a wall than a spacing from farther away is warned of, by how much and when; what was as near at
  *  the start is not, and an opening is no wall. */
 START_TEST(a_motion_that_squeezes_liquid_is_warned_of)
@@ -543,6 +569,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_driven_flow_has_no_depth);
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
+    tcase_add_test(tests, a_cubic_that_overshoots_is_warned_of);
     tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);

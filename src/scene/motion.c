@@ -206,6 +206,13 @@ sph2d__pose sph2d__course_at(const sph2d__course *course, double time)
     return pose;
 }
 
+sph2d_pose_point sph2d__course_path_at(const sph2d__course *course, double time)
+{
+    sph2d__pose pose = {.angle = 0};
+    add_path(course, time, &pose);
+    return (sph2d_pose_point){time, pose.displacement.x, pose.displacement.y, pose.angle};
+}
+
 /** The largest speed along a path, of points within a distance of the centre; in cubics of eight parts of each. */
 static double path_speed(const sph2d__course *course, double distance)
 {

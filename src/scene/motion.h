@@ -35,6 +35,9 @@ sph2d__course sph2d__course_of(const sph2d_motion *motion, const sph2d_outline *
 /** The pose at a time [s]. */
 sph2d__pose sph2d__course_at(const sph2d__course *course, double time);
 
+/** The displacement and angle of its path alone, of which there is a point. */
+sph2d_pose_point sph2d__course_path_at(const sph2d__course *course, double time);
+
 /** A bound of the speed of all points within a distance of the centre, which one kind of motion alone reaches [m/s]. */
 double sph2d__course_speed(const sph2d__course *course, double distance);
 
