@@ -239,6 +239,31 @@ START_TEST(a_tank_that_jumps_is_refused)
 }
 END_TEST
 
+/** A velocity at t = 0 is that of the liquid, too: said, not refused, and it does not hide a stop as large. */
+START_TEST(a_tank_that_moves_already_is_warned_of)
+{
+    static const sph2d_pose_point way[] = {{0, 0, 0, 0}, {0.5, 0.1, 0, 0}};
+    sph2d_report report = {0};
+    start(SPH2D_METHOD_WCSPH);
+    scene.motion.path = (sph2d_pose_path){way, 2};
+    scene.run.until = 0.4;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+    ck_assert_ptr_nonnull(strstr(test_report_text(&report), "0.2 m/s at t = 0 already, and its liquid with it"));
+    sph2d_report_clear(&report);
+    scene.run.until = 0.6;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert_ptr_nonnull(strstr(report.items[0].message, "jumps by 0.2 m/s at t = 0.5 s"));
+    ck_assert_ptr_null(strstr(report.items[0].hint, "use `between: cubic`")); /* which it is */
+    ck_assert_ptr_nonnull(strstr(report.items[0].hint, "three equal points"));
+    sph2d_report_clear(&report);
+    start(SPH2D_METHOD_WCSPH);
+    scene.motion = (sph2d_motion){.amplitude = {0.1, 0}, .frequency = 1, .ramp = 1, .center = scene.motion.center};
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+    ck_assert_ptr_null(strstr(test_report_text(&report), "at t = 0 already"));
+    sph2d_report_clear(&report);
+}
+END_TEST
+
 Suite *suite_frame(void)
 {
     Suite *suite = suite_create("frame");
@@ -251,6 +276,7 @@ Suite *suite_frame(void)
     tcase_add_test(tests, the_largest_gravity_and_tilt_are_found);
     tcase_add_test(tests, the_longest_motions_are_looked_at_briefly);
     tcase_add_test(tests, a_tank_that_jumps_is_refused);
+    tcase_add_test(tests, a_tank_that_moves_already_is_warned_of);
     suite_add_tcase(suite, tests);
     return suite;
 }

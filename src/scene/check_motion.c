@@ -72,17 +72,24 @@ static void note_jump(velocity_jump *largest, const sph2d__pose *before, const s
         *largest = (velocity_jump){speed, time};
 }
 
-/** The largest velocity jump of a motion: at its start, or at a point of its path. */
-static velocity_jump largest_jump(const sph2d__course *course, double radius)
+/** The velocity that a motion has at once at its start. */
+static velocity_jump jump_at_start(const sph2d__course *course, double radius)
+{
+    sph2d__pose rest = {.angle = 0}, start = sph2d__course_at(course, 0);
+    velocity_jump jump = {0, 0};
+    note_jump(&jump, &rest, &start, radius, 0);
+    return jump;
+}
+
+/** The largest velocity jump of a motion after its start and before an end: at a point of its path. */
+static velocity_jump largest_jump(const sph2d__course *course, double radius, double end)
 {
     const double BEFORE = 1e-9; /* of the time between two points */
     const sph2d_pose_path *path = &course->motion->path;
-    sph2d__pose rest = {.angle = 0}, start = sph2d__course_at(course, 0);
     velocity_jump largest = {0, 0};
-    note_jump(&largest, &rest, &start, radius, 0);
     for (size_t k = 0; k < path->count; ++k) {
         double t = path->items[k].t, span = k > 0 ? t - path->items[k - 1].t : 1;
-        if (!(t > 0))
+        if (!(t > 0 && t < end))
             continue;
         sph2d__pose before = sph2d__course_at(course, t - BEFORE * span), after = sph2d__course_at(course, t);
         note_jump(&largest, &before, &after, radius, t);
@@ -116,7 +123,9 @@ static void check_velocity_jump(checker *c, size_t i, const sph2d__course *cours
     double radius = sph2d__motion_turns(course->motion)
                         ? sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center)
                         : 0;
-    velocity_jump hit = largest_jump(course, radius);
+    velocity_jump hit = largest_jump(course, radius, INFINITY), first = jump_at_start(course, radius);
+    if (first.speed >= hit.speed)
+        hit = first;
     sph2d_method_options m = sph2d__method_resolve(c->scene->method);
     sph2d__derived d = sph2d__scene_derive(c->scene);
     double c0 = d.sound_speed, fall = sqrt(2 * d.head), dx = c->scene->spacing;
@@ -219,7 +228,33 @@ static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *h
     sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
 }
 
+/* ---- the tank ---------------------------------------------------------------------------------------------------- */
+
 /** The tank's velocity must not jump while it runs: liquid in it would not feel the jump. */
+static void refuse_jump(checker *c, const velocity_jump *jump)
+{
+    char message[160];
+    snprintf(message, sizeof message,
+             "the tank's velocity jumps by %.2g m/s at t = %.4g s, which liquid in it cannot "
+             "feel: only accelerations act on it",
+             jump->speed, jump->time);
+    fault(c, TANK, SPH2D_CODE_CONFLICT, "path", message,
+          c->scene->motion.between == SPH2D_BETWEEN_LINES
+              ? "use `between: cubic`, and let the path begin and end at rest by three equal points"
+              : "a cubic path begins and ends at rest only by three equal points close together");
+}
+
+/** What the tank has at t = 0 the liquid in it has, too: only changes of its velocity act on liquid. */
+static void warn_of_start(checker *c, const velocity_jump *start)
+{
+    sph2d_diagnostic *w = sph2d_report_add(
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, "motion",
+        "the tank moves at up to %.2g m/s at t = 0 already, and its liquid with it: the liquid feels no start",
+        start->speed);
+    sph2d_diagnostic_hint(w, "to start from rest use a `ramp`, an oscillation with `phase: -1.5708`, or a cubic path "
+                             "that begins by three equal points");
+}
+
 static void check_tank(checker *c, sph2d__memory *memory)
 {
     const double SMALL = 1e-2; /* of the largest speed: the ends of splines through measured points */
@@ -228,16 +263,12 @@ static void check_tank(checker *c, sph2d__memory *memory)
     void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
     sph2d__course tank = sph2d__tank_course(scene, bends);
     double radius = hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y) / 2;
-    velocity_jump hit = largest_jump(&tank, radius);
-    if (hit.time > 0 && hit.time < scene->run.until && hit.speed > SMALL * sph2d__course_speed(&tank, radius)) {
-        char message[160];
-        snprintf(message, sizeof message,
-                 "the tank's velocity jumps by %.2g m/s at t = %.4g s, which liquid in it cannot "
-                 "feel: only accelerations act on it",
-                 hit.speed, hit.time);
-        fault(c, TANK, SPH2D_CODE_CONFLICT, "path", message,
-              "use `between: cubic`, and let the path begin and end at rest by three equal points");
-    }
+    velocity_jump start = jump_at_start(&tank, radius), later = largest_jump(&tank, radius, scene->run.until);
+    double small = SMALL * sph2d__course_speed(&tank, radius);
+    if (later.speed > small)
+        refuse_jump(c, &later);
+    else if (start.speed > small)
+        warn_of_start(c, &start);
     sph2d__release(memory, &bends, count, sizeof(sph2d_pose_point));
 }
 
