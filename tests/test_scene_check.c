@@ -321,6 +321,23 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
 }
 END_TEST
 
+/** Cubics are no advice where the path is one. */
+START_TEST(a_hint_on_a_jump_says_what_a_cubic_lacks)
+{
+    static const sph2d_pose_point way[3] = {{0, 0, 0, 0}, {0.2, -0.1, 0, 0}, {0.4, -0.2, 0, 0}};
+    scene.method = sph2d_scene_default().method;
+    for (int k = 0; k < 2; ++k) {
+        obstacles[2].motion.path = (sph2d_pose_path){way, 3};
+        obstacles[2].motion.between = k == 0 ? SPH2D_BETWEEN_CUBIC : SPH2D_BETWEEN_LINES;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_OK);
+        const char *hint = report.items[0].hint;
+        ck_assert_msg((strstr(hint, "`between: cubic`") != NULL) == (k == 1), "%s", hint);
+        ck_assert_msg(strstr(hint, "three equal points") != NULL, "%s", hint);
+    }
+}
+END_TEST
+
 /** A natural cubic through 0.2 s of rest, 0.5 m in 0.4 s and rest: s = 6 (0.5/0.4)/(2 (0.2 + 0.4) - 0.4) = 9.375 m/s^2 at
  *  the inner points, and 0.2^2/6 s 2/(3 sqrt 3) = 24.06 mm beyond both ends. */
 START_TEST(a_cubic_that_overshoots_is_warned_of)
@@ -569,6 +586,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_driven_flow_has_no_depth);
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
+    tcase_add_test(tests, a_hint_on_a_jump_says_what_a_cubic_lacks);
     tcase_add_test(tests, a_cubic_that_overshoots_is_warned_of);
     tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);

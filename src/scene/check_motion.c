@@ -107,11 +107,16 @@ static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const c
     sph2d_diagnostic *w = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
         "its velocity jumps by %.2g m/s at t = %g s, %s", hit->speed, hit->time, costs);
-    sph2d_diagnostic_hint(
-        w,
-        "let it accelerate over %.2g s or longer: by a `ramp` of oscillations and rates, by `between: "
-        "cubic` or more points of a path, or start an oscillation at rest by `phase: -1.5708`",
-        time);
+    const sph2d_motion *m = &c->scene->obstacles[i].motion;
+    bool end = m->path.count > 0 &&
+               (hit->time == m->path.items[0].t || hit->time == m->path.items[m->path.count - 1].t);
+    if (end && m->between == SPH2D_BETWEEN_CUBIC)
+        sph2d_diagnostic_hint(w, "let it accelerate over %.2g s or longer: a cubic path begins and ends at rest only by "
+                                 "three equal points close together", time);
+    else
+        sph2d_diagnostic_hint(w, "let it accelerate over %.2g s or longer: by a `ramp` of oscillations and rates, by "
+                                 "`between: cubic` with three equal points close together where it rests, or start an "
+                                 "oscillation at rest by `phase: -1.5708`", time);
 }
 
 /** Warns of velocity jumps of walls. Methods that have sound compress liquid by v/c0, a pressure of rho c0 v. With
