@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "files/text.h"
 #include "sph2d/io.h"
 
 /** What a file is about: its columns, time first, of which one more must be there. */
@@ -31,6 +32,7 @@ static const path_kind gravity_kind = {
 typedef struct path_slot {
     const path_kind *kind;
     char key[64]; /**< of the rows */
+    char file_key[64];
     const char **file;
     void *items; /**< the pointer to them */
     size_t *count;
@@ -42,12 +44,15 @@ static path_slot slot_of_motion(sph2d_motion *motion, size_t i)
 {
     path_slot slot = {.kind = &motion_kind,
                       .key = "motion.path",
+                      .file_key = "motion.file",
                       .file = &motion->file,
                       .items = &motion->path.items,
                       .count = &motion->path.count,
                       .between = &motion->between};
-    if (i < SIZE_MAX)
+    if (i < SIZE_MAX) {
         snprintf(slot.key, sizeof slot.key, "obstacles[%zu].motion.path", i);
+        snprintf(slot.file_key, sizeof slot.file_key, "obstacles[%zu].motion.file", i);
+    }
     return slot;
 }
 
@@ -57,6 +62,7 @@ static path_slot slot_of(sph2d_scene *scene, size_t k)
     if (k == 0)
         return (path_slot){.kind = &gravity_kind,
                            .key = "gravity_path",
+                           .file_key = "gravity_file",
                            .file = &scene->gravity_file,
                            .items = &scene->gravity_path.items,
                            .count = &scene->gravity_path.count,
@@ -123,9 +129,11 @@ static sph2d_status read_path(const path_slot *slot, const char *from, sph2d__po
     if (!path)
         return SPH2D_NOMEM;
     sph2d_table *table;
+    size_t first = report ? report->count : 0;
     sph2d_status status = sph2d_table_read(path, slot->kind->columns, slot->kind->width, &table, report);
     if (status == SPH2D_OK)
         status = copy_rows(table, slot, pool, report);
+    sph2d__report_key(report, first, slot->file_key);
     sph2d_table_destroy(table);
     return status;
 }

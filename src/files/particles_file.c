@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "files/text.h"
 #include "sph2d/io.h"
 
 enum { X, Y, VX, VY, DENSITY, COLUMNS };
@@ -65,9 +66,11 @@ sph2d_status sph2d__particles_read(sph2d_scene *scene, const char *from, sph2d__
     if (!path)
         return SPH2D_NOMEM;
     sph2d_table *table;
+    size_t first = report ? report->count : 0;
     sph2d_status status = sph2d_table_read(path, columns, COLUMNS, &table, report);
     if (status == SPH2D_OK)
         status = copy_rows(table, scene, pool, report);
+    sph2d__report_key(report, first, "particles");
     sph2d_table_destroy(table);
     return status;
 }

@@ -65,6 +65,14 @@ static bool copy_overrides(sph2d_scene_file *file)
     return file->overrides;
 }
 
+/** Files that cannot be opened are faults of the line that names them. */
+static void locate_files(const sph2d_scene_file *file, size_t first, sph2d_report *report)
+{
+    for (size_t k = first; report && k < report->count; ++k)
+        if (report->items[k].file[0] == '\0')
+            sph2d_scene_file_locate(file, &report->items[k]);
+}
+
 /** Reads the files of particles, motions and gravity that the scene names, or takes what was kept of them. */
 static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
 {
@@ -75,9 +83,11 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
         return SPH2D_OK;
     if (!file->source->with_files)
         return sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
+    size_t first = faults->report ? faults->report->count : 0;
     sph2d_status status = sph2d__motions_read(scene, from, pool, faults->report);
     if (status == SPH2D_OK && scene->particles.file)
         status = sph2d__particles_read(scene, from, pool, faults->report);
+    locate_files(file, first, faults->report);
     faults->errors += status != SPH2D_OK;
     return status;
 }

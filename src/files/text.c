@@ -196,3 +196,10 @@ void sph2d__faults_sort(sph2d_report *report, size_t first)
         report->items[k] = moved;
     }
 }
+
+void sph2d__report_key(sph2d_report *report, size_t first, const char *key)
+{
+    for (size_t k = first; report && k < report->count; ++k)
+        if (report->items[k].file[0] == '\0')
+            snprintf(report->items[k].path, sizeof report->items[k].path, "%s", key);
+}

@@ -59,6 +59,10 @@ int sph2d__place_line(sph2d__place place);
  *  SPH2D_NOMEM. The caller frees *text. */
 sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report);
 
+/** Gives a key path to the diagnostics from number `first` on that have no file: that of a file that cannot be opened is
+ *  where the scene names it. */
+void sph2d__report_key(sph2d_report *report, size_t first, const char *key);
+
 /** Replaces every byte that is not text by '?', so that messages cannot contain terminal escapes from a file. */
 void sph2d__text_clean(char *text);
 

@@ -51,7 +51,12 @@ table gravity.csv 't,gx [g]' '0,0' && scene 65 && says "'gx' must be in m/s^2"
 table gravity.csv 't,gx' '0,1e301' && scene 65 && says 'gravity_path'
 { echo t,gx && seq 0 5000 | sed 's/$/,1/'; } >scenes/gravity.csv && scene 65 && says 'more than 5000 points'
 scene 65 --set 'gravity_path=[[0, 0, -1]]' && says 'gravity_file: .*which is given, too'
-rm scenes/gravity.csv && scene 66 && says "cannot open 'scenes/gravity.csv'"
+rm scenes/gravity.csv && scene 66
+says "^scenes/fall.yaml:6:15: error\[F201\]: gravity_file: cannot open 'scenes/gravity.csv'"
+table gravity.csv 't,gx' '0,0'
+scene 66 --set 'motion={file: none.csv}' && says "motion.file: cannot open 'scenes/none.csv'"
+scene 66 --set 'obstacles=[{circle: {center: [0, -0.5], radius: 0.1}, motion: {file: none.csv}}]'
+says "obstacles\[0\].motion.file: cannot open 'scenes/none.csv'"
 
 # A stopped run goes on without its files: gravity, the tank's motion, and that of the second of two paddles.
 table gravity.csv 't,gx' '0,0' '0.2,4'

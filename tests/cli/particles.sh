@@ -34,7 +34,7 @@ code=0
 [ $code = 75 ] || fail "stopped run ended with $code"
 mv scenes/cloud.csv away.csv
 expect 0 "$SPH2D" resume parts -q && same whole parts
-scene 66 && says "cannot open 'scenes/cloud.csv'"
+scene 66 && says "^scenes/cloud.yaml:3:12: error.*: particles: cannot open 'scenes/cloud.csv'"
 mv away.csv scenes/cloud.csv
 
 # Velocity and density are those of the file: p = c0^2 (rho - rho0) = 4000 Pa.
