@@ -53,6 +53,10 @@ static const struct {
     {{"spacing.x", "1"}, SPH2D_CODE_UNKNOWN_KEY, "--set spacing.x=1", "no mapping for the key 'x'"},
     {{"run..until", "1"}, SPH2D_CODE_SYNTAX, "--set run..until=1", "not a key path"},
     {{"", "1"}, SPH2D_CODE_SYNTAX, "--set =1", "not a key path"},
+    {{"motion.path", "[[0, 0], [1, 1]]"}, /* both are wrong, said once */
+     SPH2D_CODE_WRONG_TYPE,
+     "--set motion.path=[[0, 0], [1, 1]]",
+     "got a list of 2"},
     {{"blocks[", "1"}, SPH2D_CODE_SYNTAX, "--set blocks[=1", "not a key path"},
     {{"blocks[99999999999999999999]", "1"},
      SPH2D_CODE_SYNTAX,

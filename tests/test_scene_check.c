@@ -321,6 +321,22 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
 }
 END_TEST
 
+/** The two triangles of a symmetric bow tie cancel: it has no area, but is no line. */
+START_TEST(a_bow_tie_is_told_that_it_crosses_itself)
+{
+    corners[1] = (sph2d_vec2){0.7, 0.3};
+    corners[2] = (sph2d_vec2){0.7, 0.1};
+    corners[3] = (sph2d_vec2){0.5, 0.3};
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert_msg(strstr(report.items[0].message, "cross") != NULL, "%s", report.items[0].message);
+    sph2d_report_clear(&report);
+    for (int k = 0; k < 4; ++k)
+        corners[k] = (sph2d_vec2){0.5 + 0.07 * (k + 3 * (k == 1)), 0.1 + 0.03 * (k + 3 * (k == 1))};
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
+    ck_assert_msg(strstr(report.items[0].message, "on one line") != NULL, "%s", report.items[0].message);
+}
+END_TEST
+
 /** Cubics are no advice where the path is one. */
 START_TEST(a_hint_on_a_jump_says_what_a_cubic_lacks)
 {
@@ -586,6 +602,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_driven_flow_has_no_depth);
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
+    tcase_add_test(tests, a_bow_tie_is_told_that_it_crosses_itself);
     tcase_add_test(tests, a_hint_on_a_jump_says_what_a_cubic_lacks);
     tcase_add_test(tests, a_cubic_that_overshoots_is_warned_of);
     tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);

@@ -96,6 +96,13 @@ static sph2d_status fault(const sph2d_table *table, size_t row, const char *mess
     return SPH2D_FORMAT;
 }
 
+static sph2d_status fault_of_number(const sph2d_table *table, size_t row, const char *column, sph2d_report *report)
+{
+    char message[80];
+    snprintf(message, sizeof message, "this row lacks a number: its column '%s' is empty or nan", column);
+    return fault(table, row, message, report);
+}
+
 static sph2d_status copy_rows(const sph2d_table *table, const path_slot *slot, sph2d__pool *pool, sph2d_report *report)
 {
     size_t count = sph2d_table_rows(table), width = slot->kind->width, given = 0;
@@ -114,7 +121,7 @@ static sph2d_status copy_rows(const sph2d_table *table, const path_slot *slot, s
             bool here = sph2d_table_has(table, column);
             p[column] = here ? sph2d_table_value(table, row, column) : slot->otherwise[column];
             if (!isfinite(p[column]))
-                return fault(table, row, "a row lacks a number", report);
+                return fault_of_number(table, row, slot->kind->columns[column].name, report);
         }
         if (row > 0 && !(p[0] > rows[(row - 1) * width]))
             return fault(table, row, "times must increase from row to row", report);

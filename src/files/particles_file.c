@@ -4,6 +4,7 @@
 #include "files/particles_file.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "files/text.h"
 #include "sph2d/io.h"
@@ -23,12 +24,13 @@ static double number(const sph2d_table *table, size_t row, size_t column, double
     return sph2d_table_has(table, column) ? sph2d_table_value(table, row, column) : default_value;
 }
 
-/** The error message for a row; NULL if it is valid. */
-static const char *fault_of(const sph2d_particle *p, bool has_density)
+/** The column of which a row has no number; COLUMNS if it has all. */
+static size_t lacking(const sph2d_table *table, size_t row)
 {
-    if (isnan(p->x) || isnan(p->y) || isnan(p->vx) || isnan(p->vy) || (has_density && isnan(p->density)))
-        return "a particle lacks a number";
-    return has_density && !(p->density > 0) ? "a density must be above 0" : NULL;
+    size_t column = 0;
+    while (column < COLUMNS && !(sph2d_table_has(table, column) && isnan(sph2d_table_value(table, row, column))))
+        ++column;
+    return column;
 }
 
 static sph2d_status fault(const sph2d_table *table, size_t row, const char *message, sph2d_report *report)
@@ -51,9 +53,14 @@ static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2
                                       .vx = number(table, row, VX, 0),
                                       .vy = number(table, row, VY, 0),
                                       .density = number(table, row, DENSITY, scene->fluid.density)};
-        const char *wrong = fault_of(&items[row], sph2d_table_has(table, DENSITY));
-        if (wrong)
-            return fault(table, row, wrong, report);
+        if (lacking(table, row) < COLUMNS) {
+            char message[80];
+            snprintf(message, sizeof message, "this row lacks a number: its column '%s' is empty or nan",
+                     columns[lacking(table, row)].name);
+            return fault(table, row, message, report);
+        }
+        if (sph2d_table_has(table, DENSITY) && !(items[row].density > 0))
+            return fault(table, row, "a density must be above 0", report);
     }
     scene->particles.items = items;
     scene->particles.count = count;

@@ -131,6 +131,21 @@ void sph2d__place_describe(sph2d__place place, sph2d_diagnostic *diagnostic)
     copy_line(diagnostic->excerpt, sizeof diagnostic->excerpt, source, start);
 }
 
+/** Takes the last diagnostic back if the one before says the same of the same place: overrides have no columns that
+ *  would tell the items of a list apart. */
+static bool is_repeated(sph2d_report *report)
+{
+    if (report->count < 2)
+        return false;
+    const sph2d_diagnostic *last = &report->items[report->count - 1], *before = last - 1;
+    if (before->line != last->line || before->column != last->column || strcmp(before->file, last->file) != 0 ||
+        strcmp(before->path, last->path) != 0 || strcmp(before->message, last->message) != 0)
+        return false;
+    --report->count;
+    --report->errors;
+    return true;
+}
+
 sph2d_diagnostic *sph2d__fault(sph2d__faults *faults, sph2d_code code, sph2d__place place, const char *path,
                                const char *format, ...)
 {
@@ -145,6 +160,8 @@ sph2d_diagnostic *sph2d__fault(sph2d__faults *faults, sph2d_code code, sph2d__pl
         sph2d__text_clean(diagnostic->message);
         sph2d__text_clean(diagnostic->path);
         sph2d__place_describe(place, diagnostic);
+        if (is_repeated(faults->report))
+            return NULL;
     }
     return diagnostic;
 }

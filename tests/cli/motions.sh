@@ -45,7 +45,7 @@ expect 0 "$SPH2D" run scenes/fall.yaml -o other -q && impulse other 0.25 -3
 table gravity.csv 't,x' '0,0' && scene 65 && says "gravity.csv:2:1: .*needs one of the columns gx, gy"
 table gravity.csv 'gx' '0' && scene 65 && says "gravity.csv:1:1: .*no column 't'"
 table gravity.csv 't,gx' && scene 65 && says 'this file has no rows'
-table gravity.csv 't,gx' '0,0' '1,' && scene 65 && says 'gravity.csv:3:1: .*lacks a number'
+table gravity.csv 't,gx' '0,0' '1,' && scene 65 && says 'gravity.csv:3:1: .*lacks a number: its column .gx. is empty or nan'
 table gravity.csv 't,gx' '0,0' '1,1' '1,2' && scene 65 && says 'gravity.csv:4:1: .*times must increase'
 table gravity.csv 't,gx [g]' '0,0' && scene 65 && says "'gx' must be in m/s^2"
 table gravity.csv 't,gx' '0,1e301' && scene 65 && says 'gravity_path'

@@ -58,7 +58,7 @@ expect 0 "$SPH2D" check study/cheapest.yaml && prints 'particles *1 in the liqui
 # Faults.
 table 'x,vy' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*no column 'y'" && says 'columns here: x, vy'
 table 'x,y' '0.5,up' && scene 65 && says "cloud.csv:2:5: .*expected a number, got 'up'"
-table 'x,y' '0.5,0.5' '0.5,' && scene 65 && says 'cloud.csv:3:1: .*lacks a number'
+table 'x,y' '0.5,0.5' '0.5,' && scene 65 && says 'cloud.csv:3:1: .*lacks a number: its column .y. is empty or nan'
 table 'x,y,density' '0.5,0.5,0' && scene 65 && says 'cloud.csv:2:1: .*a density must be above 0'
 table 'x,y' && scene 65 && says 'this file has no particles'
 table 'x [mm],y' '0.5,0.5' && scene 65 && says "cloud.csv:1:1: .*'x' must be in m$"
