@@ -48,7 +48,7 @@ static const char *const goldens[] = {
     "domain:\n  min: [-1, 0]\n  max: [3, 2]\n"
     "boundary:\n  left: periodic\n  right: periodic\n  bottom: open\n  top: wall\nwalls: heavy\n"
     "wall_damping: 0.5\ngravity: [0.5, -9.81]\n"
-    "gravity_path: [[0, 0.5, -9.81], [1, 0, -5]]\nmotion:\n  path: [[0, 0, 0, 0], [1, 0.25, 0, 0.5], [2, 0, 0, 0]]\n"
+    "gravity_path: [[0, 0.5, -9.81], [1, 0, -5]]\nmotion:\n  path: [[0, 0, 0, 0], [1, 0.25, 0, 0.5], [4, 0, 0, 0]]\n"
     "  rate: 0.5\n"
     "central_force:\n  center: [1, 1]\n  rate: 0.25\nspacing: 0.05\n"
     "fluid:\n  density: 900\n  dynamic_viscosity: 200\n  surface_tension: 0.0728\n"
