@@ -601,6 +601,32 @@ START_TEST(checks_take_no_longer_with_the_tiniest_spacing)
 }
 END_TEST
 
+/** A name that exists is not called unknown. */
+START_TEST(a_probe_of_a_body_says_what_is_none)
+{
+    static sph2d_report report;
+    sph2d_obstacle post = sph2d_obstacle_default();
+    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{1, 0.8}, 0.08}};
+    post.name = "post";
+    const struct {
+        const char *on, *says;
+    } cases[] = {{"post", "'post' is an obstacle, not a body"},
+                 {"left", "'left' is a side of the domain, not a body"},
+                 {"pots", "no wall or body has the name 'pots'"}};
+    for (int k = 0; k < 3; ++k) {
+        start_pool();
+        pool.scene.obstacles = &post;
+        pool.scene.obstacle_count = 1;
+        pool.probes[RAFT].on = cases[k].on;
+        sph2d_report_clear(&report);
+        ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_SCENE);
+        ck_assert_str_eq(report.items[0].path, "probes[3].on");
+        ck_assert_str_eq(report.items[0].message, cases[k].says);
+        ck_assert((strstr(report.items[0].hint, "kind: force") != NULL) == (k < 2));
+    }
+}
+END_TEST
+
 START_TEST(small_and_odd_bodies_are_warned_of)
 {
     static sph2d_report report;
@@ -646,6 +672,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, blows_are_energy_that_is_fed);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 12);
     tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);
+    tcase_add_test(tests, a_probe_of_a_body_says_what_is_none);
     tcase_add_test(tests, small_and_odd_bodies_are_warned_of);
     suite_add_tcase(suite, tests);
     return suite;

@@ -111,8 +111,15 @@ static void check_body(checker *c, const sph2d_probe *probe, size_t i)
         return;
     }
     int wall = sph2d__wall_named(c->scene, probe->on);
-    if (wall < SPH2D__WALL_OBSTACLE || !c->scene->obstacles[wall - SPH2D__WALL_OBSTACLE].body)
+    if (wall == SPH2D__WALL_ALL) {
         refuse_name(c, path, probe->on);
+    } else if (wall < SPH2D__WALL_OBSTACLE || !c->scene->obstacles[wall - SPH2D__WALL_OBSTACLE].body) {
+        char message[160];
+        snprintf(message, sizeof message, "'%.64s' is %s, not a body", probe->on,
+                 wall < SPH2D__WALL_OBSTACLE ? "a side of the domain" : "an obstacle");
+        sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, message),
+                              "use `kind: force` or `work` for what liquid does to it");
+    }
 }
 
 /** Checks what a probe of kind force or work is on. */
