@@ -601,6 +601,41 @@ START_TEST(checks_take_no_longer_with_the_tiniest_spacing)
 }
 END_TEST
 
+/** A centre of mass, an inertia or the end of a spring that cannot be meant. */
+START_TEST(mass_and_springs_far_from_their_body_are_told)
+{
+    static sph2d_report report;
+    const struct {
+        double x, inertia, at; /* NAN, 0: not given */
+        bool held, refused;
+        const char *says; /* NULL: nothing */
+    } cases[] = {{0.6, 0, NAN, false, false, NULL},
+                 {0.5, 0, NAN, false, false, "bodies[0].center: (0.5, 0.3) lies outside the body"},
+                 {5, 0, NAN, false, true, "bodies[0].center: (5, 0.3) lies outside the domain"},
+                 {NAN, 0.00049, NAN, false, true, "bodies[0].inertia: is 0.00098 times"},
+                 {NAN, 0.00049, NAN, true, false, NULL},
+                 {NAN, 0.00051, NAN, false, false, NULL},
+                 {NAN, 0, 1.2, false, false, NULL},
+                 {NAN, 0, 1.4, false, false, "bodies[0].springs[0].at: (1.4, 0.3) is 0.48 m away from the body"}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        start_pool();
+        double even = sph2d__body_mass(&pool.body).inertia;
+        pool.body.center = isnan(cases[k].x) ? pool.body.center : (sph2d_vec2){cases[k].x, 0.3};
+        pool.body.inertia = 2 * even * cases[k].inertia;
+        pool.body.hold.angle = cases[k].held ? SPH2D_SWITCH_ON : SPH2D_SWITCH_OFF;
+        pool.spring = sph2d_spring_default();
+        pool.spring.at = isnan(cases[k].at) ? pool.spring.at : (sph2d_vec2){cases[k].at, 0.3};
+        pool.body.springs = &pool.spring;
+        pool.body.spring_count = 1;
+        sph2d_report_clear(&report);
+        sph2d_status wanted = cases[k].refused ? SPH2D_SCENE : SPH2D_OK;
+        ck_assert_msg(sph2d_scene_check(&pool.scene, &report) == wanted, "%zu: %s", k, test_report_text(&report));
+        ck_assert_msg(cases[k].says ? strstr(test_report_text(&report), cases[k].says) != NULL : report.count == 0,
+                      "%zu: %s", k, test_report_text(&report));
+    }
+}
+END_TEST
+
 /** A name that exists is not called unknown. */
 START_TEST(a_probe_of_a_body_says_what_is_none)
 {
@@ -672,6 +707,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, blows_are_energy_that_is_fed);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 12);
     tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);
+    tcase_add_test(tests, mass_and_springs_far_from_their_body_are_told);
     tcase_add_test(tests, a_probe_of_a_body_says_what_is_none);
     tcase_add_test(tests, small_and_odd_bodies_are_warned_of);
     suite_add_tcase(suite, tests);

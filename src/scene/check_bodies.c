@@ -93,6 +93,66 @@ static void check_size(checker *c, size_t k)
     }
 }
 
+/** The length of the pieces of a circle. */
+static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
+{
+    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
+    return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
+}
+
+/* The least part of the moment of inertia that the mass has if it is spread evenly; the farthest end of a spring
+ * from its body, over the distance of the outline from its centroid. */
+static const double LEAST_INERTIA = 1e-3, FARTHEST = 2;
+
+/** Mass that lies elsewhere than the outline, or all in one point, is a slip of a digit. */
+static void check_center(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    sph2d_vec2 center = sph2d__body_mass(body).center;
+    sph2d_box b = sph2d__outline_bounds(&body->outline, c->scene->spacing);
+    char path[SPH2D__PATH_SIZE], text[160];
+    if (!sph2d__check_in_domain(c->scene, center)) {
+        sph2d__check_outside(c, sph2d__check_path(path, "bodies", k, ".center"), center);
+    } else if (center.x < b.min.x || center.x > b.max.x || center.y < b.min.y || center.y > b.max.y) {
+        snprintf(text, sizeof text, "(%g, %g) lies outside the body", center.x, center.y);
+        sph2d_diagnostic_hint(warning(c, k, ".center", text), "the body reaches from (%g, %g) to (%g, %g)", b.min.x,
+                              b.min.y, b.max.x, b.max.y);
+    }
+}
+
+static void check_inertia(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    sph2d_body even = *body;
+    even.inertia = 0;
+    double spread = sph2d__body_mass(&even).inertia;
+    char text[160];
+    if (!(body->inertia > 0) || body->hold.angle == SPH2D_SWITCH_ON || body->inertia >= LEAST_INERTIA * spread)
+        return;
+    snprintf(text, sizeof text, "is %.2g times the moment of inertia of the same mass spread evenly",
+             body->inertia / spread);
+    sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_OUT_OF_RANGE, ".inertia", text),
+                          "%.3g kg m spread evenly; a body that must not turn has `hold: {angle: on}`", spread);
+}
+
+/** Springs act at points that move with the body: one far away turns it by a lever that nothing shows. */
+static void check_ends(checker *c, size_t k)
+{
+    const sph2d_body *body = &c->scene->bodies[k];
+    sph2d_vec2 center = sph2d__body_mass(body).center;
+    double size = sph2d__outline_distance(&body->outline, sph2d__outline_centroid(&body->outline));
+    for (size_t i = 0; i < body->spring_count; ++i) {
+        sph2d_vec2 at = sph2d__spring_start(&body->springs[i], center);
+        double away = sph2d__outline_nearest(&body->outline, piece_of(c->scene, &body->outline), at);
+        char key[64], text[160];
+        if (sph2d__outline_encloses(&body->outline, at) || !(away > FARTHEST * size))
+            continue;
+        snprintf(key, sizeof key, ".springs[%zu].at", i);
+        snprintf(text, sizeof text, "(%g, %g) is %.3g m away from the body that it is fixed to", at.x, at.y, away);
+        sph2d_diagnostic_hint(warning(c, k, key, text), "`at` is a point of the body, `to` the fixed point");
+    }
+}
+
 /* The steps of a run with a spring, over sqrt(M/k): sim/bodies_forces.c. */
 static const double SPRING_STEP = 0.3;
 
@@ -114,13 +174,6 @@ static void check_springs(checker *c, size_t k)
                               mass * pow(SPRING_STEP / liquid, 2));
         return;
     }
-}
-
-/** The length of the pieces of a circle. */
-static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
-{
-    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
-    return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
 }
 
 /** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */
@@ -170,6 +223,9 @@ void sph2d__check_bodies(checker *c)
     }
     for (size_t k = 0; c->errors == 0 && k < c->scene->body_count; ++k) {
         check_size(c, k);
+        check_center(c, k);
+        check_inertia(c, k);
+        check_ends(c, k);
         check_springs(c, k);
         check_place(c, k);
     }
