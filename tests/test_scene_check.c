@@ -119,6 +119,7 @@ static void start(void)
     X(source_stops_early, "sources[0].stop", CONFLICT, sources[0].start = 1; sources[0].stop = 0.5)                    \
     X(drain_shapeless, "drains[0]", MISSING_KEY, drains[0].shape.kind = SPH2D_SHAPE_NONE)                              \
     X(drain_reversed, "drains[0].box", OUT_OF_RANGE, drains[0].shape.box.min.y = 0.4)                                  \
+    X(drain_outside, "drains[0].box", OUTSIDE, drains[0].shape.box = ((sph2d_box){{1.1, 0}, {1.2, 1}}))                \
     X(drain_stops_early, "drains[0].stop", CONFLICT, drains[0].start = 1; drains[0].stop = 0.5)                        \
     X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].outline.kind = SPH2D_OUTLINE_NONE)           \
     X(obstacle_of_springs, "obstacles[3].form", UNSUPPORTED, obstacles[3].form = SPH2D_WALL_SPRING)                    \
@@ -135,6 +136,7 @@ static void start(void)
     X(box_outside, "obstacles[3].box", OUTSIDE, obstacles[3].outline.box.max.y = 1.2)                                  \
     X(interaction_without_path, "interactions[0].path", MISSING_KEY, interactions[0].path.count = 0)                   \
     X(interaction_back_in_time, "interactions[0].path", CONFLICT, path[1].t = 0)                                       \
+    X(interaction_outside, "interactions[0].path", OUTSIDE, path[0].x = path[1].x = 1.21)                              \
     X(interaction_without_radius, "interactions[0].radius", OUT_OF_RANGE, interactions[0].radius = 0)                  \
     X(probe_without_name, "probes[0].name", OUT_OF_RANGE, probes[0].name = NULL)                                       \
     X(probe_with_empty_name, "probes[0].name", OUT_OF_RANGE, probes[0].name = "")                                      \
@@ -334,6 +336,34 @@ START_TEST(a_bow_tie_is_told_that_it_crosses_itself)
         corners[k] = (sph2d_vec2){0.5 + 0.07 * (k + 3 * (k == 1)), 0.1 + 0.03 * (k + 3 * (k == 1))};
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
     ck_assert_msg(strstr(report.items[0].message, "on one line") != NULL, "%s", report.items[0].message);
+}
+END_TEST
+
+/** What a scene has and what does nothing: said, not refused. A drain may extend beyond the domain, and an interaction
+ *  enter from outside. */
+START_TEST(what_does_nothing_is_warned_of)
+{
+    static sph2d_swing swings[2] = {{.amplitude = {0.01, 0}, .frequency = 1, .phase = -1.5708}, {.angle = 0.1}};
+    scene.method = sph2d_scene_default().method;
+    static const char *const says[] = {"sources[0].at: lies inside obstacles[3]",
+                                       "obstacles[2].motion: has an amplitude or angle but no frequency",
+                                       "obstacles[2].motion.swings[1]: has an amplitude",
+                                       "warning[S105]: motion: has an amplitude",
+                                       NULL,
+                                       NULL};
+    for (int k = 0; k < 6; ++k) {
+        sources[0].at = k == 0 ? (sph2d_vec2){0.1, 0.55} : (sph2d_vec2){0.9, 0.9};
+        obstacles[2].motion.angle = k == 1 ? 0.1 : 0;
+        obstacles[2].motion.swings = swings;
+        obstacles[2].motion.swing_count = k == 2 ? 2 : 0;
+        scene.motion.amplitude.x = k == 3 ? 0.1 : 0;
+        drains[0].shape.box.max.x = k == 4 ? 1.5 : 0.3;
+        path[0].x = k == 5 ? -0.5 : 0.1;
+        sph2d_report_clear(&report);
+        ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
+        ck_assert_msg(says[k] ? strstr(test_report_text(&report), says[k]) != NULL : report.count == 0, "case %d: %s", k,
+                      test_report_text(&report));
+    }
 }
 END_TEST
 
@@ -603,6 +633,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
     tcase_add_test(tests, a_bow_tie_is_told_that_it_crosses_itself);
+    tcase_add_test(tests, what_does_nothing_is_warned_of);
     tcase_add_test(tests, a_hint_on_a_jump_says_what_a_cubic_lacks);
     tcase_add_test(tests, a_cubic_that_overshoots_is_warned_of);
     tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);

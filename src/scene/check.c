@@ -11,6 +11,7 @@
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
+#include "scene/liquid_side.h"
 #include "scene/shape.h"
 #include "sph2d/key.h"
 
@@ -46,7 +47,13 @@ static bool check_spacing(checker *c)
     return false;
 }
 
-/** Checks that a shape is given, valid, and (if `inside`) inside the domain. */
+/** Whether two rectangles have a point in common. */
+static bool meet(sph2d_box a, sph2d_box b)
+{
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+/** Checks that a shape is given, valid, and inside the domain: all of it, or (unless `inside`) a part. */
 static void check_shape(checker *c, const sph2d_shape *shape, const char *list, size_t index, bool inside)
 {
     char path[PATH_SIZE];
@@ -71,9 +78,9 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
         return;
     }
     }
-    if (!inside)
-        return;
     sph2d_box b = sph2d__shape_bounds(shape);
+    if (!inside && meet(b, c->scene->domain))
+        return;
     if (!sph2d__check_in_domain(c->scene, b.min))
         sph2d__check_outside(c, path, b.min);
     else if (!sph2d__check_in_domain(c->scene, b.max))
@@ -154,6 +161,15 @@ static void check_interaction(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs one [t, x, y] point at least");
     const sph2d_path *times = &c->scene->interactions[i].path;
     sph2d__check_times(c, times->count > 0 ? &times->items[0].t : NULL, times->count, 3, path);
+    double radius = c->scene->interactions[i].radius;
+    sph2d_box reach = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t k = 0; k < times->count; ++k) {
+        const sph2d_path_point *p = &times->items[k];
+        reach.min = (sph2d_vec2){fmin(reach.min.x, p->x - radius), fmin(reach.min.y, p->y - radius)};
+        reach.max = (sph2d_vec2){fmax(reach.max.x, p->x + radius), fmax(reach.max.y, p->y + radius)};
+    }
+    if (times->count > 0 && !meet(reach, c->scene->domain))
+        sph2d__check_outside(c, path, (sph2d_vec2){times->items[0].x, times->items[0].y});
 }
 
 /* Maximum number of items of a list, so that a scene is checked in seconds: many are compared with each other. */
@@ -197,6 +213,25 @@ static void check_contents(checker *c)
     }
 }
 
+/** Warns of nozzles inside solids that rest, or bodies: no particle has room there. */
+static void check_nozzles(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    for (size_t i = 0; i < scene->source_count; ++i)
+        for (size_t k = 0; k < scene->obstacle_count; ++k) {
+            const sph2d_obstacle *o = &scene->obstacles[k];
+            char path[PATH_SIZE], other[64];
+            if ((!o->body && sph2d__obstacle_moves(o)) || !sph2d__obstacle_fills(scene, o, scene->sources[i].at))
+                continue;
+            sph2d_diagnostic *w = sph2d_report_add(
+                c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "sources", i, ".at"),
+                "lies inside %s: a nozzle there cannot emit particles",
+                sph2d__obstacle_path(other, sizeof other, scene, k, ""));
+            sph2d_diagnostic_hint(w, "move it half a spacing outside");
+            break;
+        }
+}
+
 /** Checks consistency: ranges are checked. */
 static void check_consistency(checker *c)
 {
@@ -219,8 +254,10 @@ static void check_consistency(checker *c)
     sph2d__check_rate(c, scene->run.frames.rate, "run.frames");
     sph2d__check_method(c);
     check_contents(c);
-    if (c->errors == 0)
+    if (c->errors == 0) {
+        check_nozzles(c);
         sph2d__check_weak(c);
+    }
 }
 
 sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)

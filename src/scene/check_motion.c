@@ -56,6 +56,30 @@ static void check_keys(checker *c, size_t i)
         fault(c, i, SPH2D_CODE_CONFLICT, "between", "is about the points of a path, of which there is none", NULL);
 }
 
+static bool is_still(sph2d_swing s)
+{
+    return !(s.frequency > 0) && (s.amplitude.x != 0 || s.amplitude.y != 0 || s.angle != 0);
+}
+
+/** Warns of an oscillation without a frequency. A study may set one to 0 to compare with, so it is no error. */
+static void check_swings(checker *c, size_t i)
+{
+    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->scene->obstacles[i].motion;
+    char path[PATH_SIZE], key[64];
+    bool still = is_still((sph2d_swing){m->amplitude, m->angle, m->frequency, m->phase});
+    snprintf(key, sizeof key, ".motion");
+    for (size_t k = 0; k < m->swing_count && !still; ++k) {
+        still = is_still(m->swings[k]);
+        snprintf(key, sizeof key, ".motion.swings[%zu]", k);
+    }
+    if (!still)
+        return;
+    sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_MISSING_KEY,
+                                           i == TANK ? key + 1 : sph2d__check_path(path, "obstacles", i, key),
+                                           "has an amplitude or angle but no frequency: it moves nothing");
+    sph2d_diagnostic_hint(w, "give `frequency`, in 1/s; a `path` goes somewhere once");
+}
+
 /* ---- velocity ---------------------------------------------------------------------------------------------------- */
 
 /** A jump of velocity [m/s], and its time [s]. */
@@ -295,9 +319,12 @@ static void check_gravity(checker *c)
 void sph2d__check_motion_keys(checker *c)
 {
     check_keys(c, TANK);
+    check_swings(c, TANK);
     check_gravity(c);
-    for (size_t i = 0; i < c->scene->obstacle_count; ++i)
+    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
         check_keys(c, i);
+        check_swings(c, i);
+    }
 }
 
 void sph2d__check_motions(checker *c)
