@@ -92,6 +92,15 @@ static void fit_end(const line_fit *f, double *of_step, double *of_particle)
     *of_step = 0;
 }
 
+/** The mean number of particles in the rest of the run, `left`, from the gain or loss per second of what was run. A loss
+ *  is not taken to go on for longer than it was seen: a splash that throws out a few in a millionth of the run would
+ *  leave nothing to compute. */
+static double mean_of_rest(double end, double gain, double seen, double left)
+{
+    const double lasts = gain < 0 ? fmin(seen, left) : left;
+    return left > 0 ? fmax(end + gain * lasts * (1 - lasts / (2 * left)), 0) : end;
+}
+
 static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
 {
     const double begun = clock_cpu(), first_step = sph2d_sim_plan(sim)->time_step;
@@ -114,9 +123,8 @@ static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
     const double steps = (double)sph2d_sim_steps(sim), time = sph2d_sim_time(sim);
     if (!(steps > 0 && time > 0 && before > begun && fit.n > 0))
         return UNKNOWN;
-    /* extrapolates the gain or loss of particles per second to the rest of the run */
     const double end = (double)sph2d_sim_fluid(sim).count, left = fmax(until - time, 0);
-    const double mean = (count_time + left * fmax(end + (end - start) / time * left / 2, 0)) / (time + left);
+    const double mean = (count_time + left * mean_of_rest(end, (end - start) / time, time, left)) / (time + left);
     const double cost = (before - begun) / fit.n;
     coarse_run run = {.steps = steps * first_step / time,
                       .particles = start > 0 ? mean / start : 1,
