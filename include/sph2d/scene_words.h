@@ -295,7 +295,7 @@ typedef enum sph2d_arrangement {
  *
  *  energy     kinetic and potential energy, the latter of gravity, central force, spring walls and surface tension;
  *             momentum; speed of the fastest particle; energy of compression; energy_error: error of the energy
- *             balance, over the scene's energy scale (sph2d_summary)
+ *             balance, over the scene's energy scale (sph2d_summary): positive for energy from nothing
  *  speed      of the liquid at a point, by sph2d_sim_sample(); neighbours: particles within the support radius
  *  pressure   at a point, by sph2d_sim_sample(). With `size` or `rise_time` the reading of a gauge of that kind, 0 in
  *             air
@@ -322,12 +322,13 @@ typedef enum sph2d_arrangement {
  *             without passing a wall: the mean level once it has settled. Closed obstacles take room, as they stand
  *             now; lines hold liquid. NaN unless gravity points straight down
  *  force      of the liquid on a wall, per metre of depth, at the time of the last forces: in all, and by pressure,
- *             friction, and contact (springs; particles that were stopped or reflected, over the step's length);
+ *             friction, and contact (spring walls; particles that were stopped or reflected, over the step's length;
+ *             not what bodies and walls do to each other in their contacts);
  *             torque: about `at`, anticlockwise; impulse, angular_impulse: of the force and torque since the last row,
  *             summed over all steps. With the impulse of gravity and of other forces they are the change of the
  *             liquid's momentum, but for tensile control (method.tensile_control) and mixed precision
  *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest
- *  body       place of a body's centre of mass, the angle by which it has turned, its velocity; force of the liquid, and
+ *  body       place of a body's centre of mass, which periodic sides do not set back, the angle by which it has turned, its velocity; force of the liquid, and
  *             its torque about the centre of mass, in the mean over the last step; kinetic and potential energy of the
  *             body and its springs. By wcsph and muller vy of a body that rests on a floor is not 0 but -a dt/2, a being
  *             its weight less buoyancy over its mass, which the contacts of the next step undo (sph2d_body_state) */

@@ -323,7 +323,8 @@ typedef struct sph2d_summary {
     double energy_rise;
 
     /** Error of the energy balance at the last sample [J/m]: kinetic + potential + elastic - energy_start, minus
-     *  external work, plus dissipation; NaN with fitted operators and moving obstacles. */
+     *  external work, plus dissipation: positive for energy from nothing, negative for energy that was lost and is
+     *  counted nowhere; NaN with fitted operators and moving obstacles. */
     double energy_error;
 
     /** Largest rise of energy_error above an earlier value [J/m]. */

@@ -330,7 +330,7 @@ static const sph2d_key body_items[] = {
     {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_body, rate), ANY, .unit = "rad/s", .default_text = "0",
      .text = "at which it turns at the start, anticlockwise"},
     {"hold", SPH2D_KEY_GROUP, false, AT(sph2d_body, hold), .keys = &hold_keys, .unit = "", .default_text = "none",
-     .text = "motions that are held at zero"},
+     .text = "motions of the centre of mass that are held at zero; a hinge elsewhere is a stiff spring of length 0"},
     {"springs", SPH2D_KEY_LIST, false, LIST_AT(sph2d_body, springs, spring_count), .keys = &spring_keys, .unit = "",
      .default_text = "none", .text = "springs and moorings to fixed points"},
     {"motor", SPH2D_KEY_GROUP, false, AT(sph2d_body, motor), .keys = &motor_keys, .unit = "", .default_text = "none",

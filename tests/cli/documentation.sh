@@ -21,6 +21,11 @@ done
 "$SPH2D" help exit | while read -r code rest; do
     grep -q "^\.It $code$" "$page" || fail "the man page has no exit code $code ($rest)"
 done
+"$SPH2D" help scene.md | sed -n '/^| kind | columns/,/^$/s/^| \([a-z]*\) |.*/\1/p' | grep -v '^kind$' >kinds
+[ "$(wc -l <kinds)" -gt 10 ] || fail 'no kinds of probes'
+while read -r kind; do
+    sed -n '/^\.Ss Probes$/,/^\.El$/p' "$page" | grep -q "^\.It Cm $kind$" || fail "the man page has no probe $kind"
+done <kinds
 "$SPH2D" help codes | while read -r code text; do
     grep -A1 "^\.It $code$" "$page" | grep -qi "^${text}.$" || fail "the man page has another $code: $text"
 done
