@@ -25,9 +25,9 @@ typedef struct mover {
     const sph2d_outline *outline;
     const sph2d__course *course;
     size_t index, pieces;
-    double spacing, depth;       /**< of the pieces of circles; that is too deep [m] */
-    bool away[SPH2D__SIDES];     /**< which sides are more than a spacing away at first */
-    unsigned char *hits;         /**< CAN_HIT and AWAY of each obstacle */
+    double spacing, depth;   /**< of the pieces of circles; that is too deep [m] */
+    bool away[SPH2D__SIDES]; /**< which sides are more than a spacing away at first */
+    unsigned char *hits;     /**< CAN_HIT and AWAY of each obstacle */
 } mover;
 
 /** How near a motion takes its obstacle to something that was away at first. */
@@ -55,21 +55,24 @@ static bool can_hit(const mover *m, size_t other)
     return other != m->index && !sph2d__obstacle_moves(o) && !overlaps(m, &start, o);
 }
 
-/** Chooses what the motion is compared with: pairs of segments at each time. */
+/** Chooses what the motion is compared with: pairs of segments at each time. Gaps take finer pieces than overlaps. */
 static double choose(mover *m)
 {
     sph2d__pose start = {.center = m->course->center, .cosine = 1};
+    const double dx = m->scene->spacing, own = (double)sph2d__outline_pieces(m->outline, dx);
     double pairs = 0;
     for (int side = 0; side < SPH2D__SIDES; ++side)
-        m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side, NULL) >= m->scene->spacing;
+        m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side, NULL) >= dx;
     for (size_t k = 0; k < m->scene->obstacle_count; ++k) {
         const sph2d_obstacle *other = &m->scene->obstacles[k];
         double here = (double)m->pieces * (double)sph2d__outline_pieces(&other->outline, m->spacing);
-        m->hits[k] = 0;
-        if (!(pairs + here < MAX_PAIRS / 10) || !can_hit(m, k))
-            continue;
-        m->hits[k] = gap_to(m, &start, other) >= m->scene->spacing ? CAN_HIT | AWAY : CAN_HIT;
-        pairs += here;
+        double fine = own * (double)sph2d__outline_pieces(&other->outline, dx);
+        m->hits[k] = pairs + here < MAX_PAIRS / 10 && can_hit(m, k) ? CAN_HIT : 0;
+        pairs += m->hits[k] ? here : 0;
+        if (m->hits[k] && pairs + fine < MAX_PAIRS / 10 && gap_to(m, &start, other) >= dx) {
+            m->hits[k] |= AWAY;
+            pairs += fine;
+        }
     }
     return pairs;
 }
