@@ -135,12 +135,16 @@ static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const c
     bool end = m->path.count > 0 &&
                (hit->time == m->path.items[0].t || hit->time == m->path.items[m->path.count - 1].t);
     if (end && m->between == SPH2D_BETWEEN_CUBIC)
-        sph2d_diagnostic_hint(w, "let it accelerate over %.2g s or longer: a cubic path begins and ends at rest only by "
-                                 "three equal points close together", time);
+        sph2d_diagnostic_hint(w,
+                              "let it accelerate over %.2g s or longer: a cubic path begins and ends at rest only by "
+                              "three equal points close together",
+                              time);
     else
-        sph2d_diagnostic_hint(w, "let it accelerate over %.2g s or longer: by a `ramp` of oscillations and rates, by "
-                                 "`between: cubic` with three equal points close together where it rests, or start an "
-                                 "oscillation at rest by `phase: -1.5708`", time);
+        sph2d_diagnostic_hint(w,
+                              "let it accelerate over %.2g s or longer: by a `ramp` of oscillations and rates, by "
+                              "`between: cubic` with three equal points close together where it rests, or start an "
+                              "oscillation at rest by `phase: -1.5708`",
+                              time);
 }
 
 /** Warns of velocity jumps of walls. Methods that have sound compress liquid by v/c0, a pressure of rho c0 v. With
@@ -180,7 +184,8 @@ typedef struct excess {
 } excess;
 
 /** Compares one part of the path, of which `reach` makes a length [m]. */
-static void note_excess(excess *most, const char *what, double low, double value, double high, double reach, double time)
+static void note_excess(excess *most, const char *what, double low, double value, double high, double reach,
+                        double time)
 {
     double amount = fmax(low - value, value - high);
     if (amount * reach > most->length)
