@@ -88,6 +88,7 @@
     X(loads)                                                                                                           \
     X(bodies)                                                                                                          \
     X(bodies_carried)                                                                                                  \
+    X(gaps)                                                                                                            \
     X(viscosity_form)                                                                                                  \
     X(viscous_step)                                                                                                    \
     X(coverage)                                                                                                        \

@@ -28,6 +28,8 @@ typedef struct sph2d__rigid_state {
     sph2d__twist felt;         /**< acceleration that its boundary particles had in the last evaluation ... */
     sph2d__twist felt_way;     /**< ... and velocity, with its centripetal part, and Coriolis' in a tank that turns */
     sph2d__twist liquid;       /**< the same in the mean over the last step, with particles that were stopped */
+    sph2d__twist gap;          /**< the part of `pushed` by thin gaps between it and other walls (sim/gaps.h) */
+    double gap_pressure;       /**< at the middle of these gaps [Pa] */
 } sph2d__rigid_state;
 
 /** Number of doubles in it. */
@@ -50,7 +52,8 @@ typedef struct sph2d__rigid {
     sph2d__twist from;    /**< place at its start */
     sph2d__twist way;     /**< the velocity along it */
     sph2d__twist meant;   /**< the same without motors and contacts */
-    sph2d__twist before;  /**< force of the liquid at the start of the step */
+    sph2d__twist before;  /**< force of the liquid at the start of the step ... */
+    sph2d__twist gap_before; /**< ... and that of gaps */
     sph2d__twist other;   /**< all forces but pressure and contacts, as they are known before it */
 } sph2d__rigid;
 

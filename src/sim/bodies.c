@@ -81,6 +81,8 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     sim->system.rigid_count = count;
     sim->system.rigid_index = index;
     sim->system.rigid_compression_rate = rates;
+    if (sph2d__gaps_create(sim))
+        return SPH2D_NOMEM;
     tie_outlines(sim);
     sph2d__bodies_stand(sim, 0);
     sph2d__bodies_index(sim, 0);
@@ -216,6 +218,7 @@ sph2d_status sph2d__bodies_kick(sph2d_sim *sim, double dt)
         r->from = r->state->place;
         r->way = sph2d__twist_add(r->state->velocity, dt / 2, r->state->acceleration);
         r->before = r->state->pushed;
+        r->gap_before = r->state->gap;
     }
     return sim->bodies.count > 0 ? meet(sim, dt) : SPH2D_OK;
 }
@@ -241,6 +244,7 @@ void sph2d__bodies_second_kick(sph2d_sim *sim, double dt)
         sph2d__rigid *r = &sim->bodies.items[k];
         accelerate(sim, r, sim->record.time + dt);
         r->state->velocity = sph2d__twist_add(r->way, dt / 2, r->state->acceleration);
+        sim->record.energy_forces += dt / 2 * sph2d__twist_dot(sph2d__twist_add(r->gap_before, 1, r->state->gap), r->way);
         r->state->liquid = sph2d__twist_add(r->before, 1, r->state->pushed);
         r->state->liquid = sph2d__twist_add((sph2d__twist){0, 0, 0}, 0.5, r->state->liquid);
     }
@@ -272,6 +276,8 @@ sph2d_status sph2d__bodies_project(sph2d_sim *sim, double dt, double split)
         r->meeting = sim->record.time + dt;
         r->state->acceleration = sph2d__twist_add(sph2d__rigid_accelerate(r, force), 1 - split, press);
         r->way = sph2d__twist_add(r->state->velocity, dt, r->state->acceleration);
+        sph2d__twist way = sph2d__twist_add(r->state->velocity, dt / 2, r->state->acceleration);
+        sim->record.energy_forces += dt * sph2d__twist_dot(r->state->gap, way);
         r->state->liquid = sph2d__twist_add(rest, 1 - split, r->state->pressed);
     }
     sph2d_status status = sim->bodies.count > 0 ? meet(sim, dt) : SPH2D_OK;

@@ -19,6 +19,7 @@
 #include "boundary/moving.h"
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "sim/gaps.h"
 #include "sim/loads.h"
 
 typedef struct sph2d__bodies {
@@ -31,6 +32,7 @@ typedef struct sph2d__bodies {
     sph2d_contact_body *contacts;  /**< what the solver sees ... */
     double *wall_work;             /**< ... and what it tells of each wall: the work on bodies in a step [J/m] */
     size_t wall_count;             /**< sides of the domain and obstacles of the scene */
+    sph2d__gaps gaps;
     uint64_t first, end;           /**< ids of their boundary particles */
     sph2d_contact_solver *solver;  /**< NULL: none */
     void *user;

@@ -50,7 +50,7 @@ static void press_body(const sph2d_sim *sim, sph2d__rigid *r)
         if (all->tensions)
             add_force(&rest, arm, -all->tensions[b].x, -all->tensions[b].y);
     }
-    r->state->pushed = sph2d__twist_add(r->state->pressed, 1, rest);
+    r->state->pushed = sph2d__twist_add(r->state->pressed, 1, sph2d__twist_add(rest, 1, r->state->gap));
 }
 
 void sph2d__bodies_press(sph2d_sim *sim)
@@ -63,6 +63,7 @@ void sph2d__bodies_press(sph2d_sim *sim)
         memset(all->tensions, 0, sim->system.walls.count * sizeof *all->tensions);
         sph2d__tension_of_walls(&sim->system, all->tensions);
     }
+    sph2d__gaps_press(sim);
     for (size_t k = 0; k < all->count; ++k)
         press_body(sim, &all->items[k]);
 }

@@ -30,6 +30,7 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 #define DENSITY_LOW 0.25 /* least density over rest density where density is integrated */
 #define DENSITY_HIGH 4.0 /* largest, of liquid that does not start compressed */
 #define CONTACTS_BOUND 0.01 /* energy that contacts give back of what they took: a step's forces act on both sides */
+#define GAPS_BOUND 0.05 /* work of the pressure in thin gaps, of the energy scale: it lifts a body by a spacing */
 #define OVERLAP_BOUND 0.1 /* of bodies with each other, obstacles and sides [spacings] */
 #define INSIDE_BOUND 0.2  /* how deep liquid is in a body [spacings] */
 
