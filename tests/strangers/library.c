@@ -76,8 +76,8 @@ static void look_at_energy(watch *w, library_run *run)
                                : elastic_energy(w->scene, plan, &fluid);
     if (w->scene->method.name == SPH2D_METHOD_PCISPH)
         elastic = w->held = fmin(w->held, elastic);
-    // The only work in such a scene is that of gaps too thin for liquid, which presses on bodies that it cannot reach.
-    const double gaps = fmax(-GAPS_BOUND * run->scale, fmin(GAPS_BOUND * run->scale, s.energy_forces));
+    // Forces in such a scene are dampers of springs, which take, and gaps too thin for liquid, which presses on bodies there.
+    const double gaps = fmax(0, fmin(GAPS_BOUND * run->scale, s.energy_forces));
     const double energy = s.kinetic + s.potential + s.bodies - s.energy_fed + elastic - gaps;
     w->taken = fmax(w->taken, s.energy_contacts);
     run->taken = fmax(run->taken, (w->taken - s.energy_contacts) / run->scale);
