@@ -329,8 +329,8 @@ typedef enum sph2d_arrangement {
  *             liquid's momentum, but for tensile control (method.tensile_control) and mixed precision
  *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest
  *  body       place of a body's centre of mass, which periodic sides do not set back, the angle by which it has turned,
- *             its velocity; force of the liquid, and its torque about the centre of mass, in the mean over the last
- *             step; kinetic and potential energy of the body and its springs. By wcsph and muller vy of a body that
+ *             its velocity; force of the liquid, with its pressure in gaps too thin for particles, and its torque about
+ *             the centre of mass, in the mean over the last step; kinetic and potential energy of the body and its springs. By wcsph and muller vy of a body that
  *             rests on a floor is not 0 but -a dt/2, a being its weight less buoyancy over its mass, which the contacts
  *             of the next step undo (sph2d_body_state) */
 #define SPH2D_PROBE_MAP(X)                                                                                             \

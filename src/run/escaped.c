@@ -5,6 +5,8 @@
 
 #include "run/run.h"
 #include "scene/bodies.h"
+#include "scene/shape.h"
+#include "scene/wall_names.h"
 
 /** The obstacle or body that moves and is nearest to a position, within the support radius; SIZE_MAX: none. */
 static size_t moving_near(const sph2d_sim *sim, sph2d_vec2 p)
@@ -26,11 +28,13 @@ static size_t moving_near(const sph2d_sim *sim, sph2d_vec2 p)
     return nearest;
 }
 
-/** The side beyond which a position is. */
+/** The word of the side beyond which a position is. */
 static const char *side_beyond(const sph2d_scene *scene, sph2d_vec2 p)
 {
-    sph2d_box d = scene->domain;
-    return p.x < d.min.x ? "left" : p.x > d.max.x ? "right" : p.y < d.min.y ? "bottom" : "top";
+    int side = SPH2D__WALL_LEFT;
+    while (side < SPH2D__WALL_TOP && !(sph2d__side_distance(scene, side, p) < 0))
+        ++side;
+    return sph2d__side_word(side);
 }
 
 void sph2d__sim_hint_escape(const sph2d_sim *sim, sph2d_vec2 p, sph2d_diagnostic *d)

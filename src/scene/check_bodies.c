@@ -93,13 +93,6 @@ static void check_size(checker *c, size_t k)
     }
 }
 
-/** The length of the pieces of a circle. */
-static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
-{
-    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
-    return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
-}
-
 /* The least part of the moment of inertia that the mass has if it is spread evenly; the farthest end of a spring
  * from its body, over the distance of the outline from its centroid. */
 static const double LEAST_INERTIA = 1e-3, FARTHEST = 2;
@@ -143,7 +136,7 @@ static void check_ends(checker *c, size_t k)
     double size = sph2d__outline_distance(&body->outline, sph2d__outline_centroid(&body->outline));
     for (size_t i = 0; i < body->spring_count; ++i) {
         sph2d_vec2 at = sph2d__spring_start(&body->springs[i], center);
-        double away = sph2d__outline_nearest(&body->outline, piece_of(c->scene, &body->outline), at);
+        double away = sph2d__outline_nearest(&body->outline, c->scene->spacing, at);
         char key[64], text[160];
         if (sph2d__outline_encloses(&body->outline, at) || !(away > FARTHEST * size))
             continue;
@@ -174,6 +167,13 @@ static void check_springs(checker *c, size_t k)
                               mass * pow(SPRING_STEP / liquid, 2));
         return;
     }
+}
+
+/** The length of the pieces of a circle. */
+static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
+{
+    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
+    return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
 }
 
 /** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */

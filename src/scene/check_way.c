@@ -9,6 +9,7 @@
 #include "scene/checker.h"
 #include "scene/overlap.h"
 #include "scene/shape.h"
+#include "scene/wall_names.h"
 
 typedef sph2d__checker checker;
 
@@ -25,9 +26,9 @@ typedef struct mover {
     const sph2d_outline *outline;
     const sph2d__course *course;
     size_t index, pieces;
-    double spacing, depth;   /**< of the pieces of circles; that is too deep [m] */
-    bool away[SPH2D__SIDES]; /**< which sides are more than a spacing away at first */
-    unsigned char *hits;     /**< CAN_HIT and AWAY of each obstacle */
+    double spacing, depth;           /**< of the pieces of circles; that is too deep [m] */
+    bool away[SPH2D__WALL_OBSTACLE]; /**< which sides are more than a spacing away at first */
+    unsigned char *hits;             /**< CAN_HIT and AWAY of each obstacle */
 } mover;
 
 /** How near a motion takes its obstacle to something that was away at first. */
@@ -61,8 +62,8 @@ static double choose(mover *m)
     sph2d__pose start = {.center = m->course->center, .cosine = 1};
     const double dx = m->scene->spacing, own = (double)sph2d__outline_pieces(m->outline, dx);
     double pairs = 0;
-    for (int side = 0; side < SPH2D__SIDES; ++side)
-        m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side, NULL) >= dx;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side) >= dx;
     for (size_t k = 0; k < m->scene->obstacle_count; ++k) {
         const sph2d_obstacle *other = &m->scene->obstacles[k];
         double here = (double)m->pieces * (double)sph2d__outline_pieces(&other->outline, m->spacing);
@@ -100,12 +101,11 @@ static bool is_clear(checker *c, const mover *m, const sph2d__pose *pose, double
 /** Notes what is nearer than before. */
 static void note_gaps(const mover *m, const sph2d__pose *pose, double time, approach *least)
 {
-    for (int side = 0; side < SPH2D__SIDES; ++side) {
-        const char *name = "";
-        double gap = m->away[side] ? sph2d__side_gap(m->scene, m->outline, pose, m->spacing, side, &name) : INFINITY;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side) {
+        double gap = m->away[side] ? sph2d__side_gap(m->scene, m->outline, pose, m->spacing, side) : INFINITY;
         if (gap < least->gap) {
             *least = (approach){.gap = gap, .time = time};
-            snprintf(least->what, sizeof least->what, "the %s side of the domain", name);
+            snprintf(least->what, sizeof least->what, "the %s side of the domain", sph2d__side_word(side));
         }
     }
     for (size_t k = 0; k < m->scene->obstacle_count; ++k) {

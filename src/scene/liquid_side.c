@@ -29,27 +29,13 @@ bool sph2d__obstacle_is_hollow(const sph2d_obstacle *obstacle)
     return obstacle->liquid == SPH2D_LIQUID_INSIDE && !sph2d__outline_is_open(&obstacle->outline);
 }
 
-/** Distance from a closed outline [m]. */
-static double distance_to_outline(const sph2d_outline *outline, double spacing, sph2d_vec2 p)
-{
-    if (outline->kind == SPH2D_OUTLINE_CIRCLE)
-        return fabs(hypot(p.x - outline->circle.center.x, p.y - outline->circle.center.y) - outline->circle.radius);
-    double least = INFINITY;
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
-    for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
-        least = fmin(least, sph2d__segment_distance(&s, p));
-    }
-    return least;
-}
-
 bool sph2d__obstacle_fills(const sph2d_scene *scene, const sph2d_obstacle *obstacle, sph2d_vec2 p)
 {
     bool inside = sph2d__outline_encloses(&obstacle->outline, p);
     if (!sph2d__obstacle_is_hollow(obstacle))
         return inside;
     return !inside && sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED &&
-           distance_to_outline(&obstacle->outline, scene->spacing, p) < sph2d__layer_thickness(scene);
+           sph2d__outline_nearest(&obstacle->outline, scene->spacing, p) < sph2d__layer_thickness(scene);
 }
 
 bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)

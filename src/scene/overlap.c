@@ -6,6 +6,7 @@
 
 #include "scene/liquid_side.h"
 #include "scene/shape.h"
+#include "scene/wall_names.h"
 
 /** An outline as its pieces, where its obstacle is at a time. */
 static sph2d__segment piece_at(const sph2d_outline *outline, const sph2d__pose *pose, double spacing, size_t k)
@@ -61,27 +62,10 @@ bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose 
 
 /* ---- sides of the domain ----------------------------------------------------------------------------------------- */
 
-/** A side of the domain, and how far a segment is within it [m]. */
-typedef struct side_of {
-    const char *name;
-    sph2d_side kind;
-    double gap;
-} side_of;
-
-static side_of look_at_side(const sph2d_scene *scene, sph2d__segment s, int side)
+/** How far a segment is within a side [m]. */
+static double segment_within(const sph2d_scene *scene, int side, const sph2d__segment *s)
 {
-    const sph2d_box d = scene->domain;
-    const sph2d_boundary b = scene->boundary;
-    switch (side) {
-    case 0:
-        return (side_of){"left", b.left, fmin(s.a.x, s.b.x) - d.min.x};
-    case 1:
-        return (side_of){"right", b.right, d.max.x - fmax(s.a.x, s.b.x)};
-    case 2:
-        return (side_of){"bottom", b.bottom, fmin(s.a.y, s.b.y) - d.min.y};
-    default:
-        return (side_of){"top", b.top, d.max.y - fmax(s.a.y, s.b.y)};
-    }
+    return fmin(sph2d__side_distance(scene, side, s->a), sph2d__side_distance(scene, side, s->b));
 }
 
 double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose,
@@ -91,11 +75,11 @@ double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outlin
     double deepest = 0;
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = piece_at(outline, pose, spacing, k);
-        for (int n = 0; n < SPH2D__SIDES; ++n) {
-            side_of here = look_at_side(scene, s, n);
-            if (here.kind != SPH2D_SIDE_OPEN && -here.gap > deepest) {
-                deepest = -here.gap;
-                *side = here.name;
+        for (int n = 0; n < SPH2D__WALL_OBSTACLE; ++n) {
+            double beyond = -segment_within(scene, n, &s);
+            if (sph2d__side_of(scene, n) != SPH2D_SIDE_OPEN && beyond > deepest) {
+                deepest = beyond;
+                *side = sph2d__side_word(n);
             }
         }
     }
@@ -122,17 +106,15 @@ static sph2d__segment thick_piece(const sph2d_outline *outline, bool solid, cons
 }
 
 double sph2d__side_gap(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose, double spacing,
-                       int side, const char **name)
+                       int side)
 {
+    if (sph2d__side_of(scene, side) != SPH2D_SIDE_WALL)
+        return INFINITY;
     size_t pieces = thick_pieces(outline, true, spacing);
     double least = INFINITY, radius;
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = thick_piece(outline, true, pose, spacing, k, &radius);
-        side_of here = look_at_side(scene, s, side);
-        if (here.kind == SPH2D_SIDE_WALL)
-            least = fmin(least, here.gap - radius);
-        if (name)
-            *name = here.name;
+        least = fmin(least, segment_within(scene, side, &s) - radius);
     }
     return least;
 }

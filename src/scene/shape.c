@@ -392,6 +392,8 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
 
 double sph2d__outline_nearest(const sph2d_outline *outline, double spacing, sph2d_vec2 point)
 {
+    if (outline->kind == SPH2D_OUTLINE_CIRCLE)
+        return fabs(hypot(point.x - outline->circle.center.x, point.y - outline->circle.center.y) - outline->circle.radius);
     double least = INFINITY;
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {

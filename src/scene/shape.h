@@ -45,7 +45,7 @@ bool sph2d__outline_encloses(const sph2d_outline *outline, sph2d_vec2 point);
 sph2d_vec2 sph2d__outline_centroid(const sph2d_outline *outline);
 /** The largest distance of an outline from a point [m]. */
 double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point);
-/** The distance of a point from an outline [m]; circles and arcs as pieces no longer than `spacing`. */
+/** The distance of a point from an outline [m]; arcs as pieces no longer than `spacing`. */
 double sph2d__outline_nearest(const sph2d_outline *outline, double spacing, sph2d_vec2 point);
 /** Area within a closed outline [m^2]; 0 for lines. */
 double sph2d__outline_area(const sph2d_outline *outline);

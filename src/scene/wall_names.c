@@ -18,6 +18,13 @@ sph2d_side sph2d__side_of(const sph2d_scene *scene, int side)
     return sides[side];
 }
 
+double sph2d__side_distance(const sph2d_scene *scene, int side, sph2d_vec2 p)
+{
+    const sph2d_box *d = &scene->domain;
+    const double within[] = {p.x - d->min.x, d->max.x - p.x, p.y - d->min.y, d->max.y - p.y};
+    return within[side];
+}
+
 int sph2d__wall_named(const sph2d_scene *scene, const char *name)
 {
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)

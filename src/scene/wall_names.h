@@ -23,6 +23,9 @@ const char *sph2d__side_word(int side);
 /** What a side is. */
 sph2d_side sph2d__side_of(const sph2d_scene *scene, int side);
 
+/** How far a point is within a side, negative beyond it [m]. */
+double sph2d__side_distance(const sph2d_scene *scene, int side, sph2d_vec2 point);
+
 /** The wall of a name: a side's word, or an obstacle's name; SPH2D__WALL_ALL if there is none. */
 int sph2d__wall_named(const sph2d_scene *scene, const char *name);
 

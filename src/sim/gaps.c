@@ -5,18 +5,20 @@
 #include <math.h>
 
 #include "scene/shape.h"
+#include "scene/wall_names.h"
 #include "sim/simulation.h"
 
 /* Distances in spacings. A piece has liquid in front of it within NEAR, and none if there is none within FAR: the first
- * row of liquid is half a spacing away. A gap is thin up to THIN, and from WIDE on it is none: particles enter it. Between
- * them both count in part, so that forces do not jump. The other wall is looked for BESIDE the normal. */
+ * row of liquid is half a spacing away. A gap is thin up to THIN; from WIDE on it is none, as particles enter it. Between
+ * them both count in part, so that forces do not jump. The other wall is looked for BESIDE the normal. These and the
+ * numbers below were chosen with boxes and circles on the floor of a full tank, by all methods (tests/test_gaps.c). */
 static const double NEAR = 1, FAR = 1.5, THIN = 1, WIDE = 1.5, BESIDE = 0.75;
 /* How far the pressure at an end is sampled; what liquid covers of a piece that it is near, but around a corner. */
 static const double SAMPLE = 2, AROUND = 0.5;
 /* Liquid in a gap with this part of its pressure exerts all of it: pressures fluctuate. */
 static const double ENOUGH = 0.5;
-/* Liquid enters a gap at this part of the speed of sound, with which its pressure follows that at the ends: speeds of some
- * tenths are the largest in a scene. */
+/* Liquid enters a gap at this part of the speed of sound, and as fast its pressure follows that at the ends: about the
+ * largest speed that a scene has. */
 static const double ENTRY = 0.1;
 /* Depth of the first layer of boundary particles; the least cosine between a piece's normal and that of a side. */
 static const double LAYER = 0.5, FACING = 0.5;
@@ -98,17 +100,13 @@ static sph2d_vec2 wrapped(const sph2d__period *p, sph2d_vec2 at)
 }
 
 /** The distance along a piece's normal to the nearest side of the domain that is a wall, also without particles. */
-static double distance_of_sides(const sph2d_sim *sim, sph2d_vec2 at, sph2d_vec2 normal)
+static double distance_of_sides(const sph2d_scene *scene, sph2d_vec2 at, sph2d_vec2 normal)
 {
-    const sph2d_box *d = &sim->scene.domain;
-    const sph2d_boundary *b = &sim->scene.boundary;
-    const double out[4] = {-normal.x, normal.x, -normal.y, normal.y};
-    const double off[4] = {at.x - d->min.x, d->max.x - at.x, at.y - d->min.y, d->max.y - at.y};
-    const sph2d_side kind[4] = {b->left, b->right, b->bottom, b->top};
+    const double out[SPH2D__WALL_OBSTACLE] = {-normal.x, normal.x, -normal.y, normal.y};
     double length = hypot(normal.x, normal.y), nearest = INFINITY;
-    for (int k = 0; k < 4; ++k)
-        if (kind[k] == SPH2D_SIDE_WALL && out[k] > FACING * length)
-            nearest = fmin(nearest, off[k] * length / out[k]);
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && out[side] > FACING * length)
+            nearest = fmin(nearest, sph2d__side_distance(scene, side, at) * length / out[side]);
     return nearest;
 }
 
@@ -119,7 +117,7 @@ static double find_wall(const sph2d_sim *sim, const sph2d__rigid *r, sph2d__gap_
     const sph2d__store *w = &s->walls;
     sph2d__ranges ranges;
     sph2d_vec2 at = wrapped(&s->wall_cells.period, front->at);
-    double length = hypot(normal.x, normal.y), nearest = distance_of_sides(sim, at, normal) / s->spacing;
+    double length = hypot(normal.x, normal.y), nearest = distance_of_sides(&sim->scene, at, normal) / s->spacing;
     front->beside = UINT64_MAX;
     if (!ranges_at(&s->wall_cells, at, &ranges))
         return nearest;
@@ -162,25 +160,28 @@ static double find_liquid(const sph2d_sim *sim, sph2d_vec2 place, sph2d_vec2 nor
     return fmax(fade(front, NEAR, FAR), AROUND * fade(nearest, NEAR, FAR));
 }
 
-static void look(const sph2d_sim *sim, const sph2d__rigid *r, const sph2d__pose *pose, const sph2d__gap_piece *piece,
-                 sph2d__gap_front *out)
+/** Looks what is in front of the pieces of body k. Around one that no wall is near liquid is not looked for. */
+static void look(const sph2d_sim *sim, size_t k)
 {
-    *out = (sph2d__gap_front){.at = sph2d__pose_apply(pose, piece->at)};
-    sph2d_vec2 normal = sph2d__pose_turn(pose, piece->normal);
-    out->part = fade(find_wall(sim, r, out, normal), THIN, WIDE);
-    out->liquid = find_liquid(sim, out->at, normal, &out->pressure);
+    const sph2d__gaps *g = &sim->bodies.gaps;
+    const sph2d__rigid *r = &sim->bodies.items[k];
+    sph2d__pose pose = sph2d__rigid_at(r, r->now);
+    bool thin = false;
+    for (size_t i = g->first[k]; i < g->first[k + 1]; ++i) {
+        sph2d__gap_front *front = &g->fronts[i];
+        *front = (sph2d__gap_front){.at = sph2d__pose_apply(&pose, g->pieces[i].at)};
+        front->part = fade(find_wall(sim, r, front, sph2d__pose_turn(&pose, g->pieces[i].normal)), THIN, WIDE);
+        thin = thin || front->part > 0;
+    }
+    for (size_t i = g->first[k]; thin && i < g->first[k + 1]; ++i)
+        g->fronts[i].liquid = find_liquid(sim, g->fronts[i].at, sph2d__pose_turn(&pose, g->pieces[i].normal),
+                                          &g->fronts[i].pressure);
 }
 
 static void look_some(void *with, size_t first, size_t last)
 {
-    sph2d_sim *sim = with;
-    const sph2d__gaps *g = &sim->bodies.gaps;
-    for (size_t k = first; k < last; ++k) {
-        const sph2d__rigid *r = &sim->bodies.items[k];
-        sph2d__pose pose = sph2d__rigid_at(r, r->now);
-        for (size_t i = g->first[k]; i < g->first[k + 1]; ++i)
-            look(sim, r, &pose, &g->pieces[i], &g->fronts[i]);
-    }
+    for (size_t k = first; k < last; ++k)
+        look(with, k);
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */

@@ -25,11 +25,9 @@ static bool matches(int wanted, int wall)
  *  each direction. */
 static void set_sides(const sph2d_scene *scene, double x, double y, int walls[2])
 {
-    sph2d_box d = scene->domain;
-    const double outside[SPH2D__WALL_OBSTACLE] = {d.min.x - x, x - d.max.x, d.min.y - y, y - d.max.y};
     int beyond[2] = {SPH2D__WALL_ALL, SPH2D__WALL_ALL};
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (outside[side] > 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_WALL)
+        if (sph2d__side_distance(scene, side, (sph2d_vec2){x, y}) < 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_WALL)
             beyond[side / 2] = side;
     walls[0] = beyond[0] != SPH2D__WALL_ALL ? beyond[0] : beyond[1];
     walls[1] = beyond[1] != SPH2D__WALL_ALL ? beyond[1] : beyond[0];
