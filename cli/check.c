@@ -200,6 +200,7 @@ static void print_active(const sph2d_scene *scene)
     } lists[] = {{scene->block_count, "blocks"},
                  {scene->source_count, "sources"},
                  {scene->drain_count, "drains"},
+                 {scene->opening_count, "openings"},
                  {scene->obstacle_count, "obstacles"},
                  {scene->body_count, "bodies"},
                  {scene->interaction_count, "interactions"},

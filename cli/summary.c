@@ -83,6 +83,8 @@ static void print_particles(const sph2d_summary *s)
     text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
     if (s->fed > 0 || s->blocked > 0)
         text_row("", "fed %" PRIu64 ", blocked %" PRIu64, s->fed, s->blocked);
+    if (s->let_in > 0 || s->let_out > 0)
+        text_row("", "openings: %" PRIu64 " in, %" PRIu64 " out", s->let_in, s->let_out);
     uint64_t lost = s->drained;
     for (int i = 0; i < 4; ++i)
         lost += s->left_open[i];
@@ -212,6 +214,8 @@ static void add_particles(cli_json *line, const sph2d_summary *s)
     json_count(line, "fed", s->fed);
     json_count(line, "blocked", s->blocked);
     json_count(line, "drained", s->drained);
+    json_count(line, "let_in", s->let_in);
+    json_count(line, "let_out", s->let_out);
     json_open_object(line, "left");
     for (int i = 0; i < 4; ++i)
         json_count(line, side_names[i], s->left_open[i]);

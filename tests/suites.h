@@ -57,6 +57,7 @@
     X(slip)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
+    X(openings)                                                                                                        \
     X(sources)                                                                                                         \
     X(steering)                                                                                                        \
     X(scene_keys)                                                                                                      \

@@ -12,7 +12,7 @@ static const double DX = 0.01;
 #define ONE_MORE(...) +1
 /* The last kind is of a body: test_bodies.c. */
 enum { ALL_KINDS = 0 SPH2D_PROBE_MAP(ONE_MORE), KINDS = ALL_KINDS - 1 };
-_Static_assert(KINDS == (int)SPH2D_PROBE_BODY, "the last kind");
+_Static_assert(KINDS == (int)SPH2D_PROBE_OPENING, "the last kind");
 
 /** A scene with one probe of each kind at a point. */
 static sph2d_scene with_probes(sph2d_scene scene, sph2d_vec2 at)

@@ -36,7 +36,8 @@ extern "C" {
     X(SURFACE_TENSION, "fluid.surface_tension")                                                                        \
     X(WALL_SLIP, "wall_slip")                                                                                          \
     X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
-    X(FREE_SURFACE, "open sides, sources and drains")
+    X(FREE_SURFACE, "open sides, sources and drains")                                                                  \
+    X(OPENINGS, "openings")
 
 /** A feature that not every method has. */
 typedef enum sph2d_feature {

@@ -382,6 +382,41 @@ typedef struct sph2d_drain {
     double start, stop;
 } sph2d_drain;
 
+/** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph with symmetric
+ *  operators, generalised walls. Just one of velocity, flow_rate and pressure is given. Behind it, outside the domain,
+ *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
+ *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
+ *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
+ *  (Lastiwka, Basa & Quinlan 2009), slower ones meet what is prescribed. An opening with a velocity or flow rate is full
+ *  from the start, one with a pressure where liquid stands before it. The particles of reservoirs are among those of the
+ *  run, of its energy and momentum. Where liquid fills the domain, pressure may fall below 0 without a void: there is no
+ *  air to fill it. */
+typedef struct sph2d_opening {
+    /** Name for probes; default NULL: none. */
+    const char *name;
+
+    /** The side; must be given. */
+    sph2d_side_name side;
+
+    /** Its ends [m], y of left and right, x of bottom and top, from < to; default NAN: the ends of the side. */
+    double from, to;
+
+    /** Mean velocity into the domain, out of it if negative [m/s]; default NAN: not given. */
+    double velocity;
+
+    /** Area of liquid per second into the domain [m^2/s], the velocity times the width; default NAN: not given. */
+    double flow_rate;
+
+    /** How the velocity is distributed; default uniform. */
+    sph2d_opening_profile profile;
+
+    /** Time over which velocity or flow rate grow smoothly from nothing [s], >= 0; default 0. */
+    double ramp;
+
+    /** Pressure in the middle of the opening, hydrostatic from there [Pa]; default NAN: not given. */
+    double pressure;
+} sph2d_opening;
+
 /** A point of a path: a position at a time. */
 typedef struct sph2d_path_point {
     /** Time [s] and position [m]. */
@@ -779,6 +814,10 @@ typedef struct sph2d_scene {
     const sph2d_drain *drains;
     size_t drain_count;
 
+    /** Openings, through which liquid flows in and out. */
+    const sph2d_opening *openings;
+    size_t opening_count;
+
     /** Walls of boundary particles, at rest or moving. */
     const sph2d_obstacle *obstacles;
     size_t obstacle_count;
@@ -804,6 +843,7 @@ SPH2D_API sph2d_scene sph2d_scene_default(void);
 SPH2D_API sph2d_block sph2d_block_default(void);
 SPH2D_API sph2d_source sph2d_source_default(void);
 SPH2D_API sph2d_drain sph2d_drain_default(void);
+SPH2D_API sph2d_opening sph2d_opening_default(void);
 SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_motion sph2d_motion_default(void);
 SPH2D_API sph2d_body sph2d_body_default(void);

@@ -75,6 +75,26 @@ typedef enum sph2d_wall_slip {
     SPH2D_WALL_SLIP_SMOOTH = 3
 } sph2d_wall_slip;
 
+/** A side of the domain by itself. */
+typedef enum sph2d_side_name {
+    /** The vertical sides. */
+    SPH2D_SIDE_NAME_LEFT = 0,
+    SPH2D_SIDE_NAME_RIGHT = 1,
+
+    /** The horizontal sides. */
+    SPH2D_SIDE_NAME_BOTTOM = 2,
+    SPH2D_SIDE_NAME_TOP = 3
+} sph2d_side_name;
+
+/** The velocity over the width of an opening, whose mean is given. */
+typedef enum sph2d_opening_profile {
+    /** The same everywhere. */
+    SPH2D_OPENING_PROFILE_UNIFORM = 0,
+
+    /** A parabola, 0 at both ends and 1.5 times the mean in the middle: flow between plates (Poiseuille's). */
+    SPH2D_OPENING_PROFILE_PARABOLA = 1
+} sph2d_opening_profile;
+
 /** What method pcisph keeps below max_compression in every step. */
 typedef enum sph2d_criterion {
     /** The largest compression of a particle. */
@@ -352,7 +372,8 @@ typedef enum sph2d_arrangement {
       "contact_x [N/m],contact_y [N/m],impulse_x [kg/s],impulse_y [kg/s],angular_impulse [kg m/s]")                    \
     X(WORK, work, "power [W/m],work [J/m]")                                                                            \
     X(BODY, body,                                                                                                      \
-      "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")
+      "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")              \
+    X(OPENING, opening, "velocity [m/s],flow_rate [m^2/s],let_in [m^2],pressure [Pa],wet [m]")
 
 /** What a probe measures. */
 typedef enum sph2d_probe_kind {

@@ -382,6 +382,9 @@ typedef struct sph2d_summary {
     /** Particles removed by drains. */
     uint64_t drained;
 
+    /** Particles that came into the reservoirs of openings, and left them, at their ends. */
+    uint64_t let_in, let_out;
+
     /** Particles lost through open sides: left, right, bottom, top. */
     uint64_t left_open[4];
 

@@ -11,6 +11,7 @@
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
+#include "scene/openings.h"
 #include "scene/resolve.h"
 #include "sim/stages.h"
 #include "simd/isa.h"
@@ -59,10 +60,14 @@ static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
     return unused & SPH2D__BIT(density_grad_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : with_gradients;
 }
 
+/* Pressure on voids over that of the scene's head. Beside a cylinder in a stream pressure falls by 1.2 rho U^2, 2.4 times
+ * that of its head, below that of the stream. */
+static const double BACKGROUND = 3;
+
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 {
     const sph2d_scene *scene = &sim->scene;
-    sph2d__derived d = sph2d__scene_derive(scene);
+    sph2d__derived d = sph2d__scene_derive(&sim->given);
     sph2d__system *s = &sim->system;
     s->memory = &sim->memory;
     s->profile.phase = SPH2D_PHASE_COUNT;
@@ -82,6 +87,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
     s->tension = limited ? tension : INFINITY;
+    bool fills = sim->given.opening_count > 0 && sph2d__has_no_surface(&sim->given) && !fitted;
+    s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
     s->viscosity = scene->fluid.dynamic_viscosity;
     s->method = scene->method;
     unsigned slips = sph2d__slips(scene);
@@ -163,6 +170,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
             sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
     if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
+    sph2d__openings_hold_velocity(sim, 0);
     if (!sim->method->project) { /* pressures of the others are those of a step */
         sph2d__bodies_start(sim);
         sph2d__loads_find(sim, 1);
@@ -217,6 +225,8 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
         return status;
     sim->given = sim->scene;
     sim->given.obstacle_count = sph2d__obstacles_without_bodies(&sim->scene);
+    if (!sph2d__add_reservoirs(&sim->scene, &sim->arena, &sim->memory))
+        return SPH2D_NOMEM;
     size_t bends = sph2d__tank_bends(&sim->scene);
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     if (bends && !points)
@@ -244,6 +254,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = sph2d__bodies_create(sim);
     if (status == SPH2D_OK)
         status = sph2d__loads_create(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__openings_create(sim);
     sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
         status = state ? start_restored(sim, state, report) : start_new(sim, report);

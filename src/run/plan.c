@@ -54,7 +54,7 @@ void sph2d__sim_make_plan(sph2d_sim *sim)
 {
     const sph2d_scene *scene = &sim->scene;
     const sph2d__system *s = &sim->system;
-    sph2d__derived d = sph2d__scene_derive(scene);
+    sph2d__derived d = sph2d__scene_derive(&sim->given);
     sph2d_plan *plan = &sim->plan;
     plan->fluid_particles = s->fluid.count;
     plan->wall_particles = s->walls.count;

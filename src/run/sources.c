@@ -173,6 +173,9 @@ static void skip_rows(sph2d_sim *sim, size_t index, const emission *n)
 sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 {
     size_t sorted = sim->system.fluid.count;
+    sph2d_status fed = sph2d__openings_feed(sim);
+    if (fed != SPH2D_OK)
+        return fed;
     for (size_t i = 0; i < sim->scene.source_count; ++i) {
         const sph2d_source *source = &sim->scene.sources[i];
         emission n = emission_of(&sim->scene, source);
@@ -263,7 +266,10 @@ static void count_removed(sph2d_sim *sim, size_t i)
     sph2d__record *r = &sim->record;
     uint64_t *left[4] = {&r->left_left, &r->left_right, &r->left_bottom, &r->left_top};
     int side = side_left(&sim->scene, f->x[i], f->y[i]);
-    ++*(side >= 0 ? left[side] : &r->drained);
+    bool let_out = side < 0 && sph2d__openings_spent(sim, f->x[i], f->y[i]);
+    if (let_out)
+        sph2d__openings_count_out(sim, f->x[i], f->y[i]);
+    ++*(side >= 0 ? left[side] : let_out ? &r->let_out : &r->drained);
     r->energy_fed -= sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
     double elastic = sph2d__sim_elastic_falls(sim) ? 0 : sim->system.mass * sph2d__sim_elastic_of(sim, i);
     r->energy_fed -= elastic;
@@ -273,7 +279,7 @@ static void count_removed(sph2d_sim *sim, size_t i)
 static bool removes_particles(const sph2d_scene *scene)
 {
     const sph2d_boundary *b = &scene->boundary;
-    return scene->drain_count > 0 || b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN ||
+    return scene->drain_count > 0 || scene->opening_count > 0 || b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN ||
            b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
 }
 
@@ -285,7 +291,8 @@ static void flag_removed(void *with, size_t first, size_t last)
     const sph2d__store *f = &sim->system.fluid;
     size_t removed = 0;
     for (size_t i = first; i < last; ++i) {
-        sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]);
+        sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]) ||
+                            sph2d__openings_spent(sim, f->x[i], f->y[i]);
         removed += sim->to_remove[i];
     }
     atomic_fetch_add(&c->count, removed);
@@ -296,7 +303,7 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
     if (!removes_particles(&sim->scene))
         return SPH2D_OK;
     sph2d__store *f = &sim->system.fluid;
-    if (sim->scene.drain_count == 0 && !any_left(sim))
+    if (sim->scene.drain_count == 0 && sim->scene.opening_count == 0 && !any_left(sim))
         return SPH2D_OK;
     if (!reserve_flags(sim))
         return SPH2D_NOMEM;

@@ -12,7 +12,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 6
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 7
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -68,6 +68,9 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
     if (sph2d__loads_wanted(sim))
         out[n++] = run_array("WallLoads", "of each probe of kind force or work: forces, impulses, power, work",
                              SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
+    if (sim->openings.count > 0)
+        out[n++] = run_array("OpeningMeans", "of each opening: velocity, pressure, slope in the mean over a time; that time; particles in, out, first",
+                             SPH2D_F64, SPH2D__OPENING_VALUES * sim->openings.count, sim->openings.means);
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
     if (sim->bodies.count > 0 && sim->method->density_rate)

@@ -113,6 +113,8 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .fed = r->fed,
         .blocked = r->blocked,
         .drained = r->drained,
+        .let_in = r->let_in,
+        .let_out = r->let_out,
         .left_open = {r->left_left, r->left_right, r->left_bottom, r->left_top},
         .backstop_hits = r->backstop_hits,
         .reflections = r->reflections,

@@ -13,10 +13,12 @@ static const double STEP_GROWTH = 1.2;
  * IMPACT_RATE times that of a row that stops, rho0 v/dx. Growing from a tenth costs about eight steps more. */
 static const double FIRST_STEP = 0.1, IMPACT_RATE = 0.05;
 
-/** Largest speed of a particle that a source may emit now. */
+/** Largest speed of a particle that a source or opening may let in now. */
 static double source_speed(const sph2d_sim *sim)
 {
     double speed = 0, time = sim->record.time;
+    for (size_t i = 0; i < sim->scene.opening_count; ++i)
+        speed = fmax(speed, sph2d__opening_speed(&sim->given, &sim->scene.openings[i]));
     for (size_t i = 0; i < sim->scene.source_count; ++i) {
         const sph2d_source *source = &sim->scene.sources[i];
         if (time >= source->start && (source->stop <= 0 || time < source->stop))

@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "scene/bodies.h"
 #include "scene/motion.h"
+#include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -176,6 +177,29 @@ static sph2d_vec2 extremes_of(const grid *g, const sph2d_shape *shape)
     return h;
 }
 
+/** How far liquid that comes in at a position can fall. */
+static double fall_from(grid *g, sph2d_vec2 p, double extra_head, bool walled)
+{
+    double height = height_of(g, p);
+    if (!walled)
+        return height;
+    visit_position(g, p);
+    return height - spread(g, height + extra_head);
+}
+
+/** The same from the higher end of an opening, a quarter of a spacing before it. */
+static double fall_from_opening(grid *g, const sph2d_opening *opening, double extra_head, bool walled)
+{
+    sph2d__mouth m = sph2d__opening_mouth(g->scene, opening);
+    double inside = g->scene->spacing / 4, low = fmin(inside, m.width / 4), fall = 0;
+    for (int end = 0; end < 2; ++end) {
+        double t = end == 0 ? low : m.width - low;
+        sph2d_vec2 p = {m.start.x + t * m.along.x + inside * m.inward.x, m.start.y + t * m.along.y + inside * m.inward.y};
+        fall = fmax(fall, fall_from(g, p, extra_head, walled));
+    }
+    return fall;
+}
+
 /** Largest height of a liquid above the lowest point it reaches, or above the lowest corner if not `walled`. */
 static double highest_fall(grid *g, double extra_head, bool walled)
 {
@@ -191,14 +215,10 @@ static double highest_fall(grid *g, double extra_head, bool walled)
         }
         fall = fmax(fall, heights.y - low);
     }
-    for (size_t i = 0; i < scene->source_count; ++i) {
-        double height = height_of(g, scene->sources[i].at), low = 0;
-        if (walled) {
-            visit_position(g, scene->sources[i].at);
-            low = spread(g, height + extra_head);
-        }
-        fall = fmax(fall, height - low);
-    }
+    for (size_t i = 0; i < scene->source_count; ++i)
+        fall = fmax(fall, fall_from(g, scene->sources[i].at, extra_head, walled));
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        fall = fmax(fall, fall_from_opening(g, &scene->openings[i], extra_head, walled));
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i) {
         sph2d_vec2 p = {scene->particles.items[i].x, scene->particles.items[i].y};
         top = fmax(top, height_of(g, p));
@@ -219,7 +239,8 @@ double sph2d__basin_height(const sph2d_scene *scene, double extra_head)
         fixed += !sph2d__obstacle_moves(&scene->obstacles[i]);
     double nx = fmax(ceil((d.max.x - d.min.x) / scene->spacing - 1e-9), 1);
     double ny = fmax(ceil((d.max.y - d.min.y) / scene->spacing - 1e-9), 1);
-    double liquids = (double)scene->block_count + (double)scene->source_count + 1;
+    double liquids = (double)scene->block_count + (double)scene->source_count +
+                     2 * (double)scene->opening_count + 1;
     bool walled = fixed > 0 && nx * ny <= MAX_CELLS && nx * ny * liquids <= MAX_VISITS;
     size_t cells = walled ? (size_t)(nx * ny) : 0;
     g.nx = walled ? (size_t)nx : 0;

@@ -8,6 +8,7 @@
 
 #include "base/pi.h"
 #include "scene/motion.h"
+#include "scene/openings.h"
 #include "scene/shape.h"
 
 /** Area and second moment about the centroid of a closed outline. */
@@ -147,6 +148,10 @@ const char *sph2d__obstacle_path(char *path, size_t size, const sph2d_scene *sce
 {
     size_t first = sph2d__obstacles_without_bodies(scene);
     bool body = index >= first;
+    if (sph2d__is_beside_opening(&scene->obstacles[index])) {
+        snprintf(path, size, "boundary.%s", scene->obstacles[index].name);
+        return path;
+    }
     snprintf(path, size, "%s[%zu]%s", body ? "bodies" : "obstacles", body ? index - first : index, rest);
     return path;
 }

@@ -184,6 +184,7 @@ static void check_lists(checker *c)
     } lists[] = {{"blocks", s->block_count}, {"sources", s->source_count},
                  {"drains", s->drain_count}, {"obstacles", s->obstacle_count},
                  {"bodies", s->body_count},   {"probes", s->probe_count},
+                 {"openings", s->opening_count},
                  {"interactions", s->interaction_count}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; ++k) {
         char message[80];
@@ -196,7 +197,8 @@ static void check_lists(checker *c)
 static void check_contents(checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    if (scene->block_count == 0 && scene->source_count == 0 && !scene->particles.file && scene->particles.count == 0) {
+    if (scene->block_count == 0 && scene->source_count == 0 && scene->opening_count == 0 && !scene->particles.file &&
+        scene->particles.count == 0) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
@@ -246,6 +248,8 @@ static void check_consistency(checker *c)
         check_times(c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
     }
     sph2d__check_obstacles(c);
+    if (c->errors == 0)
+        sph2d__check_openings(c);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         check_interaction(c, i);
     for (size_t i = 0; i < scene->probe_count; ++i)

@@ -312,6 +312,7 @@ static void check_filled_domain(sph2d__checker *c)
     require_feature(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
                     "use `wall_slip: none`, or `operators: symmetric`");
     require_feature(c, "sources", scene->source_count > 0, SPH2D_FEATURE_FREE_SURFACE, "use `operators: symmetric`");
+    require_feature(c, "openings", scene->opening_count > 0, SPH2D_FEATURE_OPENINGS, NULL);
     require_feature(c, "drains", scene->drain_count > 0, SPH2D_FEATURE_FREE_SURFACE, "use `operators: symmetric`");
 }
 

@@ -10,13 +10,14 @@
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/motion.h"
+#include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
 
-static bool is_valid_name(const char *name)
+bool sph2d__check_name(const char *name)
 {
     size_t length = strlen(name);
     for (size_t i = 0; i < length; ++i)
@@ -122,6 +123,31 @@ static void check_body(checker *c, const sph2d_probe *probe, size_t i)
     }
 }
 
+/** Checks that a probe of kind opening names one. */
+static void check_opening(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE], message[160];
+    if (probe->on && sph2d__opening_named(c->scene, probe->on))
+        return;
+    snprintf(message, sizeof message, probe->on ? "no opening has the name '%.64s'" : "must be the name of an opening",
+             probe->on);
+    sph2d_diagnostic *d = sph2d__check_fault(c, probe->on ? SPH2D_CODE_CONFLICT : SPH2D_CODE_MISSING_KEY,
+                                             sph2d__check_path(path, "probes", i, ".on"), message);
+    sph2d_diagnostic_hint(d, "give the opening a `name`");
+}
+
+/** Refuses the force on a side that has openings: that is where the reservoir ends. */
+static void check_side(checker *c, int side, const char *path)
+{
+    for (size_t k = 0; k < c->scene->opening_count; ++k)
+        if ((int)c->scene->openings[k].side == side) {
+            sph2d_diagnostic *d =
+                sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "is a side with an opening, whose force is not known");
+            sph2d_diagnostic_hint(d, "draw a wall inside as an obstacle with a `name`");
+            return;
+        }
+}
+
 /** Checks what a probe of kind force or work is on. */
 static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
 {
@@ -130,11 +156,15 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
         check_body(c, probe, i);
         return;
     }
+    if (probe->kind == SPH2D_PROBE_OPENING) {
+        check_opening(c, probe, i);
+        return;
+    }
     bool on_wall = probe->kind == SPH2D_PROBE_FORCE || probe->kind == SPH2D_PROBE_WORK;
     sph2d__check_path(path, "probes", i, ".on");
     if (!on_wall) {
         if (probe->on)
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force, work and body");
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force, work, body and opening");
         return;
     }
     if (c->scene->method.operators == SPH2D_OPERATORS_FITTED) {
@@ -151,6 +181,8 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
         refuse_name(c, path, probe->on);
     else if (wall < SPH2D__WALL_OBSTACLE && sph2d__side_of(c->scene, wall) != SPH2D_SIDE_WALL)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
+    else if (wall < SPH2D__WALL_OBSTACLE)
+        check_side(c, wall, path);
     else if (wall >= SPH2D__WALL_OBSTACLE)
         warn_of_torque(c, wall - SPH2D__WALL_OBSTACLE, path);
 }
@@ -160,7 +192,7 @@ void sph2d__check_probe(checker *c, size_t i)
     const sph2d_probe *probe = &c->scene->probes[i];
     char path[PATH_SIZE];
     sph2d__check_path(path, "probes", i, ".name");
-    if (!probe->name || !is_valid_name(probe->name))
+    if (!probe->name || !sph2d__check_name(probe->name))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     for (size_t k = 0; k < i && probe->name; ++k)
         if (c->scene->probes[k].name && strcmp(c->scene->probes[k].name, probe->name) == 0) {
@@ -187,7 +219,7 @@ void sph2d__check_wall_name(checker *c, size_t i)
         return;
     sph2d__check_wall_path(c, path, i, ".name");
     int wall = sph2d__wall_named(scene, name);
-    if (!is_valid_name(name))
+    if (!sph2d__check_name(name))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     else if (wall < SPH2D__WALL_OBSTACLE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");

@@ -51,6 +51,9 @@ void sph2d__check_rate(sph2d__checker *c, sph2d_rate rate, const char *prefix);
 /** Checks probe `index` of the scene. */
 void sph2d__check_probe(sph2d__checker *c, size_t index);
 
+/** Whether a name is one: 1 to 64 letters, digits, _ or -. */
+bool sph2d__check_name(const char *name);
+
 /** Checks the name of obstacle `index`. */
 void sph2d__check_wall_name(sph2d__checker *c, size_t index);
 
@@ -64,6 +67,9 @@ void sph2d__check_motions(sph2d__checker *c);
 
 /** Follows the motion of obstacle `index` along its course; `hits` has room for a byte of each obstacle. */
 void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *course, unsigned char *hits);
+
+/** Checks every opening; obstacles are valid. */
+void sph2d__check_openings(sph2d__checker *c);
 
 /** Checks the mass, freedoms and place of every body. */
 void sph2d__check_bodies(sph2d__checker *c);

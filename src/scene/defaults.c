@@ -41,6 +41,11 @@ sph2d_drain sph2d_drain_default(void)
     return (sph2d_drain){0};
 }
 
+sph2d_opening sph2d_opening_default(void)
+{
+    return (sph2d_opening){.from = NAN, .to = NAN, .velocity = NAN, .flow_rate = NAN, .pressure = NAN};
+}
+
 sph2d_obstacle sph2d_obstacle_default(void)
 {
     return (sph2d_obstacle){.restitution = 0.5, .motion = sph2d_motion_default()};

@@ -12,6 +12,7 @@
 #include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
+#include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -121,6 +122,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
                                     fabs(scene->blocks[i].start.speed));
     for (size_t i = 0; i < scene->source_count; ++i)
         d.speed = fmax(d.speed, scene->sources[i].speed);
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        d.speed = fmax(d.speed, sph2d__opening_speed(scene, &scene->openings[i]));
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
     d.speed = fmax(fmax(d.speed, wall_speed(scene)), drive.speed);
@@ -129,7 +132,11 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
     double central_speed = scene->central_force.rate * farthest_liquid(scene);
     d.pull += central_speed * central_speed / 2;
+    double pressed = 0; /* by openings, as by a column of liquid */
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        pressed = fmax(pressed, fabs(scene->openings[i].pressure) / scene->fluid.density); /* NAN: not given */
     d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
+    d.pull += fmax(pressed - g * d.height, 0);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
     const sph2d__method_row *row = sph2d__method_row_of(&method);

@@ -30,6 +30,7 @@ DEFAULT(scene)
 DEFAULT(block)
 DEFAULT(source)
 DEFAULT(drain)
+DEFAULT(opening)
 DEFAULT(obstacle)
 DEFAULT(body)
 DEFAULT(spring)
@@ -42,6 +43,8 @@ static void swing_set(void *out)
 }
 
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
+static const char *const side_name_words[] = {"left", "right", "bottom", "top", NULL};
+static const char *const profile_words[] = {"uniform", "parabola", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
 static const char *const wall_slip_words[] = {"default", "free", "none", "smooth", NULL};
@@ -180,6 +183,30 @@ static const sph2d_key drain_items[] = {
      .text = "when it closes"},
 };
 KEYS(drain, sph2d_drain, drain_set);
+
+static const sph2d_key opening_items[] = {
+    {"name", SPH2D_KEY_TEXT, false, AT(sph2d_opening, name), .unit = "", .default_text = "none",
+     .text = "by which probes refer to it"},
+    {"side", SPH2D_KEY_WORD, true, AT(sph2d_opening, side), .words = side_name_words, .unit = "",
+     .text = "the side in which it is, a wall"},
+    {"from", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, from), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "the end of the side", .text = "its lower end, or left end"},
+    {"to", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, to), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "the end of the side", .text = "its upper end, or right end"},
+    {"velocity", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, velocity), ANY, .nan_is_unset = true, .unit = "m/s",
+     .default_text = "none", .text = "mean velocity into the domain; negative: out of it"},
+    {"flow_rate", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, flow_rate), ANY, .nan_is_unset = true, .unit = "m^2/s",
+     .default_text = "none", .text = "area of liquid per second into the domain, in place of velocity"},
+    {"profile", SPH2D_KEY_WORD, false, AT(sph2d_opening, profile), .words = profile_words, .unit = "",
+     .default_text = "uniform",
+     .text = "velocity over the width: parabola is 0 at both ends, 1.5 times the mean in the middle"},
+    {"ramp", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, ramp), FROM_0, .unit = "s", .default_text = "0",
+     .text = "time over which velocity or flow_rate grow smoothly from nothing"},
+    {"pressure", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, pressure), ANY, .nan_is_unset = true, .unit = "Pa",
+     .default_text = "none",
+     .text = "pressure in its middle, hydrostatic from there, in place of velocity: liquid flows in or out"},
+};
+KEYS(opening, sph2d_opening, opening_set);
 
 #define SWING(type)                                                                                                    \
     {"amplitude",                                                                                                      \
@@ -375,12 +402,13 @@ static const sph2d_key probe_items[] = {
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
      .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
-             "speed, pressure, elevation of the surface; of walls: force, work; body"},
+             "speed, pressure, elevation of the surface; of walls: force, work; body; opening"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "position, for the kinds at a point; force: the point about which the torque is taken, moving with the "
              "obstacle"},
     {"on", SPH2D_KEY_TEXT, false, AT(sph2d_probe, on), .unit = "", .default_text = "all walls",
-     .text = "force, work: an obstacle's or body's name, or left, right, bottom, top; body: its name"},
+     .text = "force, work: an obstacle's or body's name, or left, right, bottom, top; body, opening: its "
+             "name"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",
@@ -616,6 +644,8 @@ static const sph2d_key scene_items[] = {
      .text = "a CSV file of particles: x, y, optionally vx, vy, density"},
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
+    LIST("openings", openings, opening,
+         "parts of sides through which liquid flows in or out, wcsph with symmetric operators"),
     LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),
     LIST("bodies", bodies, body,
          "rigid bodies that the liquid moves; contacts keep them a fifth of a spacing from walls and each other, so "

@@ -23,8 +23,7 @@ sph2d_method_options sph2d__method_resolve(sph2d_method_options m)
     return m;
 }
 
-/** Whether liquid fills the domain from the start: no side is open, and one block covers it. */
-static bool has_no_surface(const sph2d_scene *scene)
+bool sph2d__has_no_surface(const sph2d_scene *scene)
 {
     const sph2d_boundary *b = &scene->boundary;
     const sph2d_box *d = &scene->domain;
@@ -48,7 +47,7 @@ sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene)
     if (m->viscosity_form != SPH2D_VISCOSITY_DEFAULT ||
         !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_VISCOSITY_FORM))
         return m->viscosity_form;
-    return has_no_surface(scene) ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
+    return sph2d__has_no_surface(scene) ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
 }
 
 sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
@@ -56,7 +55,7 @@ sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
     const sph2d_method_options *m = &scene->method;
     if (m->turbulence != SPH2D_TURBULENCE_DEFAULT || !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_TURBULENCE))
         return m->turbulence;
-    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !has_no_surface(scene);
+    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !sph2d__has_no_surface(scene);
     return eddies ? SPH2D_TURBULENCE_SMAGORINSKY : SPH2D_TURBULENCE_NONE;
 }
 

@@ -17,6 +17,9 @@ sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene);
  *  without artificial viscosity, else none. Unchanged for methods without this feature. */
 sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene);
 
+/** Whether liquid fills the domain from the start: no side is open, and one block covers it. */
+bool sph2d__has_no_surface(const sph2d_scene *scene);
+
 /** The form of the domain's sides that are walls. */
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene);
 /** The form of an obstacle. */

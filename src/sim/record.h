@@ -41,6 +41,7 @@
     X(drives_time, "DrivesTime", 0, 0, 1, "time of the last sample of the power of walls and forces")                  \
     X(power_forces, "PowerForces", 1, 1, -3,                                                                           \
       "power of interactions and of forces along periods at the last sample, per metre")                               \
+    X(power_openings, "PowerOpenings", 1, 1, -3, "power of what holds particles in reservoirs, per metre")             \
     X(power_viscous, "PowerViscous", 1, 1, -3, "power of viscosity on the liquid at the last sample, per metre")       \
     X(power_diffusion, "PowerDiffusion", 1, 1, -3, "power of density diffusion at the last sample, per metre")         \
     X(booked_time, "BookedTime", 0, 0, 1, "time of the last sample of dissipation")                                    \
@@ -69,6 +70,8 @@
     X(short_steps, "ShortSteps", "consecutive steps that were near collapse")                                          \
     X(unconverged_row, "UnconvergedRow", "consecutive steps in which the pressure solver did not converge")            \
     X(fed, "Fed", "particles fed by sources")                                                                          \
+    X(let_in, "LetIn", "particles that came into the reservoirs of openings")                                          \
+    X(let_out, "LetOut", "particles that left the reservoirs of openings")                                             \
     X(blocked, "Blocked", "particles that sources could not feed for lack of space")                                   \
     X(drained, "Drained", "particles lost to drains")                                                                  \
     X(left_left, "LeftThroughLeft", "particles lost through the open left side")                                       \

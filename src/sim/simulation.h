@@ -9,6 +9,7 @@
 #include "scene/solids.h"
 #include "sim/bodies.h"
 #include "sim/loads.h"
+#include "sim/openings.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
 
@@ -33,6 +34,7 @@ struct sph2d_sim {
     sph2d__ids *obstacle_ids;   /**< of each obstacle */
     sph2d__loads loads;         /**< forces on walls that probes measure */
     sph2d__bodies bodies;       /**< that the liquid moves */
+    sph2d__openings openings;   /**< through which liquid flows in and out */
     sph2d__solids solids;       /**< the obstacles as they are when the liquid is placed */
     sph2d__point_force *points; /**< capacity: every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has emitted */

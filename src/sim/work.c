@@ -238,7 +238,12 @@ static bool find_viscous_power(sph2d_sim *sim, double *power)
         return true;
     double forward = dot_accelerations(&s->fluid);
     swap_accelerations(&s->fluid);
-    bool ok = evaluate_reversed(sim);
+    bool ok = true;
+    if (sim->openings.count > 0) { /* a step has set the accelerations in reservoirs to 0 */
+        ok = sim->method->evaluate(s);
+        forward = dot_accelerations(&s->fluid);
+    }
+    ok = evaluate_reversed(sim) && ok;
     double reversed = dot_accelerations(&s->fluid);
     swap_accelerations(&s->fluid);
     *power = s->mass * (forward - reversed) / 2 + power_of_dampers(s);
@@ -254,7 +259,7 @@ static double power_of_rates(const sph2d__system *s, const double *rate, double 
     double sum = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double density = f->density[i] + dt / 2 * f->density_rate[i];
-        sum += sph2d__pressure_of(s, density) / (density * density) * rate[i];
+        sum += (sph2d__pressure_of(s, density) + s->background) / (density * density) * rate[i];
     }
     return s->mass * sum;
 }

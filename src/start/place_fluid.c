@@ -80,6 +80,9 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
     sph2d_status status = place_particles(sim, report);
     if (status != SPH2D_OK)
         return status;
+    status = sph2d__openings_fill(sim);
+    if (status != SPH2D_OK)
+        return status;
     if (fluid->count == 0 && scene->source_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, scene->block_count > 0 ? "blocks" : "particles",
                          "the scene has no particles and no source");

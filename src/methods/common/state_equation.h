@@ -37,8 +37,8 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
     return fmax(density, 1e-3 * s->rest_density);
 }
 
-/** e: elastic energy per mass [J/kg]. */
-static inline double sph2d__elastic_of(const sph2d__system *s, double density)
+/** e without a background pressure [J/kg]. */
+static inline double sph2d__elastic_alone(const sph2d__system *s, double density)
 {
     if (s->modulus > 0) { /* density by summation: no tension */
         double x = fmax(density / s->rest_density, 1);
@@ -46,12 +46,18 @@ static inline double sph2d__elastic_of(const sph2d__system *s, double density)
     }
     double cutoff = sph2d__density_of(s, -s->tension);
     if (density < cutoff)
-        return sph2d__elastic_of(s, cutoff) + s->tension * (1 / density - 1 / cutoff);
+        return sph2d__elastic_alone(s, cutoff) + s->tension * (1 / density - 1 / cutoff);
     double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
     if (s->method.state_equation == SPH2D_STATE_LINEAR)
         return c2 * (log(x) + 1 / x - 1);
     double x2 = x * x;
     return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
+}
+
+/** e: elastic energy per mass; a background pressure adds its own integral [J/kg]. */
+static inline double sph2d__elastic_of(const sph2d__system *s, double density)
+{
+    return sph2d__elastic_alone(s, density) + s->background * (1 / s->rest_density - 1 / density);
 }
 
 /** dp/drho: squared speed of sound at a density [m^2/s^2]. */

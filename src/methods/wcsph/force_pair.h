@@ -41,6 +41,7 @@ typedef struct constants {
     sph2d__real inverse_support;
     sph2d__real inverse_mass;
     sph2d__real inverse_value; /**< 1/f(dx/H) */
+    sph2d__real background;    /**< pressure [Pa] */
     sph2d__viscosity viscosity;
     double eddies;       /**< subgrid viscosity over the strain rate [Pa s^2] */
     sph2d__real no_slip; /**< 1 if walls are rough, else 0 */
@@ -125,7 +126,7 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
         const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
         damped += own->eddies * (own->strain + theirs) * volume * limited_jump(own, p, f, j, jump);
     }
-    add_central(sums, with, own, p, 1, f->pressure[j] * volume * volume, damped);
+    add_central(sums, with, own, p, 1, (f->pressure[j] + k->background) * volume * volume, damped);
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, p->g * volume, dvx, dvy);
     if (with.blocks)
@@ -148,7 +149,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
 {
     const sph2d__real volume = w->volume[j], ratio = w->mass[j] * k->inverse_mass;
     const sph2d__real no_slip = k->slips ? k->slips[k->ids[j]] == SPH2D_SLIP_NONE : k->no_slip;
-    const sph2d__real theirs = ratio > 0 ? w->pressure[j] * volume * volume / ratio : 0;
+    const sph2d__real theirs = ratio > 0 ? (w->pressure[j] + k->background) * volume * volume / ratio : 0;
     sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
     add_central(sums, with, own, p, ratio, theirs, own->damping * (volume * no_slip) * (dvx * p->dx + dvy * p->dy));
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
@@ -251,6 +252,7 @@ static constants constants_of(const sph2d__system *s)
     return (constants){.inverse_support = (sph2d__real)(1 / s->support),
                        .inverse_mass = (sph2d__real)(1 / s->mass),
                        .inverse_value = (sph2d__real)(1 / value),
+                       .background = (sph2d__real)s->background,
                        .viscosity = sph2d__viscosity_of(s),
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                        .no_slip = s->walls_rough,
@@ -279,7 +281,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
 {
     sph2d__store *f = &s->fluid;
     const double volume = s->mass / f->density[i];
-    double pv2 = f->pressure[i] * volume * volume, ax = 0, ay = 0;
+    double pv2 = (f->pressure[i] + s->background) * volume * volume, ax = 0, ay = 0;
     if (with.detail >= SPH2D__DETAIL_GRADIENT)
         finish_density_gradient(f, i, liquid, l);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {

@@ -38,7 +38,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         sph2d__lanes volume = sph2d__lanes_load(liquid.volume + g.first);
         group_state own = {.vx = sph2d__lanes_load(liquid.vx + g.first),
                            .vy = sph2d__lanes_load(liquid.vy + g.first),
-                           .pv2 = sph2d__lanes_load(liquid.pressure + g.first) * volume * volume,
+                           .pv2 = (sph2d__lanes_load(liquid.pressure + g.first) + k.background) * volume * volume,
                            .damping = -8 * (sph2d__real)k.viscosity.central * volume};
         if (with.detail >= SPH2D__DETAIL_GRADIENT)
             own.density = sph2d__lanes_load(liquid.density + g.first);

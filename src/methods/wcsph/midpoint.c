@@ -74,6 +74,7 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     if (sim->bodies.count > 0)
         sph2d__wcsph_keep_compression_rates(&sim->system);
     sph2d__sim_book_diffusion(sim, dt);
+    sph2d__openings_hold_density(sim, dt);
     sph2d__sim_set_drift_interval(sim, middle, end);
     status = sph2d__advect(sim, dt, advance_density, sph2d__predict);
     if (status == SPH2D_OK)
@@ -84,8 +85,10 @@ sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt)
     status = sph2d__sim_update_forcing(sim, end);
     if (status != SPH2D_OK)
         return status;
+    sph2d__openings_impose(sim);
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
+    sph2d__openings_hold_velocity(sim, dt);
     sph2d__loads_find(sim, 1);
     sph2d__bodies_second_kick(sim, dt); /* first: forces depend on the velocities that were predicted */
     sph2d__second_kick(&sim->system, dt);

@@ -187,10 +187,11 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double g = sph2d__kernel_constant(s->method.kernel) / (h2 * h2) *
                sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
     double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
-    bool absolute = s->rigid_count == 0 && f->pressure[i] < 0 && s->method.tensile_control == SPH2D_SWITCH_ON && f->min_eigenvalue[i] > BULK &&
-                    f->surface_distance[i] >= s->support;
-    double own = absolute ? -f->pressure[i] : f->pressure[i];
-    double press = mass > 0 ? own * vi * vi * mass / s->mass + w->pressure[b] * vb * vb * s->mass / mass : 0;
+    double own = f->pressure[i] + s->background, theirs = w->pressure[b] + s->background;
+    bool absolute = s->rigid_count == 0 && own < 0 && s->method.tensile_control == SPH2D_SWITCH_ON &&
+                    f->min_eigenvalue[i] > BULK && f->surface_distance[i] >= s->support;
+    own = absolute ? -own : own;
+    double press = mass > 0 ? own * vi * vi * mass / s->mass + theirs * vb * vb * s->mass / mass : 0;
     double push = -g * press, slip = push * (dx * w->along_x[b] + dy * w->along_y[b]);
     sph2d__wall_force force = {.pressure = {push * dx - slip * w->along_x[b], push * dy - slip * w->along_y[b]}};
     force.friction = sph2d__friction_of(s, b, dx, dy);

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_openings.c
+ *  Checks openings: what they prescribe, where they are, and whether they can balance. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scene/bodies.h"
+#include "scene/checker.h"
+#include "scene/liquid_side.h"
+#include "scene/motion.h"
+#include "scene/openings.h"
+#include "scene/resolve.h"
+#include "scene/wall_names.h"
+
+typedef sph2d__checker checker;
+
+/* Smallest width of an opening [spacings]: less is a row or two, whose pressure and velocity cannot be measured. */
+static const double MIN_WIDTH = 3;
+
+/** Checks that an opening prescribes one thing, and no more than belongs to it. */
+static void check_prescribed(checker *c, size_t i)
+{
+    const sph2d_opening *o = &c->scene->openings[i];
+    char path[SPH2D__PATH_SIZE];
+    int given = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure);
+    if (given != 1) {
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, given == 0 ? SPH2D_CODE_MISSING_KEY : SPH2D_CODE_CONFLICT,
+                               sph2d__check_path(path, "openings", i, ""),
+                               given == 0 ? "prescribes nothing" : "prescribes more than one thing");
+        sph2d_diagnostic_hint(d, "give one of velocity, flow_rate, pressure");
+        return;
+    }
+    bool shaped = o->profile != SPH2D_OPENING_PROFILE_UNIFORM;
+    if (!isnan(o->pressure) && (shaped || o->ramp > 0))
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, shaped ? ".profile" : ".ramp"),
+                           "belongs to velocity or flow_rate, not to pressure");
+}
+
+/** Checks the ends of an opening. False if they are not valid. */
+static bool check_ends(checker *c, size_t i)
+{
+    const sph2d_opening *o = &c->scene->openings[i];
+    const sph2d_box *d = &c->scene->domain;
+    bool vertical = o->side == SPH2D_SIDE_NAME_LEFT || o->side == SPH2D_SIDE_NAME_RIGHT;
+    double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x, dx = c->scene->spacing;
+    const struct {
+        const char *key;
+        double value;
+    } ends[] = {{".from", o->from}, {".to", o->to}};
+    char path[SPH2D__PATH_SIZE], message[120];
+    for (int k = 0; k < 2; ++k)
+        if (ends[k].value < low - 1e-9 * dx || ends[k].value > high + 1e-9 * dx) {
+            snprintf(message, sizeof message, "%g lies outside the %s side", ends[k].value,
+                     sph2d__side_word((int)o->side));
+            sph2d_diagnostic *e = sph2d__check_fault(c, SPH2D_CODE_OUTSIDE,
+                                                     sph2d__check_path(path, "openings", i, ends[k].key), message);
+            sph2d_diagnostic_hint(e, "the side reaches from %g to %g", low, high);
+            return false;
+        }
+    double width = sph2d__opening_mouth(c->scene, o).width;
+    if (width >= MIN_WIDTH * dx * (1 - 1e-9))
+        return true;
+    snprintf(message, sizeof message, "is %.3g m wide, less than %g spacings", width, MIN_WIDTH);
+    sph2d_diagnostic *e = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE,
+                                             sph2d__check_path(path, "openings", i, isnan(o->to) ? "" : ".to"), message);
+    sph2d_diagnostic_hint(e, "`to` must be above `from` by %.3g m or more; a thin jet is a source", MIN_WIDTH * dx);
+    return false;
+}
+
+/** The rectangle of a reservoir, without its lines. */
+static sph2d_box reservoir_of(const sph2d_scene *scene, const sph2d_opening *o, double shrink)
+{
+    sph2d__mouth m = sph2d__opening_mouth(scene, o);
+    double depth = sph2d__reservoir_length(scene);
+    sph2d_vec2 a = {m.start.x + shrink * m.along.x, m.start.y + shrink * m.along.y};
+    sph2d_vec2 b = {m.start.x + (m.width - shrink) * m.along.x - depth * m.inward.x,
+                    m.start.y + (m.width - shrink) * m.along.y - depth * m.inward.y};
+    return (sph2d_box){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+}
+
+/** Checks that two openings do not overlap, and do not meet in a corner, where their reservoirs would. */
+static void check_pair(checker *c, size_t i, size_t k)
+{
+    const sph2d_opening *a = &c->scene->openings[i], *b = &c->scene->openings[k];
+    double dx = c->scene->spacing;
+    char path[SPH2D__PATH_SIZE], message[120];
+    bool meet;
+    if (a->side == b->side) {
+        sph2d_box p = reservoir_of(c->scene, a, 1e-9 * dx), q = reservoir_of(c->scene, b, 1e-9 * dx);
+        meet = p.min.x < q.max.x && q.min.x < p.max.x && p.min.y < q.max.y && q.min.y < p.max.y;
+    } else {
+        double room = (double)sph2d__reservoir_rows(c->scene) * dx / 2; /* a support radius, and a little */
+        sph2d__mouth m = sph2d__opening_mouth(c->scene, a), n = sph2d__opening_mouth(c->scene, b);
+        const double ends[4] = {0, m.width, 0, n.width};
+        meet = false;
+        for (int e = 0; e < 4; ++e) {
+            sph2d_vec2 p = {m.start.x + ends[e % 2] * m.along.x, m.start.y + ends[e % 2] * m.along.y};
+            sph2d_vec2 q = {n.start.x + ends[2 + e / 2] * n.along.x, n.start.y + ends[2 + e / 2] * n.along.y};
+            meet = meet || hypot(p.x - q.x, p.y - q.y) < room;
+        }
+        bool opposite = m.along.x == n.along.x;
+        meet = meet && !opposite;
+    }
+    if (!meet)
+        return;
+    snprintf(message, sizeof message, a->side == b->side ? "overlaps openings[%zu]" : "meets openings[%zu] in a corner",
+             i);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", k, ""), message);
+    sph2d_diagnostic_hint(d, a->side == b->side ? "end one where the other begins"
+                                                : "leave a wall of %.2g m or more between each of them and the corner",
+                          (double)sph2d__reservoir_rows(c->scene) * dx / 2);
+}
+
+/** Checks that no solid at rest lies before an opening. */
+static void check_before(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    sph2d__mouth m = sph2d__opening_mouth(scene, &scene->openings[i]);
+    double dx = scene->spacing, steps = ceil(m.width / dx);
+    for (size_t k = 0; k < scene->obstacle_count; ++k)
+        for (double step = 0; step < steps; ++step) {
+            double t = (step + 0.5) / steps * m.width;
+            sph2d_vec2 p = {m.start.x + t * m.along.x + dx / 2 * m.inward.x,
+                            m.start.y + t * m.along.y + dx / 2 * m.inward.y};
+            if (!sph2d__obstacle_fills(scene, &scene->obstacles[k], p))
+                continue;
+            char path[SPH2D__PATH_SIZE], other[64], message[160];
+            snprintf(message, sizeof message, "%s lies before it, at (%g, %g)",
+                     sph2d__obstacle_path(other, sizeof other, scene, k, ""), p.x, p.y);
+            sph2d_diagnostic *d =
+                sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", i, ""), message);
+            sph2d_diagnostic_hint(d, "let `from` and `to` leave out what is solid, or move the obstacle away");
+            return;
+        }
+}
+
+/** Checks that liquid which fills its domain can flow out as it flows in. */
+static void check_balance(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    double sum = 0, all = 0;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        double rate = sph2d__opening_velocity(scene, &scene->openings[i]) *
+                      sph2d__opening_mouth(scene, &scene->openings[i]).width;
+        sum += rate;
+        all += fabs(rate); /* NAN where a pressure is given: that one balances the others */
+    }
+    if (scene->opening_count == 0 || !sph2d__has_no_surface(scene) || !(fabs(sum) > 1e-9 * all))
+        return;
+    char message[120];
+    snprintf(message, sizeof message, "let in %g m^2/s more than out, and liquid fills the domain", sum);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "openings", message);
+    sph2d_diagnostic_hint(d, "give one of them a pressure in place of a velocity or flow_rate");
+}
+
+static void check_opening(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    const sph2d_opening *o = &scene->openings[i];
+    int side = (int)o->side;
+    char path[SPH2D__PATH_SIZE];
+    const double speeds[] = {scene->wall_speeds.left, scene->wall_speeds.right, scene->wall_speeds.bottom,
+                             scene->wall_speeds.top};
+    sph2d_diagnostic *d;
+    if (sph2d__side_of(scene, side) != SPH2D_SIDE_WALL) {
+        d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),
+                               "is not a wall: an opening is a part of one");
+        sph2d_diagnostic_hint(d, "use `boundary: {%s: wall}`", sph2d__side_word(side));
+    } else if (sph2d__side_form(scene) != SPH2D_WALL_GENERALISED) {
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "walls", "openings need generalised walls: leave `walls` out");
+    }
+    if (speeds[side] != 0)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),
+                           "moves along itself (wall_speeds): there is no opening in a belt");
+    if (o->name && !sph2d__check_name(o->name))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "openings", i, ".name"),
+                           "must be 1 to 64 letters, digits, _ or -");
+    else if (o->name && sph2d__opening_named(scene, o->name) != o)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".name"),
+                           "another opening has this name");
+    check_prescribed(c, i);
+    check_ends(c, i);
+}
+
+void sph2d__check_openings(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    size_t before = c->errors;
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        check_opening(c, i);
+    if (scene->opening_count > 0 && sph2d__motion_moves(&scene->motion))
+        sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "motion", "a tank with openings cannot move");
+    if (c->errors > before)
+        return;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        for (size_t k = i + 1; k < scene->opening_count; ++k)
+            check_pair(c, i, k);
+        check_before(c, i);
+    }
+    check_balance(c);
+}

@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/** @file openings.c */
+#include "scene/openings.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "scene/bodies.h"
+#include "scene/derive.h"
+#include "scene/wall_names.h"
+
+static bool is_vertical(sph2d_side_name side)
+{
+    return side == SPH2D_SIDE_NAME_LEFT || side == SPH2D_SIDE_NAME_RIGHT;
+}
+
+const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *name)
+{
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if (scene->openings[i].name && strcmp(scene->openings[i].name, name) == 0)
+            return &scene->openings[i];
+    return NULL;
+}
+
+sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening)
+{
+    const sph2d_box *d = &scene->domain;
+    bool vertical = is_vertical(opening->side);
+    double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x;
+    double from = isnan(opening->from) ? low : opening->from, to = isnan(opening->to) ? high : opening->to;
+    switch (opening->side) {
+    case SPH2D_SIDE_NAME_LEFT:
+        return (sph2d__mouth){{d->min.x, from}, {0, 1}, {1, 0}, to - from};
+    case SPH2D_SIDE_NAME_RIGHT:
+        return (sph2d__mouth){{d->max.x, from}, {0, 1}, {-1, 0}, to - from};
+    case SPH2D_SIDE_NAME_BOTTOM:
+        return (sph2d__mouth){{from, d->min.y}, {1, 0}, {0, 1}, to - from};
+    case SPH2D_SIDE_NAME_TOP:
+    default:
+        return (sph2d__mouth){{from, d->max.y}, {1, 0}, {0, -1}, to - from};
+    }
+}
+
+double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening)
+{
+    return isnan(opening->flow_rate) ? opening->velocity
+                                     : opening->flow_rate / sph2d__opening_mouth(scene, opening).width;
+}
+
+double sph2d__opening_speed(const sph2d_scene *scene, const sph2d_opening *opening)
+{
+    double velocity = sph2d__opening_velocity(scene, opening);
+    return isnan(velocity) ? 0 : fabs(velocity) * (opening->profile == SPH2D_OPENING_PROFILE_PARABOLA ? 1.5 : 1);
+}
+
+/* Particles in the domain feel a reservoir as far as the support reaches, and what these know of their own neighbours
+ * reaches as far again. */
+static const double SUPPORTS = 2;
+
+size_t sph2d__reservoir_rows(const sph2d_scene *scene)
+{
+    return (size_t)ceil(SUPPORTS * sph2d__scene_reach(scene) / scene->spacing) + 1;
+}
+
+double sph2d__reservoir_length(const sph2d_scene *scene)
+{
+    double room = ceil(sph2d__scene_reach(scene) / scene->spacing) + 1;
+    return (SPH2D__DUCT + (double)sph2d__reservoir_rows(scene) + room) * scene->spacing;
+}
+
+/* ---- the larger domain ------------------------------------------------------------------------------------------- */
+
+/* Names of solids beside openings: told from the same names elsewhere by where they are stored. */
+static const char names_beside[SPH2D__WALL_OBSTACLE][8] = {"left", "right", "bottom", "top"};
+
+bool sph2d__is_beside_opening(const sph2d_obstacle *obstacle)
+{
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (obstacle->name == names_beside[side])
+            return true;
+    return false;
+}
+
+/** A solid box beyond a side, over [low, high] along it. */
+static sph2d_obstacle solid_beside(const sph2d_scene *scene, const sph2d_box *all, sph2d_side_name side, double low,
+                                   double high)
+{
+    const sph2d_box *d = &scene->domain;
+    sph2d_obstacle solid = sph2d_obstacle_default();
+    sph2d_box *b = &solid.outline.box;
+    *b = is_vertical(side) ? (sph2d_box){{0, low}, {0, high}} : (sph2d_box){{low, 0}, {high, 0}};
+    switch (side) {
+    case SPH2D_SIDE_NAME_LEFT:
+        b->min.x = all->min.x, b->max.x = d->min.x;
+        break;
+    case SPH2D_SIDE_NAME_RIGHT:
+        b->min.x = d->max.x, b->max.x = all->max.x;
+        break;
+    case SPH2D_SIDE_NAME_BOTTOM:
+        b->min.y = all->min.y, b->max.y = d->min.y;
+        break;
+    case SPH2D_SIDE_NAME_TOP:
+        b->min.y = d->max.y, b->max.y = all->max.y;
+        break;
+    }
+    const sph2d_wall_slip slips[] = {scene->side_slip.left, scene->side_slip.right, scene->side_slip.bottom,
+                                     scene->side_slip.top};
+    solid.outline.kind = SPH2D_OUTLINE_BOX;
+    solid.slip = slips[side];
+    solid.name = names_beside[side];
+    return solid;
+}
+
+/** The first end at or after `at` along a side of an opening that begins there; NULL if none does. */
+static const sph2d_opening *next_opening(const sph2d_scene *scene, sph2d_side_name side, double at)
+{
+    const sph2d_opening *next = NULL;
+    double least = INFINITY;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        sph2d__mouth m = sph2d__opening_mouth(scene, o);
+        double from = is_vertical(side) ? m.start.y : m.start.x;
+        if (o->side == side && from >= at && from < least) {
+            least = from;
+            next = o;
+        }
+    }
+    return next;
+}
+
+/** Adds the solids beyond a side that has openings, and returns their number. The outer ones go on to the corners of
+ *  the larger domain. */
+static size_t fill_side(const sph2d_scene *scene, const sph2d_box *all, sph2d_side_name side, sph2d_obstacle *solids)
+{
+    const sph2d_boundary *sides = &scene->boundary;
+
+    bool vertical = is_vertical(side);
+    const sph2d_box *d = &scene->domain;
+    double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x;
+    double first = vertical ? all->min.y : all->min.x, last = vertical ? all->max.y : all->max.x;
+    double beyond = last - first; /* as far as walls go on beyond open sides */
+    first -= (vertical ? sides->bottom : sides->left) == SPH2D_SIDE_OPEN ? beyond : 0;
+    last += (vertical ? sides->top : sides->right) == SPH2D_SIDE_OPEN ? beyond : 0;
+    double slack = 1e-9 * scene->spacing, at = low - slack;
+    size_t count = 0;
+    for (const sph2d_opening *o; (o = next_opening(scene, side, at)) != NULL;) {
+        sph2d__mouth m = sph2d__opening_mouth(scene, o);
+        double from = vertical ? m.start.y : m.start.x;
+        double begin = at < low ? (from > low + slack ? first : from) : at;
+        if (from > begin + slack)
+            solids[count++] = solid_beside(scene, all, side, begin, from);
+        at = from + m.width;
+    }
+    if (high > at + slack)
+        solids[count++] = solid_beside(scene, all, side, at, last);
+    return count;
+}
+
+static bool has_opening(const sph2d_scene *scene, int side)
+{
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if ((int)scene->openings[i].side == side)
+            return true;
+    return false;
+}
+
+bool sph2d__add_reservoirs(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+{
+    if (scene->opening_count == 0)
+        return true;
+    double depth = sph2d__reservoir_length(scene);
+    sph2d_box all = scene->domain;
+    all.min.x -= has_opening(scene, SPH2D__WALL_LEFT) ? depth : 0;
+    all.max.x += has_opening(scene, SPH2D__WALL_RIGHT) ? depth : 0;
+    all.min.y -= has_opening(scene, SPH2D__WALL_BOTTOM) ? depth : 0;
+    all.max.y += has_opening(scene, SPH2D__WALL_TOP) ? depth : 0;
+    size_t before = sph2d__obstacles_without_bodies(scene), bodies = scene->obstacle_count - before;
+    size_t most = scene->obstacle_count + scene->opening_count + SPH2D__WALL_OBSTACLE;
+    sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, most, sizeof *obstacles);
+    if (!obstacles)
+        return false;
+    if (before > 0)
+        memcpy(obstacles, scene->obstacles, before * sizeof *obstacles);
+    size_t count = before;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (has_opening(scene, side))
+            count += fill_side(scene, &all, (sph2d_side_name)side, obstacles + count);
+    if (bodies > 0)
+        memcpy(obstacles + count, scene->obstacles + before, bodies * sizeof *obstacles);
+    sph2d_wall_slip *slips[] = {&scene->side_slip.left, &scene->side_slip.right, &scene->side_slip.bottom,
+                                &scene->side_slip.top};
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (has_opening(scene, side))
+            *slips[side] = SPH2D_WALL_SLIP_FREE; /* the end of a reservoir does not brake what flows */
+    scene->obstacles = obstacles;
+    scene->obstacle_count = count + bodies;
+    scene->domain = all;
+    return true;
+}

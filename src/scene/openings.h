@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/** @file openings.h
+ *  Openings of a scene: where they are, and the reservoirs behind them, outside the domain. A simulation's own copy of
+ *  a scene is larger by the reservoirs; what of this addition lies beside openings is solid. */
+#ifndef SPH2D_SCENE_OPENINGS_H
+#define SPH2D_SCENE_OPENINGS_H
+
+#include "base/memory.h"
+#include "sph2d/scene.h"
+
+/** The line of an opening: a point of it is start + t along, 0 <= t <= width; `inward` points into the domain. */
+typedef struct sph2d__mouth {
+    sph2d_vec2 start, along, inward;
+    double width; /**< [m] */
+} sph2d__mouth;
+
+/** The opening of a name; NULL if there is none. */
+const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *name);
+
+/** Of an opening of a scene as it was given, without reservoirs. */
+sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening);
+
+/** The mean velocity of an opening into the domain, after its ramp; NAN where it prescribes a pressure [m/s]. */
+double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening);
+
+/** The largest speed that an opening prescribes; 0 where it prescribes a pressure [m/s]. */
+double sph2d__opening_speed(const sph2d_scene *scene, const sph2d_opening *opening);
+
+/** Length of the duct between the side and the reservoir of an opening with a pressure [spacings]. Liquid that leaves a
+ *  tank is still gathering speed before the side; where its velocity was measured there, a tank was drained at a third
+ *  of the speed that Torricelli's law gives, with a duct as long as the measurement at 0.77 to 0.81 of it, as through a
+ *  short tube. */
+enum { SPH2D__DUCT = 3 };
+
+/** Rows of particles in a reservoir when it is full. */
+size_t sph2d__reservoir_rows(const sph2d_scene *scene);
+
+/** The length of a reservoir with the room beyond its last particle. There they have a free surface, whose total force
+ *  does not change when a particle comes or goes; the wall at the end is out of their reach: near it the power that holds
+ *  them jumped with each particle, and 11 % of the energy of a stream past a cylinder was unaccounted for [m]. */
+double sph2d__reservoir_length(const sph2d_scene *scene);
+
+/** Adds the reservoirs to the domain of a copy of a scene, and solids beside openings, with the names of their sides, after its obstacles and before its bodies. False when memory is short. */
+bool sph2d__add_reservoirs(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory);
+
+/** Whether an obstacle of such a copy is one of these solids. */
+bool sph2d__is_beside_opening(const sph2d_obstacle *obstacle);
+
+#endif
