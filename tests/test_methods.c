@@ -76,6 +76,7 @@ START_TEST(every_feature_has_a_key_and_a_method)
     bool found[32] = {false};
     found[SPH2D_FEATURE_SURFACE_TENSION] = found[SPH2D_FEATURE_WALL_SLIP] = true; /* of other groups */
     found[SPH2D_FEATURE_SMOOTH_WALLS] = found[SPH2D_FEATURE_FREE_SURFACE] = true; /* of no key alone */
+    found[SPH2D_FEATURE_OPENINGS] = true;                                         /* of a list */
     const sph2d_keys *keys = sph2d_scene_keys();
     for (size_t k = 0; k < keys->count; ++k)
         if (strcmp(keys->items[k].name, "method") == 0)

@@ -306,10 +306,12 @@ static void spoil_lists(const sph2d_key *key, char *slot, char *owner, const cha
     if (key->count_offset == 0)
         return;
     void *items = list_of(slot), *none = NULL;
-    memcpy(slot, &none, sizeof none);
-    note(refused(SPH2D_CODE_CONFLICT, at), at, 0);
-    size_t count, zero = 0;
+    size_t count, zero = 0, one = 1;
     memcpy(&count, owner + key->count_offset, sizeof count);
+    memcpy(slot, &none, sizeof none);
+    if (count == 0) /* the scene has none of these */
+        memcpy(owner + key->count_offset, &one, sizeof one);
+    note(refused(SPH2D_CODE_CONFLICT, at), at, 0);
     memcpy(owner + key->count_offset, &zero, sizeof zero);
     sph2d_scene_check(&scene, NULL); /* none and 0 agree; whatever it means, it must not be read */
     memcpy(owner + key->count_offset, &count, sizeof count);

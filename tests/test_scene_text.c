@@ -134,6 +134,16 @@ static const char *const goldens[] = {
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nboundary:\n  top: wall\nspacing: 0.05\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n"
+    "openings:\n"
+    "  - name: in\n    side: left\n    velocity: 0.5\n    profile: parabola\n    ramp: 0.25\n"
+    "  - side: bottom\n    from: 0.25\n    to: 0.5\n    flow_rate: -0.125\n"
+    "  - side: right\n    pressure: 10\n"
+    "probes:\n"
+    "  - name: in\n    kind: opening\n    on: in\n    every: 0.5\n",
+
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
     "method:\n  name: constraint\n  damping: 5\n  tolerance: 1e-06\n  max_iterations: 50\n"
     "blocks:\n"

@@ -100,16 +100,22 @@ sph2d_slip sph2d__obstacle_slip(const sph2d_scene *scene, const sph2d_obstacle *
     return slip_or_scene(scene, obstacle->slip);
 }
 
+/** The bit of a slip; none for one that is no word, which the checker reports. */
+static unsigned bit_of(sph2d_slip slip)
+{
+    return (unsigned)slip <= SPH2D_SLIP_SMOOTH ? 1u << slip : 0;
+}
+
 unsigned sph2d__slips(const sph2d_scene *scene)
 {
     unsigned slips = 0;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
         if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && sph2d__side_form(scene) == SPH2D_WALL_GENERALISED)
-            slips |= 1u << sph2d__side_slip(scene, side);
+            slips |= bit_of(sph2d__side_slip(scene, side));
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         if (sph2d__obstacle_form(scene, &scene->obstacles[i]) == SPH2D_WALL_GENERALISED)
-            slips |= 1u << sph2d__obstacle_slip(scene, &scene->obstacles[i]);
-    return slips ? slips : 1u << scene->wall_slip;
+            slips |= bit_of(sph2d__obstacle_slip(scene, &scene->obstacles[i]));
+    return slips ? slips : bit_of(scene->wall_slip);
 }
 
 double sph2d__period_x(const sph2d_scene *scene)
