@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/** @file openings.c */
+/** @file openings.c
+ *  Reservoirs: made, measured before their lines, held to what is prescribed, fed. */
 #include "sim/openings.h"
 
 #include <math.h>
