@@ -68,7 +68,8 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
         "", "work of walls %.4g, forces %.4g; lost to viscosity %.4g, diffusion %.4g, stops %.4g, impacts %.4g J/m",
         s->energy_walls, s->energy_forces, s->energy_viscous, s->energy_diffused, s->energy_stopped, s->energy_pressed);
     if (scene->body_count > 0)
-        text_row("", "of bodies and their springs %.4g; lost to their contacts %.4g J/m", s->bodies, s->energy_contacts);
+        text_row("", "of bodies and their springs %.4g; lost to their contacts %.4g J/m", s->bodies,
+                 s->energy_contacts);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
         text_row("energy error", "%+.3g %% of the scene's %.4g J/m unaccounted for",
                  100 * s->energy_error / s->energy_scale, s->energy_scale);

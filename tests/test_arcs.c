@@ -22,8 +22,8 @@ static sph2d_report report;
 /* ---- geometry ---------------------------------------------------------------------------------------------------- */
 
 static const sph2d_arc arcs[] = {
-    {{0.3, -0.2}, 0.5, 0.4, 1.1},   {{0, 0}, 1, -0.7, 0.7},          {{1, 2}, 0.25, 2, 6},
-    {{0.5, 0.5}, 0.4, -9.5, -7.5},  {{0, 0}, 0.02, 1, 4},            {{-1, 3}, 2, TEST_PI, 2 * TEST_PI},
+    {{0.3, -0.2}, 0.5, 0.4, 1.1},   {{0, 0}, 1, -0.7, 0.7}, {{1, 2}, 0.25, 2, 6},
+    {{0.5, 0.5}, 0.4, -9.5, -7.5},  {{0, 0}, 0.02, 1, 4},   {{-1, 3}, 2, TEST_PI, 2 * TEST_PI},
     {{0.1, 0.2}, 0.3, 20.0, 26.28},
 };
 enum { ARCS = sizeof arcs / sizeof *arcs, SAMPLES = 4000 };
@@ -244,8 +244,10 @@ START_TEST(nothing_passes_an_arc_that_turns)
     static const struct {
         sph2d_method method;
         sph2d_wall_form form;
-    } kinds[] = {{SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED}, {SPH2D_METHOD_WCSPH, SPH2D_WALL_REFLECT},
-                 {SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY},      {SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED},
+    } kinds[] = {{SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED},
+                 {SPH2D_METHOD_WCSPH, SPH2D_WALL_REFLECT},
+                 {SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY},
+                 {SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED},
                  {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY}};
     static const sph2d_arc scoop = {{0.5, 0.5}, 0.25, 0, 1.5 * TEST_PI};
     enum { MOST = 4000 };
@@ -313,7 +315,7 @@ END_TEST
     X("obstacles[0].liquid", CONFLICT, obstacles[0].liquid = SPH2D_LIQUID_INSIDE)                                      \
     X("obstacles[0].motion", OUTSIDE, obstacles[0].motion.rate = 3)                                                    \
     X("obstacles[0].motion", OUTSIDE, obstacles[0].motion.amplitude.y = 0.15; obstacles[0].motion.frequency = 1;       \
-      scene.obstacle_count = 2)                         \
+      scene.obstacle_count = 2)                                                                                        \
     X("obstacles", OUT_OF_RANGE, obstacles[0].liquid = SPH2D_LIQUID_BOTH; scene.spacing = 2e-4)
 
 #define NUMBER(at, code, what) +1

@@ -111,7 +111,8 @@ START_TEST(a_body_in_air_flies_a_parabola_and_turns_evenly)
     ck_assert_double_eq_tol(b.angle, 2 * t, 1e-12);
     ck_assert_double_eq_tol(b.velocity.y, 1 - 9.81 * t, 1e-11);
     double mass = 400 * 0.4 * 0.32, inertia = mass * (0.4 * 0.4 + 0.32 * 0.32) / 12;
-    ck_assert_double_eq_tol(sph2d_sim_summary(sim).bodies, mass * ((0.09 + 1) / 2 + 9.81 * 4.16) + inertia * 2, 1e-9 * mass);
+    ck_assert_double_eq_tol(sph2d_sim_summary(sim).bodies, mass * ((0.09 + 1) / 2 + 9.81 * 4.16) + inertia * 2,
+                            1e-9 * mass);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -257,8 +258,7 @@ static sph2d_vec2 momentum_of(const sph2d_sim *sim)
 {
     const sph2d__rigid *r = &sim->bodies.items[0];
     sph2d_summary s = sph2d_sim_summary(sim);
-    return (sph2d_vec2){s.momentum[0] + r->mass * r->state->velocity.x,
-                        s.momentum[1] + r->mass * r->state->velocity.y};
+    return (sph2d_vec2){s.momentum[0] + r->mass * r->state->velocity.x, s.momentum[1] + r->mass * r->state->velocity.y};
 }
 
 START_TEST(what_the_liquid_loses_the_body_gains)
@@ -308,8 +308,8 @@ START_TEST(impulses_on_a_body_are_what_it_gains)
         y += values[10];
         turn += values[11];
         sph2d_body_state b = sph2d_sim_body(sim, 0);
-        double away = fmax(fabs(r->mass * b.velocity.x - x),
-                           fabs(r->mass * (b.velocity.y + 9.81 * sph2d_sim_time(sim)) - y));
+        double away =
+            fmax(fabs(r->mass * b.velocity.x - x), fabs(r->mass * (b.velocity.y + 9.81 * sph2d_sim_time(sim)) - y));
         largest = fmax(largest, fmax(away, fabs(r->inertia * b.rate - turn) / 0.2));
         fastest = fmax(fastest, r->mass * fabs(b.velocity.x));
     }
@@ -557,7 +557,7 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
     } faults[] = {{SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].mass"},
                   {SPH2D_CODE_CONFLICT, "bodies[0].velocity"},    {SPH2D_CODE_CONFLICT, "bodies[0].motor"},
                   {SPH2D_CODE_UNSUPPORTED, "bodies[0].form"},     {SPH2D_CODE_UNSUPPORTED, "bodies[0]"},
-                  {SPH2D_CODE_OUTSIDE, "bodies[0].box"},              {SPH2D_CODE_OVERLAP, "bodies[0]"},
+                  {SPH2D_CODE_OUTSIDE, "bodies[0].box"},          {SPH2D_CODE_OVERLAP, "bodies[0]"},
                   {SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].name"},
                   {SPH2D_CODE_OUT_OF_RANGE, "bodies[0].density"}, {SPH2D_CODE_CONFLICT, "bodies[0].rate"}};
     static sph2d_report report;

@@ -143,8 +143,8 @@ START_TEST(a_run_in_a_moving_tank_goes_on_from_its_state_bit_by_bit)
 }
 END_TEST
 
-static const sph2d_pose_point late[] = {
-    {0, 0, 0, 0}, {1, 0, 0, 0}, {1.5, 0.1, 0, 0.1}, {2, -0.2, 0, -0.3}, {3, 0, 0, 0}, {4, 0, 0, 0}};
+static const sph2d_pose_point late[] = {{0, 0, 0, 0},       {1, 0, 0, 0}, {1.5, 0.1, 0, 0.1},
+                                        {2, -0.2, 0, -0.3}, {3, 0, 0, 0}, {4, 0, 0, 0}};
 static const sph2d_path_point heavier[] = {{0, 0.3, -2}, {2, 0.3, -2}, {5, 1, -7}, {6, 0.3, -2}};
 static const sph2d_swing sway[] = {{.amplitude = {0.02, 0}, .frequency = 0.31}, {.angle = 0.1, .frequency = 0.073}};
 

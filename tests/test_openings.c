@@ -264,7 +264,7 @@ START_TEST(a_tank_with_its_own_pressure_at_a_side_stays_at_rest)
     double inside = 0;
     for (size_t i = 0; i < f.count; ++i)
         inside += f.x[i] < 1;
-    ck_assert_double_le(fabs(inside - 800), 20); /* half a row */
+    ck_assert_double_le(fabs(inside - 800), 20);               /* half a row */
     ck_assert_double_le(fabs(read_opening(0).velocity), 0.14); /* that of a head of 1 mm, 1/25 of a spacing */
     finish();
 }

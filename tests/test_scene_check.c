@@ -301,14 +301,15 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
         sph2d_motion motion;
         sph2d_method method;
         const char *warned; /* of this; NULL: of nothing */
-    } cases[] = {{{.path = {jump, 3}}, SPH2D_METHOD_WCSPH, "by 0.5 m/s at t = 0.1 s, which compresses"},
-                 {{.path = {jump, 3}}, SPH2D_METHOD_CONSTRAINT, "by 0.5 m/s at t = 0.1 s, an impact: it loses up to 0.12"},
-                 {{.path = {jump, 3}}, SPH2D_METHOD_PCISPH, "an impact"},
-                 {{.path = {steps, 2}}, SPH2D_METHOD_WCSPH, NULL},
-                 {{.path = {steps, 2}}, SPH2D_METHOD_CONSTRAINT, NULL},
-                 {{.amplitude = {-0.1, 0}, .frequency = 1}, SPH2D_METHOD_WCSPH, "at t = 0 s, which compresses"},
-                 {{.amplitude = {-0.1, 0}, .frequency = 1}, SPH2D_METHOD_CONSTRAINT, "at t = 0 s, an impact"},
-                 {{.amplitude = {-0.1, 0}, .frequency = 1, .phase = -1.5708}, SPH2D_METHOD_WCSPH, NULL}};
+    } cases[] = {
+        {{.path = {jump, 3}}, SPH2D_METHOD_WCSPH, "by 0.5 m/s at t = 0.1 s, which compresses"},
+        {{.path = {jump, 3}}, SPH2D_METHOD_CONSTRAINT, "by 0.5 m/s at t = 0.1 s, an impact: it loses up to 0.12"},
+        {{.path = {jump, 3}}, SPH2D_METHOD_PCISPH, "an impact"},
+        {{.path = {steps, 2}}, SPH2D_METHOD_WCSPH, NULL},
+        {{.path = {steps, 2}}, SPH2D_METHOD_CONSTRAINT, NULL},
+        {{.amplitude = {-0.1, 0}, .frequency = 1}, SPH2D_METHOD_WCSPH, "at t = 0 s, which compresses"},
+        {{.amplitude = {-0.1, 0}, .frequency = 1}, SPH2D_METHOD_CONSTRAINT, "at t = 0 s, an impact"},
+        {{.amplitude = {-0.1, 0}, .frequency = 1, .phase = -1.5708}, SPH2D_METHOD_WCSPH, NULL}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         *motion = cases[k].motion;
         scene.method.name = cases[k].method;
@@ -361,8 +362,8 @@ START_TEST(what_does_nothing_is_warned_of)
         path[0].x = k == 5 ? -0.5 : 0.1;
         sph2d_report_clear(&report);
         ck_assert_msg(sph2d_scene_check(&scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
-        ck_assert_msg(says[k] ? strstr(test_report_text(&report), says[k]) != NULL : report.count == 0, "case %d: %s", k,
-                      test_report_text(&report));
+        ck_assert_msg(says[k] ? strstr(test_report_text(&report), says[k]) != NULL : report.count == 0, "case %d: %s",
+                      k, test_report_text(&report));
     }
 }
 END_TEST
@@ -417,7 +418,7 @@ START_TEST(a_motion_that_squeezes_liquid_is_warned_of)
     static sph2d_pose_point way[3] = {{0.1, 0, 0, 0}, {0.6, 0, 0, 0}, {0.8, 0, 0, 0}};
     const struct {
         double x, y;
-        const char *warned; /* of this; NULL: of nothing */
+        const char *warned;       /* of this; NULL: of nothing */
     } cases[] = {{0.13, 0, NULL}, /* to 0.98, a spacing from the side */
                  {0.14, 0, "to 0.5 spacings from the right side of the domain at t = 0.6 s"},
                  {0.15, 0, "to 0 spacings from the right side of the domain at t = 0.6 s"},

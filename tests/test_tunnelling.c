@@ -29,8 +29,8 @@ static const size_t counts[TARGETS] = {[LINE] = 2, [SLANTED] = 2, [CORNER] = 3, 
 
 /** Where the jets aim: on the line, the corner, the circle's top, the box's upper edge, the knife's tip. */
 static const sph2d_vec2 aims[TARGETS] = {
-    [LINE] = {0.5, 0.3},    [SLANTED] = {0.5, 0.325}, [CORNER] = {0.5, 0.15},
-    [CIRCLE] = {0.5, 0.45}, [BOX] = {0.45, 0.4},      [KNIFE] = {0.5, 0.4},    [BOWL] = {0.5, 0.1},
+    [LINE] = {0.5, 0.3}, [SLANTED] = {0.5, 0.325}, [CORNER] = {0.5, 0.15}, [CIRCLE] = {0.5, 0.45},
+    [BOX] = {0.45, 0.4}, [KNIFE] = {0.5, 0.4},     [BOWL] = {0.5, 0.1},
 };
 
 static sph2d_outline outline_of(int target)

@@ -371,8 +371,7 @@ typedef enum sph2d_arrangement {
       "fx [N/m],fy [N/m],torque [N],pressure_x [N/m],pressure_y [N/m],friction_x [N/m],friction_y [N/m],"              \
       "contact_x [N/m],contact_y [N/m],impulse_x [kg/s],impulse_y [kg/s],angular_impulse [kg m/s]")                    \
     X(WORK, work, "power [W/m],work [J/m]")                                                                            \
-    X(BODY, body,                                                                                                      \
-      "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")              \
+    X(BODY, body, "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")  \
     X(OPENING, opening, "velocity [m/s],flow_rate [m^2/s],let_in [m^2],pressure [Pa],wet [m]")
 
 /** What a probe measures. */

@@ -45,16 +45,16 @@ typedef struct sph2d__rigid {
     sph2d_vec2 center;         /**< of mass, where the scene draws it [m] */
     sph2d__rigid_state *state;
 
-    double start;         /**< time from which the present way counts [s] */
-    double meeting;       /**< time to which the velocity along it belongs: accelerations change it around that [s] */
-    bool knows_felt;      /**< `felt` is that of the last evaluation, not to be found anew */
-    double now;           /**< time for which its boundary particles were placed last [s] */
-    sph2d__twist from;    /**< place at its start */
-    sph2d__twist way;     /**< the velocity along it */
-    sph2d__twist meant;   /**< the same without motors and contacts */
-    sph2d__twist before;  /**< force of the liquid at the start of the step ... */
+    double start;        /**< time from which the present way counts [s] */
+    double meeting;      /**< time to which the velocity along it belongs: accelerations change it around that [s] */
+    bool knows_felt;     /**< `felt` is that of the last evaluation, not to be found anew */
+    double now;          /**< time for which its boundary particles were placed last [s] */
+    sph2d__twist from;   /**< place at its start */
+    sph2d__twist way;    /**< the velocity along it */
+    sph2d__twist meant;  /**< the same without motors and contacts */
+    sph2d__twist before; /**< force of the liquid at the start of the step ... */
     sph2d__twist gap_before; /**< ... and that of gaps */
-    sph2d__twist other;   /**< all forces but pressure and contacts, as they are known before it */
+    sph2d__twist other;      /**< all forces but pressure and contacts, as they are known before it */
 } sph2d__rigid;
 
 /** Acceleration by a force, where the body is free. */

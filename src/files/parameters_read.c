@@ -100,8 +100,7 @@ void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene)
 static void get_path(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
 {
     sph2d__h5_item item;
-    if (!sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) ||
-        !sph2d__h5_item_open(r, SPH2D__GROUP_PARAMETERS, key, &item))
+    if (!sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) || !sph2d__h5_item_open(r, SPH2D__GROUP_PARAMETERS, key, &item))
         return;
     sph2d__kept_path *path = &s->paths[s->path_count];
     void *rows = NULL;

@@ -72,13 +72,13 @@ sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
     sph2d__sim_sum_energy(sim, &now);
     if (sim->method->project)
         book_projection(r, now.elastic);
-    double energy = now.kinetic + now.potential + now.elastic + now.bodies - r->energy_fed - r->energy_walls - r->energy_forces;
+    double energy =
+        now.kinetic + now.potential + now.elastic + now.bodies - r->energy_fed - r->energy_walls - r->energy_forces;
     bool starting = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;
     r->energy_low = starting ? energy : fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
-    r->energy_error =
-        energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped + r->energy_pressed +
-                      r->energy_contacts;
+    r->energy_error = energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped +
+                      r->energy_pressed + r->energy_contacts;
     r->error_low = fmin(r->error_low, r->energy_error);
     r->error_rise = fmax(r->error_rise, r->energy_error - r->error_low);
     return SPH2D_OK;

@@ -117,8 +117,8 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
         return false;
     }
     if (e->escaped != SIZE_MAX) {
-        sph2d_diagnostic *d = report_particle(sim, report, SPH2D_CODE_ESCAPED, e->escaped,
-                                              "a particle is beyond a wall of the domain");
+        sph2d_diagnostic *d =
+            report_particle(sim, report, SPH2D_CODE_ESCAPED, e->escaped, "a particle is beyond a wall of the domain");
         sph2d__sim_hint_escape(sim, (sph2d_vec2){f->x[e->escaped], f->y[e->escaped]}, d);
         return false;
     }
@@ -221,13 +221,14 @@ static bool guard_bodies(const sph2d_sim *sim, sph2d_report *report)
             continue;
         char path[64];
         snprintf(path, sizeof path, "bodies[%zu]", k);
-        sph2d_diagnostic *e = sph2d_report_add(
-            report, SPH2D_ERROR, finite ? SPH2D_CODE_ESCAPED : SPH2D_CODE_NOT_FINITE, path,
-            "%s: it is at (%g, %g) with velocity (%g, %g), step %llu, time %g s",
-            finite ? "the body has left the domain" : "a value is not finite", b.center.x, b.center.y, b.velocity.x,
-            b.velocity.y, (unsigned long long)sim->record.steps, sim->record.time);
-        sph2d_diagnostic_hint(e, "%s", finite ? "make the side that it left through a wall, or end the run before"
-                                              : "lower method.cfl, or make the body heavier");
+        sph2d_diagnostic *e =
+            sph2d_report_add(report, SPH2D_ERROR, finite ? SPH2D_CODE_ESCAPED : SPH2D_CODE_NOT_FINITE, path,
+                             "%s: it is at (%g, %g) with velocity (%g, %g), step %llu, time %g s",
+                             finite ? "the body has left the domain" : "a value is not finite", b.center.x, b.center.y,
+                             b.velocity.x, b.velocity.y, (unsigned long long)sim->record.steps, sim->record.time);
+        sph2d_diagnostic_hint(e, "%s",
+                              finite ? "make the side that it left through a wall, or end the run before"
+                                     : "lower method.cfl, or make the body heavier");
         return false;
     }
     return true;

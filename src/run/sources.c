@@ -279,8 +279,8 @@ static void count_removed(sph2d_sim *sim, size_t i)
 static bool removes_particles(const sph2d_scene *scene)
 {
     const sph2d_boundary *b = &scene->boundary;
-    return scene->drain_count > 0 || scene->opening_count > 0 || b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN ||
-           b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
+    return scene->drain_count > 0 || scene->opening_count > 0 || b->left == SPH2D_SIDE_OPEN ||
+           b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
 }
 
 /** Flags the particles to remove. */

@@ -16,8 +16,8 @@ static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *repo
                          (unsigned long long)sim->record.steps);
     if (status != SPH2D_NOMEM && status != SPH2D_GUARD)
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
-                         "the solver for contacts of bodies ended step %llu: %s",
-                         (unsigned long long)sim->record.steps, sph2d_status_text(status));
+                         "the solver for contacts of bodies ended step %llu: %s", (unsigned long long)sim->record.steps,
+                         sph2d_status_text(status));
     return status;
 }
 

@@ -87,9 +87,8 @@ static void mark_walls(grid *g)
 {
     for (size_t i = 0; i < g->scene->obstacle_count; ++i) {
         const sph2d_outline *outline = &g->scene->obstacles[i].outline;
-        size_t pieces = !sph2d__obstacle_moves(&g->scene->obstacles[i])
-                            ? sph2d__outline_pieces(outline, g->scene->spacing)
-                            : 0;
+        size_t pieces =
+            !sph2d__obstacle_moves(&g->scene->obstacles[i]) ? sph2d__outline_pieces(outline, g->scene->spacing) : 0;
         for (size_t k = 0; k < pieces; ++k) {
             sph2d__segment s = sph2d__outline_piece(outline, g->scene->spacing, k);
             mark_crossings(g, s, false);
@@ -194,7 +193,8 @@ static double fall_from_opening(grid *g, const sph2d_opening *opening, double ex
     double inside = g->scene->spacing / 4, low = fmin(inside, m.width / 4), fall = 0;
     for (int end = 0; end < 2; ++end) {
         double t = end == 0 ? low : m.width - low;
-        sph2d_vec2 p = {m.start.x + t * m.along.x + inside * m.inward.x, m.start.y + t * m.along.y + inside * m.inward.y};
+        sph2d_vec2 p = {m.start.x + t * m.along.x + inside * m.inward.x,
+                        m.start.y + t * m.along.y + inside * m.inward.y};
         fall = fmax(fall, fall_from(g, p, extra_head, walled));
     }
     return fall;
@@ -239,8 +239,7 @@ double sph2d__basin_height(const sph2d_scene *scene, double extra_head)
         fixed += !sph2d__obstacle_moves(&scene->obstacles[i]);
     double nx = fmax(ceil((d.max.x - d.min.x) / scene->spacing - 1e-9), 1);
     double ny = fmax(ceil((d.max.y - d.min.y) / scene->spacing - 1e-9), 1);
-    double liquids = (double)scene->block_count + (double)scene->source_count +
-                     2 * (double)scene->opening_count + 1;
+    double liquids = (double)scene->block_count + (double)scene->source_count + 2 * (double)scene->opening_count + 1;
     bool walled = fixed > 0 && nx * ny <= MAX_CELLS && nx * ny * liquids <= MAX_VISITS;
     size_t cells = walled ? (size_t)(nx * ny) : 0;
     g.nx = walled ? (size_t)nx : 0;

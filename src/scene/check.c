@@ -181,11 +181,10 @@ static void check_lists(checker *c)
     const struct {
         const char *path;
         size_t count;
-    } lists[] = {{"blocks", s->block_count}, {"sources", s->source_count},
-                 {"drains", s->drain_count}, {"obstacles", s->obstacle_count},
-                 {"bodies", s->body_count},   {"probes", s->probe_count},
-                 {"openings", s->opening_count},
-                 {"interactions", s->interaction_count}};
+    } lists[] = {{"blocks", s->block_count},     {"sources", s->source_count},
+                 {"drains", s->drain_count},     {"obstacles", s->obstacle_count},
+                 {"bodies", s->body_count},      {"probes", s->probe_count},
+                 {"openings", s->opening_count}, {"interactions", s->interaction_count}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; ++k) {
         char message[80];
         snprintf(message, sizeof message, "has %zu items, more than %d", lists[k].count, MAX_ITEMS);
@@ -225,10 +224,10 @@ static void check_nozzles(checker *c)
             char path[PATH_SIZE], other[64];
             if ((!o->body && sph2d__obstacle_moves(o)) || !sph2d__obstacle_fills(scene, o, scene->sources[i].at))
                 continue;
-            sph2d_diagnostic *w = sph2d_report_add(
-                c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "sources", i, ".at"),
-                "lies inside %s: a nozzle there cannot emit particles",
-                sph2d__obstacle_path(other, sizeof other, scene, k, ""));
+            sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP,
+                                                   sph2d__check_path(path, "sources", i, ".at"),
+                                                   "lies inside %s: a nozzle there cannot emit particles",
+                                                   sph2d__obstacle_path(other, sizeof other, scene, k, ""));
             sph2d_diagnostic_hint(w, "move it half a spacing outside");
             break;
         }

@@ -42,7 +42,8 @@ static void check_mass(checker *c, size_t k)
                               "give `density`, in kg/m^3; half of the liquid's floats half submerged: %g",
                               c->scene->fluid.density / 2);
     if (body->density > 0 && body->mass > 0)
-        fault(c, k, SPH2D_CODE_CONFLICT, ".mass", "follows from the density, which is given, too: leave out one of them");
+        fault(c, k, SPH2D_CODE_CONFLICT, ".mass",
+              "follows from the density, which is given, too: leave out one of them");
 }
 
 /** Velocities at the start that the scene holds at zero. */

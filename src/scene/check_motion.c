@@ -132,8 +132,8 @@ static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const c
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
         "its velocity jumps by %.2g m/s at t = %g s, %s", hit->speed, hit->time, costs);
     const sph2d_motion *m = &c->scene->obstacles[i].motion;
-    bool end = m->path.count > 0 &&
-               (hit->time == m->path.items[0].t || hit->time == m->path.items[m->path.count - 1].t);
+    bool end =
+        m->path.count > 0 && (hit->time == m->path.items[0].t || hit->time == m->path.items[m->path.count - 1].t);
     if (end && m->between == SPH2D_BETWEEN_CUBIC)
         sph2d_diagnostic_hint(w,
                               "let it accelerate over %.2g s or longer: a cubic path begins and ends at rest only by "

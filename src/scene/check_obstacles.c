@@ -70,9 +70,8 @@ static void check_obstacle(checker *c, size_t i)
     char path[PATH_SIZE];
     sph2d__check_wall_name(c, i);
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
-        sph2d_diagnostic *d =
-            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".form"),
-                               "only sides of the domain can be springs");
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".form"),
+                                                 "only sides of the domain can be springs");
         sph2d_diagnostic_hint(d, "use heavy or reflect");
     }
     switch (outline->kind) {
@@ -108,8 +107,8 @@ static void check_obstacle(checker *c, size_t i)
         break;
     case SPH2D_OUTLINE_NONE:
     default: {
-        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""),
-                                                 "has no outline");
+        sph2d_diagnostic *d =
+            sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""), "has no outline");
         sph2d_diagnostic_hint(d, "give one of %s",
                               obstacle->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon, arc");
         break;
@@ -125,8 +124,7 @@ static bool can_be_solid(const sph2d_scene *scene, const sph2d_outline *outline)
     void *points = sph2d__alloc(&memory, 3 * count, sizeof(sph2d_vec2));
     sph2d_vec2 *corners = points, *line = corners ? corners + 2 * count : NULL;
     sph2d__outline_points(outline, scene->spacing, line);
-    bool can =
-        !corners || sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
+    bool can = !corners || sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
     sph2d__release(&memory, &points, 3 * count, sizeof(sph2d_vec2));
     return can;
 }
@@ -187,10 +185,10 @@ static void check_all_points(checker *c)
     for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
         const sph2d_outline *o = &c->scene->obstacles[i].outline;
         bool solid_arc = o->kind == SPH2D_OUTLINE_ARC && c->scene->obstacles[i].liquid == SPH2D_LIQUID_BOTH;
-        points += solid_arc ? sph2d__outline_points(o, c->scene->spacing, NULL)
-                  : o->kind == SPH2D_OUTLINE_POLYLINE  ? o->polyline.count
-                  : o->kind == SPH2D_OUTLINE_POLYGON ? o->polygon.count
-                                                     : 4;
+        points += solid_arc                           ? sph2d__outline_points(o, c->scene->spacing, NULL)
+                  : o->kind == SPH2D_OUTLINE_POLYLINE ? o->polyline.count
+                  : o->kind == SPH2D_OUTLINE_POLYGON  ? o->polygon.count
+                                                      : 4;
     }
     if (points <= MAX_ALL_POINTS)
         return;

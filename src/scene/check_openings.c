@@ -24,16 +24,16 @@ static void check_prescribed(checker *c, size_t i)
     char path[SPH2D__PATH_SIZE];
     int given = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure);
     if (given != 1) {
-        sph2d_diagnostic *d =
-            sph2d__check_fault(c, given == 0 ? SPH2D_CODE_MISSING_KEY : SPH2D_CODE_CONFLICT,
-                               sph2d__check_path(path, "openings", i, ""),
-                               given == 0 ? "prescribes nothing" : "prescribes more than one thing");
+        sph2d_diagnostic *d = sph2d__check_fault(c, given == 0 ? SPH2D_CODE_MISSING_KEY : SPH2D_CODE_CONFLICT,
+                                                 sph2d__check_path(path, "openings", i, ""),
+                                                 given == 0 ? "prescribes nothing" : "prescribes more than one thing");
         sph2d_diagnostic_hint(d, "give one of velocity, flow_rate, pressure");
         return;
     }
     bool shaped = o->profile != SPH2D_OPENING_PROFILE_UNIFORM;
     if (!isnan(o->pressure) && (shaped || o->ramp > 0))
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, shaped ? ".profile" : ".ramp"),
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
+                           sph2d__check_path(path, "openings", i, shaped ? ".profile" : ".ramp"),
                            "belongs to velocity or flow_rate, not to pressure");
 }
 
@@ -53,8 +53,8 @@ static bool check_ends(checker *c, size_t i)
         if (ends[k].value < low - 1e-9 * dx || ends[k].value > high + 1e-9 * dx) {
             snprintf(message, sizeof message, "%g lies outside the %s side", ends[k].value,
                      sph2d__side_word((int)o->side));
-            sph2d_diagnostic *e = sph2d__check_fault(c, SPH2D_CODE_OUTSIDE,
-                                                     sph2d__check_path(path, "openings", i, ends[k].key), message);
+            sph2d_diagnostic *e =
+                sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, "openings", i, ends[k].key), message);
             sph2d_diagnostic_hint(e, "the side reaches from %g to %g", low, high);
             return false;
         }
@@ -62,8 +62,8 @@ static bool check_ends(checker *c, size_t i)
     if (width >= MIN_WIDTH * dx * (1 - 1e-9))
         return true;
     snprintf(message, sizeof message, "is %.3g m wide, less than %g spacings", width, MIN_WIDTH);
-    sph2d_diagnostic *e = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE,
-                                             sph2d__check_path(path, "openings", i, isnan(o->to) ? "" : ".to"), message);
+    sph2d_diagnostic *e = sph2d__check_fault(
+        c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "openings", i, isnan(o->to) ? "" : ".to"), message);
     sph2d_diagnostic_hint(e, "`to` must be above `from` by %.3g m or more; a thin jet is a source", MIN_WIDTH * dx);
     return false;
 }
@@ -106,9 +106,11 @@ static void check_pair(checker *c, size_t i, size_t k)
         return;
     snprintf(message, sizeof message, a->side == b->side ? "overlaps openings[%zu]" : "meets openings[%zu] in a corner",
              i);
-    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", k, ""), message);
-    sph2d_diagnostic_hint(d, a->side == b->side ? "end one where the other begins"
-                                                : "leave a wall of %.2g m or more between each of them and the corner",
+    sph2d_diagnostic *d =
+        sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", k, ""), message);
+    sph2d_diagnostic_hint(d,
+                          a->side == b->side ? "end one where the other begins"
+                                             : "leave a wall of %.2g m or more between each of them and the corner",
                           (double)sph2d__reservoir_rows(c->scene) * dx / 2);
 }
 

@@ -91,8 +91,7 @@ static void warn_of_torque(checker *c, int obstacle, const char *path)
     const sph2d_scene *scene = c->scene;
     const sph2d_obstacle *o = &scene->obstacles[obstacle];
     if (scene->method.name != SPH2D_METHOD_WCSPH || sph2d__obstacle_slip(scene, o) != SPH2D_SLIP_NONE ||
-        !sph2d__obstacle_turns(o) ||
-        sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
+        !sph2d__obstacle_turns(o) || sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
         return;
     sph2d_diagnostic *d = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, path,
@@ -141,8 +140,8 @@ static void check_side(checker *c, int side, const char *path)
 {
     for (size_t k = 0; k < c->scene->opening_count; ++k)
         if ((int)c->scene->openings[k].side == side) {
-            sph2d_diagnostic *d =
-                sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "is a side with an opening, whose force is not known");
+            sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path,
+                                                     "is a side with an opening, whose force is not known");
             sph2d_diagnostic_hint(d, "draw a wall inside as an obstacle with a `name`");
             return;
         }

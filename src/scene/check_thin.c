@@ -116,12 +116,9 @@ static bool find_in_obstacle(const sph2d_scene *scene, const sph2d_obstacle *obs
 
 void sph2d__check_thin(sph2d__checker *c)
 {
-    static const char *const kinds[] = {[SPH2D_OUTLINE_LINE] = ".line",
-                                        [SPH2D_OUTLINE_POLYLINE] = ".polyline",
-                                        [SPH2D_OUTLINE_CIRCLE] = ".circle",
-                                        [SPH2D_OUTLINE_BOX] = ".box",
-                                        [SPH2D_OUTLINE_POLYGON] = ".polygon",
-                                        [SPH2D_OUTLINE_ARC] = ".arc"};
+    static const char *const kinds[] = {
+        [SPH2D_OUTLINE_LINE] = ".line", [SPH2D_OUTLINE_POLYLINE] = ".polyline", [SPH2D_OUTLINE_CIRCLE] = ".circle",
+        [SPH2D_OUTLINE_BOX] = ".box",   [SPH2D_OUTLINE_POLYGON] = ".polygon",   [SPH2D_OUTLINE_ARC] = ".arc"};
     const sph2d_scene *scene = c->scene;
     size_t count = 0, first = 0;
     thin place = {0}, found;

@@ -342,11 +342,12 @@ static const sph2d_key body_items[] = {
     {"box", SPH2D_KEY_GROUP, false, AT(sph2d_body, outline.box), CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_BOX),
      .keys = &box_keys, .unit = "", .text = "a rectangle"},
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_body, outline.polygon.items, outline.polygon.count), ANY,
-     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"},
+     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
+     .text = "corners, 3 or more, closed by itself"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_body, density), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
      .unit = "kg/m^3", .default_text = "mass over area", .text = "density; this or the mass must be given"},
-    {"mass", SPH2D_KEY_NUMBER, false, AT(sph2d_body, mass), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
-     .unit = "kg/m", .default_text = "density times area", .text = "mass per metre of depth"},
+    {"mass", SPH2D_KEY_NUMBER, false, AT(sph2d_body, mass), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST), .unit = "kg/m",
+     .default_text = "density times area", .text = "mass per metre of depth"},
     {"inertia", SPH2D_KEY_NUMBER, false, AT(sph2d_body, inertia), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
      .unit = "kg m", .default_text = "of an even density",
      .text = "moment of inertia about the centre of mass, per metre of depth"},
@@ -481,9 +482,9 @@ KEYS(wall_speeds, sph2d_side_speeds, NULL);
 
 #define SIDE_SLIP(side)                                                                                                \
     {                                                                                                                  \
-        #side, SPH2D_KEY_WORD, false, AT(sph2d_side_slips, side), .words = wall_slip_words, .unit = "",                \
-                                                  .default_text = "the scene's wall_slip",                             \
-                                                  .feature = SPH2D_FEATURE_WALL_SLIP, .text = #side " side"            \
+#side, SPH2D_KEY_WORD, false, AT(sph2d_side_slips, side),                                                      \
+            .words = wall_slip_words, .unit = "", .default_text = "the scene's wall_slip",                             \
+            .feature = SPH2D_FEATURE_WALL_SLIP, .text = #side " side"                                                  \
     }
 
 static const sph2d_key side_slip_items[] = {SIDE_SLIP(left), SIDE_SLIP(right), SIDE_SLIP(bottom), SIDE_SLIP(top)};

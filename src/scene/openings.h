@@ -35,12 +35,13 @@ enum { SPH2D__DUCT = 3 };
 /** Rows of particles in a reservoir when it is full. */
 size_t sph2d__reservoir_rows(const sph2d_scene *scene);
 
-/** The length of a reservoir with the room beyond its last particle. There they have a free surface, whose total force
- *  does not change when a particle comes or goes; the wall at the end is out of their reach: near it the power that holds
- *  them jumped with each particle, and 11 % of the energy of a stream past a cylinder was unaccounted for [m]. */
+/** The length of a reservoir with the room beyond its last particle [m]. There they have a free surface, whose total
+ *  force does not change when a particle comes or goes; the wall at the end is out of their reach: near it the power that
+ *  holds them jumped with each particle, and 11 % of the energy of a stream past a cylinder was unaccounted for. */
 double sph2d__reservoir_length(const sph2d_scene *scene);
 
-/** Adds the reservoirs to the domain of a copy of a scene, and solids beside openings, with the names of their sides, after its obstacles and before its bodies. False when memory is short. */
+/** Adds the reservoirs to the domain of a copy of a scene, and solids beside openings, with the names of their sides,
+ *  after its obstacles and before its bodies. False when memory is short. */
 bool sph2d__add_reservoirs(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory);
 
 /** Whether an obstacle of such a copy is one of these solids. */

@@ -376,9 +376,9 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
         sph2d_vec2 from = point_at(arc->center, arc->radius, arc->from);
         sph2d_vec2 to = point_at(arc->center, arc->radius, arc->to);
         double x = arc->center.x - point.x, y = arc->center.y - point.y;
-        return arc_has(arc, atan2(y, x)) ? hypot(x, y) + arc->radius
-                                         : fmax(hypot(from.x - point.x, from.y - point.y),
-                                                hypot(to.x - point.x, to.y - point.y));
+        return arc_has(arc, atan2(y, x))
+                   ? hypot(x, y) + arc->radius
+                   : fmax(hypot(from.x - point.x, from.y - point.y), hypot(to.x - point.x, to.y - point.y));
     }
     double farthest = 0;
     size_t pieces = sph2d__outline_pieces(outline, 1);
@@ -393,7 +393,8 @@ double sph2d__outline_distance(const sph2d_outline *outline, sph2d_vec2 point)
 double sph2d__outline_nearest(const sph2d_outline *outline, double spacing, sph2d_vec2 point)
 {
     if (outline->kind == SPH2D_OUTLINE_CIRCLE)
-        return fabs(hypot(point.x - outline->circle.center.x, point.y - outline->circle.center.y) - outline->circle.radius);
+        return fabs(hypot(point.x - outline->circle.center.x, point.y - outline->circle.center.y) -
+                    outline->circle.radius);
     double least = INFINITY;
     size_t pieces = sph2d__outline_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {

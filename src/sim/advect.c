@@ -112,8 +112,8 @@ typedef struct near_obstacles {
 } near_obstacles;
 
 /** Keeps a displacement on its side of moving obstacles. */
-static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, kicked who, sph2d_vec2 from,
-                             sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
+static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, kicked who, sph2d_vec2 from, sph2d_vec2 *to,
+                             sph2d_vec2 *v, double *to_bodies)
 {
     uint64_t hits = 0;
     for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)

@@ -244,7 +244,8 @@ void sph2d__bodies_second_kick(sph2d_sim *sim, double dt)
         sph2d__rigid *r = &sim->bodies.items[k];
         accelerate(sim, r, sim->record.time + dt);
         r->state->velocity = sph2d__twist_add(r->way, dt / 2, r->state->acceleration);
-        sim->record.energy_forces += dt / 2 * sph2d__twist_dot(sph2d__twist_add(r->gap_before, 1, r->state->gap), r->way);
+        sim->record.energy_forces +=
+            dt / 2 * sph2d__twist_dot(sph2d__twist_add(r->gap_before, 1, r->state->gap), r->way);
         r->state->liquid = sph2d__twist_add(r->before, 1, r->state->pushed);
         r->state->liquid = sph2d__twist_add((sph2d__twist){0, 0, 0}, 0.5, r->state->liquid);
     }

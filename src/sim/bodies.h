@@ -26,15 +26,15 @@ typedef struct sph2d__bodies {
     sph2d__rigid *items; /**< in the order of the scene */
     size_t count;
     sph2d__rigid_state *states;
-    sph2d__strikes *strikes;       /**< of each, in this step */
-    sph2d__wall_force *forces;     /**< of each boundary particle of a body, by id from `first` on, on the liquid */
-    sph2d_vec2 *tensions;          /**< the same by surface tension, by index of all boundary particles; NULL: none */
-    sph2d_contact_body *contacts;  /**< what the solver sees ... */
-    double *wall_work;             /**< ... and what it tells of each wall: the work on bodies in a step [J/m] */
-    size_t wall_count;             /**< sides of the domain and obstacles of the scene */
+    sph2d__strikes *strikes;      /**< of each, in this step */
+    sph2d__wall_force *forces;    /**< of each boundary particle of a body, by id from `first` on, on the liquid */
+    sph2d_vec2 *tensions;         /**< the same by surface tension, by index of all boundary particles; NULL: none */
+    sph2d_contact_body *contacts; /**< what the solver sees ... */
+    double *wall_work;            /**< ... and what it tells of each wall: the work on bodies in a step [J/m] */
+    size_t wall_count;            /**< sides of the domain and obstacles of the scene */
     sph2d__gaps gaps;
-    uint64_t first, end;           /**< ids of their boundary particles */
-    sph2d_contact_solver *solver;  /**< NULL: none */
+    uint64_t first, end;          /**< ids of their boundary particles */
+    sph2d_contact_solver *solver; /**< NULL: none */
     void *user;
 } sph2d__bodies;
 

@@ -31,7 +31,8 @@ static void add_force(sph2d__twist *to, sph2d_vec2 arm, double x, double y)
 static sph2d_vec2 arm_to(const sph2d_sim *sim, sph2d_vec2 point, double x, double y)
 {
     const sph2d__period *p = &sim->system.wall_cells.period;
-    return (sph2d_vec2){sph2d__period_nearest(x - point.x, p->length_x), sph2d__period_nearest(y - point.y, p->length_y)};
+    return (sph2d_vec2){sph2d__period_nearest(x - point.x, p->length_x),
+                        sph2d__period_nearest(y - point.y, p->length_y)};
 }
 
 /** Sums over the boundary particles of a body, in the order of their ids. */
@@ -151,8 +152,8 @@ double sph2d__body_energy(const sph2d_sim *sim, const sph2d__rigid *r)
 {
     sph2d__pose pose = sph2d__rigid_at(r, r->start);
     double energy = sph2d__rigid_kinetic(r, r->state->velocity);
-    energy += r->mass * sph2d__sim_potential_of(sim, pose.center.x + pose.displacement.x,
-                                                pose.center.y + pose.displacement.y);
+    energy += r->mass *
+              sph2d__sim_potential_of(sim, pose.center.x + pose.displacement.x, pose.center.y + pose.displacement.y);
     for (size_t k = 0; k < r->body->spring_count; ++k) {
         stretch s = stretch_of(r, &r->body->springs[k], &pose);
         energy += r->body->springs[k].stiffness * s.by * s.by / 2;

@@ -77,7 +77,8 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__record *r = &sim->record;
-    uint64_t all = s->fluid.count + r->let_out + r->drained + r->left_left + r->left_right + r->left_bottom + r->left_top;
+    uint64_t all =
+        s->fluid.count + r->let_out + r->drained + r->left_left + r->left_right + r->left_bottom + r->left_top;
     double n = (double)all, area = n * s->spacing * s->spacing;
     double bodies = 0;
     for (size_t k = 0; k < sim->bodies.count; ++k)

@@ -121,7 +121,7 @@ static double find_wall(const sph2d_sim *sim, const sph2d__rigid *r, sph2d__gap_
     front->beside = UINT64_MAX;
     if (!ranges_at(&s->wall_cells, at, &ranges))
         return nearest;
-    SPH2D__FOR_NEIGHBOURS(&ranges, k, b) {
+    SPH2D__FOR_NEIGHBOURS (&ranges, k, b) {
         if (w->id[b] >= r->first_id && w->id[b] < r->end_id)
             continue;
         double x = w->x[b] - at.x - ranges.x[k], y = w->y[b] - at.y - ranges.y[k];
@@ -145,7 +145,7 @@ static double find_liquid(const sph2d_sim *sim, sph2d_vec2 place, sph2d_vec2 nor
     double front = INFINITY, nearest = INFINITY, sum = 0, count = 0;
     if (!ranges_at(&s->fluid_cells, at, &ranges))
         return 0;
-    SPH2D__FOR_NEIGHBOURS(&ranges, k, j) {
+    SPH2D__FOR_NEIGHBOURS (&ranges, k, j) {
         double x = f->x[j] - at.x - ranges.x[k], y = f->y[j] - at.y - ranges.y[k], d = hypot(x, y) / s->spacing;
         if (d >= SAMPLE)
             continue;
@@ -174,8 +174,8 @@ static void look(const sph2d_sim *sim, size_t k)
         thin = thin || front->part > 0;
     }
     for (size_t i = g->first[k]; thin && i < g->first[k + 1]; ++i)
-        g->fronts[i].liquid = find_liquid(sim, g->fronts[i].at, sph2d__pose_turn(&pose, g->pieces[i].normal),
-                                          &g->fronts[i].pressure);
+        g->fronts[i].liquid =
+            find_liquid(sim, g->fronts[i].at, sph2d__pose_turn(&pose, g->pieces[i].normal), &g->fronts[i].pressure);
 }
 
 static void look_some(void *with, size_t first, size_t last)

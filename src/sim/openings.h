@@ -19,8 +19,8 @@
  *
  *      v = n u + t w,   p = P - rho0 c0 (u - <u>) + <dp'/dn> x.n + rho0 g.x
  *
- *  with w = 0 where liquid flows in, u and p' under <.> in the mean over all lanes, and the line a little beyond the side
- *  (SPH2D__DUCT). What is slow against T feels U or P. A plane wave of sound that comes from the domain has
+ *  with w = 0 where liquid flows in, u and p' under <.> in the mean over all lanes, and the line a little beyond the
+ *  side (SPH2D__DUCT). What is slow against T feels U or P. A plane wave of sound that comes from the domain has
  *  p' = -rho0 c0 u, which both equations agree with, so that it leaves: of p' + rho0 c0 u, which enters, nothing changes
  *  (Lastiwka, Basa & Quinlan 2009, eq. 14 to 16). A wave of frequency omega is reflected by
  *  1/sqrt(1 + (2 omega T)^2).
@@ -55,19 +55,19 @@ typedef struct sph2d__lane {
 typedef struct sph2d__opening {
     const sph2d_opening *given;
     sph2d__mouth mouth;
-    sph2d_vec2 middle;     /**< of the opening in the side [m] */
-    double duct;           /**< from there to the line [m] */
-    double velocity;       /**< U [m/s]; NAN: a pressure is given */
+    sph2d_vec2 middle; /**< of the opening in the side [m] */
+    double duct;       /**< from there to the line [m] */
+    double velocity;   /**< U [m/s]; NAN: a pressure is given */
     sph2d__lane *lanes;
     size_t lane_count;
-    double lane_width;     /**< [m] */
-    double stride;         /**< between particles of a lane, so that each has its area [m] */
-    double depth;          /**< of the reservoir [m] */
-    bool wet;                     /**< some lanes are */
-    size_t wet_lanes;             /**< their number */
-    sph2d__opening_means now;     /**< over the lanes that are wet, as measured last; `age` unused */
-    sph2d__opening_means *means;  /**< over time: part of the state */
-    double *outermost;     /**< of each lane, while it is fed: depth of its last particle [m] */
+    double lane_width;           /**< [m] */
+    double stride;               /**< between particles of a lane, so that each has its area [m] */
+    double depth;                /**< of the reservoir [m] */
+    bool wet;                    /**< some lanes are */
+    size_t wet_lanes;            /**< their number */
+    sph2d__opening_means now;    /**< over the lanes that are wet, as measured last; `age` unused */
+    sph2d__opening_means *means; /**< over time: part of the state */
+    double *outermost;           /**< of each lane, while it is fed: depth of its last particle [m] */
 } sph2d__opening;
 
 typedef struct sph2d__openings {
@@ -100,8 +100,8 @@ void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt);
 /** Notes that a particle at a position leaves its reservoir. */
 void sph2d__openings_count_out(sph2d_sim *sim, double x, double y);
 
-/** What a probe tells of opening `index`: velocity into the domain in the mean over its width where it is wet [m/s], that
- *  times the width [m^2/s], area of the particles that crossed its line, less those that crossed it outwards [m^2],
+/** What a probe tells of opening `index`: velocity into the domain in the mean over its width where it is wet [m/s],
+ *  that times the width [m^2/s], area of the particles that crossed its line, less those that crossed it outwards [m^2],
  *  mean pressure at the side, less that of liquid at rest [Pa], width that is wet [m]. */
 enum { SPH2D__OPENING_READINGS = 5 };
 void sph2d__opening_read(const sph2d_sim *sim, size_t index, double values[SPH2D__OPENING_READINGS]);

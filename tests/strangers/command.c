@@ -126,9 +126,9 @@ static void judge_summary(const ending *checked, const ending *run, const librar
     const double now = number(particles, "now");
     if (now + gone != placed + fed)
         verdict_fail(v, "particles", "%g placed by check, %g fed, %g lost, %g left now", placed, fed, gone, now);
-    static const char *const finite[] = {"compression_p99",  "compression_mean", "compression_max", "energy_kinetic",
-                                         "energy_potential", "energy_change",    "energy_bodies",   "energy_contacts",
-                                         "speed_max"};
+    static const char *const finite[] = {"compression_p99", "compression_mean", "compression_max",
+                                         "energy_kinetic",  "energy_potential", "energy_change",
+                                         "energy_bodies",   "energy_contacts",  "speed_max"};
     for (size_t i = 0; i < sizeof finite / sizeof finite[0]; ++i)
         if (!isfinite(number(run->out, finite[i])))
             verdict_fail(v, "finite", "the summary's %s is not a finite number", finite[i]);

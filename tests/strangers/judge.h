@@ -27,12 +27,12 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 #define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is reported, over rest density */
 #define PACKING_SLACK                                                                                                  \
     0.2 /* and this part of what is reported: kernels of other widths see other means where it varies */
-#define DENSITY_LOW 0.25 /* least density over rest density where density is integrated */
-#define DENSITY_HIGH 4.0 /* largest, of liquid that does not start compressed */
+#define DENSITY_LOW 0.25    /* least density over rest density where density is integrated */
+#define DENSITY_HIGH 4.0    /* largest, of liquid that does not start compressed */
 #define CONTACTS_BOUND 0.01 /* energy that contacts give back of what they took: a step's forces act on both sides */
-#define GAPS_BOUND 0.05 /* work of the pressure in thin gaps, of the energy scale: it lifts a body by a spacing */
-#define OVERLAP_BOUND 0.1 /* of bodies with each other, obstacles and sides [spacings] */
-#define INSIDE_BOUND 0.2  /* how deep liquid is in a body [spacings] */
+#define GAPS_BOUND 0.05     /* work of the pressure in thin gaps, of the energy scale: it lifts a body by a spacing */
+#define OVERLAP_BOUND 0.1   /* of bodies with each other, obstacles and sides [spacings] */
+#define INSIDE_BOUND 0.2    /* how deep liquid is in a body [spacings] */
 
 /** What a run by the library found. Numbers that were not judged are NaN. */
 typedef struct library_run {

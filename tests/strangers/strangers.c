@@ -121,8 +121,7 @@ static void judge(const options *o, const task *t)
           "contacts_gave\n",
           file);
     const sph2d_summary *s = &run.summary;
-    fprintf(file, "%d,%llu,%llu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%llu,%.6g,%.6g\n",
-            run.finished,
+    fprintf(file, "%d,%llu,%llu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%llu,%llu,%.6g,%.6g\n", run.finished,
             (unsigned long long)s->particles, (unsigned long long)s->steps, run.scale, run.rise, run.since,
             s->compression_p99, s->compression_mean, s->compression_max, run.packing, run.density, run.p99, run.highest,
             (unsigned long long)s->left_open[0] + s->left_open[1] + s->left_open[2] + s->left_open[3],

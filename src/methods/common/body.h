@@ -14,7 +14,7 @@ typedef struct sph2d__body {
     double gravity_x, gravity_y; /**< [m/s^2] */
     double center_x, center_y;   /**< of the central force [m] */
     double central_rate2;        /**< B^2 in the acceleration -B^2 (x - center) [1/s^2] */
-    sph2d__frame frame; /**< of a tank that moves */
+    sph2d__frame frame;          /**< of a tank that moves */
     sph2d__spring_walls springs;
     const sph2d__point_force *points; /**< those active at present */
     size_t point_count;

@@ -36,11 +36,12 @@ typedef struct sph2d__system {
     bool only_divergence;                          /**< no relaxation of density now: work.c looks for its work */
     bool walls_press;                              /**< some boundary particles exert pressure */
     bool walls_move;                               /**< some boundary particles move */
-    double *wall_spin;  /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
-    bool walls_reflect; /**< some boundary particles reflect */
+    double *wall_spin;           /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
+    bool walls_reflect;          /**< some boundary particles reflect */
     struct sph2d__rigid *rigids; /**< the bodies that the liquid moves (boundary/rigid.h) */
     size_t rigid_count;
-    sph2d__body_pairs body_pairs; /**< of their boundary particles with the liquid, in methods that solve for pressure */
+    sph2d__body_pairs
+        body_pairs;        /**< of their boundary particles with the liquid, in methods that solve for pressure */
     uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
     double *rigid_compression_rate; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
 
@@ -74,14 +75,14 @@ typedef struct sph2d__system {
     double slip_length;             /**< of smooth walls [m] */
     sph2d__body body;
 
-    double step;         /**< length of the present step [s] */
-    double speed;        /**< largest speed of a particle at the start of the step [m/s] */
-    double max_pressure; /**< largest pressure then, at least that of the scene's head [Pa] */
+    double step;          /**< length of the present step [s] */
+    double speed;         /**< largest speed of a particle at the start of the step [m/s] */
+    double max_pressure;  /**< largest pressure then, at least that of the scene's head [Pa] */
     double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy; /**< of these springs at the start [J/m] */
     double head;    /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
     double tension; /**< wcsph: bound of negative pressures; infinite without tensile control [Pa] */
-    double background; /**< wcsph: pressure on voids of liquid that fills its domain, 0 in other scenes [Pa] */
+    double background;     /**< wcsph: pressure on voids of liquid that fills its domain, 0 in other scenes [Pa] */
     bool viscosity_limits; /**< wcsph: the step can follow from viscous_rate (terms/viscosity.h) */
     double viscous_rate;   /**< wcsph: the largest of a particle by the last evaluation of the forces [1/s] */
     double max_density; /**< largest density of a particle at the start of the step, at least rest density [kg/m^3] */

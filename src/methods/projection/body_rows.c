@@ -37,7 +37,8 @@ static void visit(sph2d__system *s, bool enter)
     sph2d__body_pairs *pairs = &s->body_pairs;
     for (size_t i = 0; i < s->fluid.count; ++i) {
         const sph2d__slice *at = &n->slices[i / n->lanes];
-        size_t k = at->begin + at->fluid * n->lanes + i % n->lanes, end = at->begin + (at->fluid + at->walls) * n->lanes;
+        size_t k = at->begin + at->fluid * n->lanes + i % n->lanes,
+               end = at->begin + (at->fluid + at->walls) * n->lanes;
         for (; k < end; k += n->lanes) {
             float g[2];
             memcpy(g, &n->gradient[k], sizeof g);

@@ -56,8 +56,7 @@ void sph2d__viscous_rate_raise(sph2d__system *s, double rate)
     double most;
     __atomic_load(&s->viscous_rate, &most, __ATOMIC_RELAXED);
     while (rate > most &&
-           !__atomic_compare_exchange(&s->viscous_rate, &most, &rate, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-    }
+           !__atomic_compare_exchange(&s->viscous_rate, &most, &rate, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 }
 
 sph2d_vec2 sph2d__viscosity_force(sph2d__viscosity viscosity, double share, double dx, double dy, double dvx,

@@ -296,8 +296,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         if (controlled && uses_absolute_pressure(s, i, sums, liquid, l, with))
             pv2 = -pv2;
         if (with.detail >= SPH2D__DETAIL_SHIFT)
-            finish_concentration(s, i, sums, l, min_eigenvalue, scale,
-                                 wall_packing / s->lattice_values);
+            finish_concentration(s, i, sums, l, min_eigenvalue, scale, wall_packing / s->lattice_values);
     }
     add_sums(s, sums, l, with, k, pv2, f->density[i], &ax, &ay);
     sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);

@@ -152,7 +152,8 @@ static sph2d__twist change_of(const sph2d__system *s, const sph2d__rigid *r, con
 {
     const double mass[3] = {r->mass, r->mass, r->inertia}, free[3] = {r->free.x, r->free.y, r->free.turn};
     const sph2d__twist *felt = &r->state->felt, *h = &r->state->held_up;
-    const double guess[3] = {felt->x - h->x, felt->y - h->y, felt->turn - h->turn}, other[3] = {r->other.x, r->other.y, r->other.turn};
+    const double guess[3] = {felt->x - h->x, felt->y - h->y, felt->turn - h->turn},
+                 other[3] = {r->other.x, r->other.y, r->other.turn};
     double m[3][4] = {{0}};
     for (uint64_t id = r->first_id; id < r->end_id; ++id) {
         const lever *l = &of[id - first];

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+/** @file openings_measure.c
+ *  Velocity and pressure of the liquid before the lines of openings, and their means over time. */
+#include <math.h>
+#include <string.h>
+
+#include "methods/common/state_equation.h"
+#include "sim/openings_parts.h"
+#include "sim/simulation.h"
+
+/* How far before the line velocity and pressure are measured, and the slope of pressure; and how far along it [spacings].
+ * Weights fall linearly to 0 there. */
+static const double VALUES = 2.5, SLOPES = 4, BESIDE = 1;
+
+/* T in 2 L/c0. For openings with a pressure it acts like the inertia of liquid c0 T long, which slows down what starts
+ * from rest; for those with a velocity like the compression of as much. A stream that is set in motion within a second has
+ * pressures of 0.6, 0.02, 0.007 rho U^2 in the next three; with 1/4 and 1/16 of 0.68, 0.32, 0.1, with 4 and 1/16 of
+ * 0.22, 0.1, 0.025. */
+static const double PERIODS = 1, PERIODS_OF_PRESSURE = 1.0 / 16;
+
+/* ---- what is before the line ------------------------------------------------------------------------------------- */
+
+/** Weighted sums over the particles before a lane: of the distance s from the line, the distance t from its middle in
+ *  lanes, and values with and without t. */
+typedef struct lane_sums {
+    double weight, s, t, tt, value[3], tvalue[3]; /* near it: p', u, w */
+    double wide, wide_s, ss, p, sp;               /* for the slope */
+} lane_sums;
+
+/** Lanes whose sums are found at once, so that these need no memory. */
+enum { LANES_AT_ONCE = 256 };
+
+static double hat(double x)
+{
+    return fmax(1 - fabs(x), 0);
+}
+
+static void add_particle(const sph2d_sim *sim, const sph2d__opening *o, size_t i, sph2d__spot at, size_t first,
+                         size_t count, lane_sums *sums)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double dx = sim->scene.spacing, s = -at.beyond, near = hat(s / (VALUES * dx)), wide = hat(s / (SLOPES * dx));
+    double p = sph2d__pressure_of(&sim->system, f->density[i]) - sph2d__rest_pressure(sim, o, f->x[i], f->y[i]);
+    double values[3] = {p, f->vx[i] * o->mouth.inward.x + f->vy[i] * o->mouth.inward.y,
+                        f->vx[i] * o->mouth.along.x + f->vy[i] * o->mouth.along.y};
+    double lane = at.along / o->lane_width - 0.5; /* lane k is at k */
+    for (long k = (long)ceil(lane - BESIDE); k <= (long)floor(lane + BESIDE); ++k) {
+        if (k < (long)first || k >= (long)(first + count))
+            continue;
+        lane_sums *sum = &sums[k - (long)first];
+        double t = lane - (double)k, beside = hat(t / BESIDE), a = beside * near, b = beside * wide;
+        sum->weight += a;
+        sum->s += a * s;
+        sum->t += a * t;
+        sum->tt += a * t * t;
+        for (int n = 0; n < 3; ++n) {
+            sum->value[n] += a * values[n];
+            sum->tvalue[n] += a * t * values[n];
+        }
+        sum->wide += b;
+        sum->wide_s += b * s;
+        sum->ss += b * s * s;
+        sum->p += b * values[0];
+        sum->sp += b * s * values[0];
+    }
+}
+
+/** The value in the middle of a lane, by a line through values at both of its sides: at a wall they are all at one. */
+static double middle_value(const lane_sums *sum, int n)
+{
+    double t = sum->t / sum->weight, spread = sum->tt / sum->weight - t * t, value = sum->value[n] / sum->weight;
+    double slope = spread > 0.05 ? (sum->tvalue[n] / sum->weight - t * value) / spread : 0;
+    return value - slope * t;
+}
+
+/** Weight of particles before a lane from which on it is wet: some two of them. */
+static const double WET = 0.5;
+
+static void set_lane(const sph2d_sim *sim, const sph2d__opening *o, size_t k, const lane_sums *sum)
+{
+    sph2d__lane *lane = &o->lanes[k];
+    double dx = sim->scene.spacing, means[] = {sum->wide_s / sum->wide, sum->p / sum->wide};
+    double spread = sum->ss / sum->wide - means[0] * means[0];
+    lane->wet = sum->weight > WET;
+    if (!lane->wet) {
+        sph2d_vec2 at = sph2d__place_of(o, (sph2d__spot){((double)k + 0.5) * o->lane_width, 0});
+        *lane = (sph2d__lane){.pressure = -sph2d__rest_pressure(sim, o, at.x, at.y)};
+        return;
+    }
+    lane->slope = spread > 0.1 * dx * dx ? (sum->sp / sum->wide - means[0] * means[1]) / spread : 0;
+    lane->pressure = middle_value(sum, 0) - o->means->slope * sum->s / sum->weight;
+    lane->inward = middle_value(sum, 1);
+    lane->sideward = middle_value(sum, 2);
+}
+
+/** Measures some lanes of an opening, in the order of the particles. */
+static void measure_lanes(const sph2d_sim *sim, const sph2d__opening *o, size_t first, size_t count)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    lane_sums sums[LANES_AT_ONCE];
+    memset(sums, 0, count * sizeof *sums);
+    double reach = SLOPES * sim->scene.spacing;
+    for (size_t i = 0; i < f->count; ++i) {
+        sph2d__spot at = sph2d__spot_of(o, f->x[i], f->y[i]);
+        if (at.beyond <= 0 && at.beyond > -reach)
+            add_particle(sim, o, i, at, first, count, sums);
+    }
+    for (size_t k = 0; k < count; ++k)
+        set_lane(sim, o, first + k, &sums[k]);
+}
+
+/** Sets the mean over the lanes that are wet. */
+static void average_lanes(sph2d__opening *o)
+{
+    o->now = (sph2d__opening_means){0};
+    o->wet_lanes = 0;
+    for (size_t i = 0; i < o->lane_count; ++i) {
+        if (!o->lanes[i].wet)
+            continue;
+        o->now.velocity += o->lanes[i].inward;
+        o->now.pressure += o->lanes[i].pressure;
+        o->now.slope += o->lanes[i].slope;
+        ++o->wet_lanes;
+    }
+    double count = (double)o->wet_lanes;
+    o->wet = count > 0;
+    if (!o->wet)
+        return;
+    o->now.velocity /= count;
+    o->now.pressure /= count;
+    o->now.slope /= count;
+}
+
+void sph2d__openings_measure(const sph2d_sim *sim)
+{
+    for (size_t k = 0; k < sim->openings.count; ++k) {
+        sph2d__opening *o = &sim->openings.items[k];
+        for (size_t first = 0; first < o->lane_count; first += LANES_AT_ONCE) {
+            size_t left = o->lane_count - first;
+            measure_lanes(sim, o, first, left < LANES_AT_ONCE ? left : LANES_AT_ONCE);
+        }
+        average_lanes(o);
+    }
+}
+
+/** Part of a new value in a mean over `most`, so far over `age`. */
+static double new_part(double dt, double age, double most)
+{
+    return age > 0 ? fmin(dt / fmin(age + dt, most), 1) : 1;
+}
+
+void sph2d__openings_average(const sph2d_sim *sim, double dt)
+{
+    sph2d_box d = sim->given.domain;
+    double period = 2 * hypot(d.max.x - d.min.x, d.max.y - d.min.y) / sim->system.sound_speed;
+    for (size_t k = 0; k < sim->openings.count; ++k) {
+        const sph2d__opening *o = &sim->openings.items[k];
+        sph2d__opening_means *m = o->means;
+        double part = new_part(dt, m->age, PERIODS * period);
+        m->velocity += new_part(dt, m->age, PERIODS_OF_PRESSURE * period) * (o->now.velocity - m->velocity);
+        m->pressure += part * (o->now.pressure - m->pressure);
+        m->slope += part * (o->now.slope - m->slope);
+        m->age = o->wet ? fmin(m->age + dt, PERIODS * period) : 0;
+    }
+}

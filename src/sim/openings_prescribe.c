@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/** @file openings_prescribe.c
+ *  What an opening prescribes to the particles of its reservoir, and the stages of a step that hold them to it. */
+#include <math.h>
+
+#include "methods/common/state_equation.h"
+#include "sim/openings_parts.h"
+#include "sim/simulation.h"
+
+/** The profile f, 1 in the mean over the lanes' width; z from 0 to 1. */
+static double profile_at(sph2d_opening_profile profile, double z)
+{
+    z = fmin(fmax(z, 0), 1);
+    return profile == SPH2D_OPENING_PROFILE_PARABOLA ? 6 * z * (1 - z) : 1;
+}
+
+/** Grows from 0 to 1 over a ramp, with a continuous acceleration. */
+static double ramp_at(double ramp, double time)
+{
+    double z = ramp > 0 ? fmin(time / ramp, 1) : 1;
+    return z * z * z * (10 - 15 * z + 6 * z * z);
+}
+
+/** What a lane prescribes at its line: velocity inwards and sidewards, pressure p', and its slope. */
+static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k, double part, double values[4])
+{
+    const sph2d__lane *lane = &o->lanes[k];
+    double impedance = sim->system.rest_density * sim->system.sound_speed;
+    bool known = o->means->age > 0;
+    if (isnan(o->velocity)) {
+        double sound = known ? -impedance * (o->now.velocity - o->means->velocity) : 0;
+        values[0] += part * lane->inward;
+        values[1] += part * (lane->inward < 0 ? lane->sideward : 0);
+        values[2] += part * (o->given->pressure + sound);
+    } else {
+        values[0] += part * (known ? -(o->now.pressure - o->means->pressure) / impedance : 0);
+        values[2] += part * lane->pressure;
+    }
+    values[3] += part * o->means->slope;
+}
+
+/* Between the middles of two lanes all changes linearly. */
+sph2d__prescribed sph2d__prescribed_at(const sph2d_sim *sim, const sph2d__opening *o, sph2d__spot at, double x,
+                                       double y)
+{
+    double lane = fmin(fmax(at.along / o->lane_width - 0.5, 0), (double)o->lane_count - 1);
+    size_t k = (size_t)lane, next = k + 1 < o->lane_count ? k + 1 : k;
+    double part = lane - (double)k, values[4] = {0};
+    lane_values(sim, o, k, 1 - part, values);
+    lane_values(sim, o, next, part, values);
+    if (!isnan(o->velocity))
+        values[0] += o->velocity * profile_at(o->given->profile, at.along / o->mouth.width) *
+                     ramp_at(o->given->ramp, sim->record.time);
+    double pressure = values[2] - values[3] * (at.beyond + o->duct) + sph2d__rest_pressure(sim, o, x, y);
+    double aside = fmax(1 - at.beyond / sim->system.support, 0);
+    return (sph2d__prescribed){values[0], aside * values[1],
+                               sph2d__density_of(&sim->system, fmax(pressure, -sim->system.tension))};
+}
+
+static double energy_of(const sph2d_sim *sim, size_t i)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    return sim->system.mass * ((f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]) / 2 + sph2d__sim_elastic_of(sim, i));
+}
+
+void sph2d__opening_set_particle(sph2d_sim *sim, const sph2d__opening *o, size_t i)
+{
+    sph2d__store *f = &sim->system.fluid;
+    sph2d__prescribed p = sph2d__prescribed_at(sim, o, sph2d__spot_of(o, f->x[i], f->y[i]), f->x[i], f->y[i]);
+    f->vx[i] = p.inward * o->mouth.inward.x + p.sideward * o->mouth.along.x;
+    f->vy[i] = p.inward * o->mouth.inward.y + p.sideward * o->mouth.along.y;
+    f->density[i] = p.density;
+}
+
+void sph2d__openings_impose(sph2d_sim *sim)
+{
+    if (sim->openings.count == 0)
+        return;
+    sph2d__openings_measure(sim);
+    for (size_t i = 0; i < sim->system.fluid.count; ++i) {
+        const sph2d__opening *o = sph2d__opening_at(sim, sim->system.fluid.x[i], sim->system.fluid.y[i]);
+        if (!o)
+            continue;
+        double before = energy_of(sim, i);
+        sph2d__opening_set_particle(sim, o, i);
+        sim->record.energy_fed += energy_of(sim, i) - before;
+    }
+}
+
+/* What pressure does to particles in reservoirs, it does to their neighbours, too: the energy is booked, and the
+ * particles keep what is sph2d__prescribed. */
+void sph2d__openings_hold_density(sph2d_sim *sim, double dt)
+{
+    sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; sim->openings.count > 0 && i < f->count; ++i) {
+        if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
+            continue;
+        double pressure = sph2d__pressure_of(&sim->system, f->density[i]) + sim->system.background;
+        double specific = pressure / (f->density[i] * f->density[i]);
+        sim->record.energy_fed -= dt * sim->system.mass * specific * f->density_rate[i];
+        f->density_rate[i] = 0;
+        if (f->shift_x)
+            f->shift_x[i] = f->shift_y[i] = 0;
+    }
+}
+
+void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt)
+{
+    sph2d__store *f = &sim->system.fluid;
+    double power = 0;
+    if (sim->openings.count == 0)
+        return;
+    for (size_t i = 0; i < f->count; ++i) {
+        if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
+            continue;
+        power -= sim->system.mass * (f->ax[i] * f->vx[i] + f->ay[i] * f->vy[i]);
+        f->ax[i] = f->ay[i] = f->old_ax[i] = f->old_ay[i] = 0;
+    }
+    sim->record.energy_fed += dt * (power + sim->record.power_openings) / 2;
+    sim->record.power_openings = power;
+}
