@@ -58,6 +58,7 @@
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(openings)                                                                                                        \
+    X(open_channels)                                                                                                   \
     X(sources)                                                                                                         \
     X(steering)                                                                                                        \
     X(scene_keys)                                                                                                      \

@@ -139,9 +139,12 @@ static const char *const goldens[] = {
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n"
     "openings:\n"
-    "  - name: in\n    side: left\n    velocity: 0.5\n    profile: parabola\n    ramp: 0.25\n"
+    "  - name: in\n    side: left\n    from: 0.5\n    velocity: 0.5\n    profile: parabola\n    ramp: 0.25\n"
     "  - side: bottom\n    from: 0.25\n    to: 0.5\n    flow_rate: -0.125\n"
-    "  - side: right\n    pressure: 10\n"
+    "  - side: right\n    from: 0.75\n    pressure: 10\n"
+    "  - side: right\n    to: 0.5\n    level: 0.25\n"
+    "  - side: left\n    from: 0.25\n    to: 0.45\n    history:\n      flow_rate: [[0, 0], [1, 0.5]]\n    "
+    "free_surface: on\n"
     "probes:\n"
     "  - name: in\n    kind: opening\n    on: in\n    every: 0.5\n",
 

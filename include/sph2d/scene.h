@@ -382,8 +382,25 @@ typedef struct sph2d_drain {
     double start, stop;
 } sph2d_drain;
 
+/** Points (t, value) with increasing t, borrowed: straight lines between them, constant before and after. */
+typedef struct sph2d_history {
+    const sph2d_vec2 *items;
+    size_t count;
+} sph2d_history;
+
+/** What an opening prescribes over time: at most one of these. */
+typedef struct sph2d_opening_history {
+    /** [m/s], [m^2/s], [Pa], [m]; default none. */
+    sph2d_history velocity, flow_rate, pressure, level;
+
+    /** A CSV file with columns t and one of velocity, flow_rate, pressure, level, relative to the scene's file; read
+     *  with the scene, where it becomes the list. NULL: none. */
+    const char *file;
+} sph2d_opening_history;
+
 /** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph with symmetric
- *  operators, generalised walls. Just one of velocity, flow_rate and pressure is given. Behind it, outside the domain,
+ *  operators, generalised walls. Just one of velocity, flow_rate, pressure and level is given, by a number or over
+ *  time. Behind it, outside the domain,
  *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
  *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
@@ -413,8 +430,22 @@ typedef struct sph2d_opening {
     /** Time over which velocity or flow rate grow smoothly from nothing [s], >= 0; default 0. */
     double ramp;
 
-    /** Pressure in the middle of the opening, hydrostatic from there [Pa]; default NAN: not given. */
+    /** Pressure in the middle of the opening, hydrostatic from there, of liquid at rest outside: where it flows in,
+     *  rho u^2/2 is taken from it (Bernoulli) [Pa]; default NAN: not given. */
     double pressure;
+
+    /** Height y of the surface of liquid at rest outside [m], in place of the pressure; with gravity downwards. Lanes below
+     *  it are filled, to whole spacings; where it flows in, it is lower by u^2/(2 g); default NAN: not given. */
+    double level;
+
+    /** One of them over time, in place of the number. */
+    sph2d_opening_history history;
+
+    /** With velocity or flow_rate, in the left or right side with gravity downwards: liquid does not fill the opening,
+     *  but stands in it as high as before it, over a time in which sound crosses the domain and back; a flow rate is
+     *  that of as much. The least depth is that at which its velocity is critical, sqrt(g depth), or half its width if
+     *  that is less. Default off. */
+    sph2d_switch free_surface;
 } sph2d_opening;
 
 /** A point of a path: a position at a time. */

@@ -2,11 +2,11 @@
 /** @file motion_file.c */
 #include "files/motion_file.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "files/table_rows.h"
 #include "files/text.h"
 #include "sph2d/io.h"
 
@@ -90,44 +90,20 @@ static void fill(const path_slot *slot, const void *rows, size_t count)
 
 /* ---- from files -------------------------------------------------------------------------------------------------- */
 
-static sph2d_status fault(const sph2d_table *table, size_t row, const char *message, sph2d_report *report)
-{
-    sph2d_table_locate(table, row, sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "%s", message));
-    return SPH2D_FORMAT;
-}
-
-static sph2d_status fault_of_number(const sph2d_table *table, size_t row, const char *column, sph2d_report *report)
-{
-    char message[80];
-    snprintf(message, sizeof message, "this row lacks a number: its column '%s' is empty or nan", column);
-    return fault(table, row, message, report);
-}
-
 static sph2d_status copy_rows(const sph2d_table *table, const path_slot *slot, sph2d__pool *pool, sph2d_report *report)
 {
-    size_t count = sph2d_table_rows(table), width = slot->kind->width, given = 0;
+    static const size_t all[] = {0, 1, 2, 3};
+    size_t width = slot->kind->width, given = 0;
     for (size_t column = 1; column < width; ++column)
         given += sph2d_table_has(table, column);
-    if (count == 0)
-        return fault(table, 0, "this file has no rows", report);
     if (given == 0)
-        return fault(table, 0, slot->kind->lacks_columns, report);
-    double *rows = sph2d__pool_alloc(pool, count, width * sizeof *rows);
-    if (!rows)
-        return SPH2D_NOMEM;
-    for (size_t row = 0; row < count; ++row) {
-        double *p = &rows[row * width];
-        for (size_t column = 0; column < width; ++column) {
-            bool here = sph2d_table_has(table, column);
-            p[column] = here ? sph2d_table_value(table, row, column) : slot->otherwise[column];
-            if (!isfinite(p[column]))
-                return fault_of_number(table, row, slot->kind->columns[column].name, report);
-        }
-        if (row > 0 && !(p[0] > rows[(row - 1) * width]))
-            return fault(table, row, "times must increase from row to row", report);
-    }
-    fill(slot, rows, count);
-    return SPH2D_OK;
+        return sph2d__table_fault(table, 0, slot->kind->lacks_columns, report);
+    double *rows;
+    sph2d_status status =
+        sph2d__table_rows(table, slot->kind->columns, all, width, slot->otherwise, pool, &rows, report);
+    if (status == SPH2D_OK)
+        fill(slot, rows, sph2d_table_rows(table));
+    return status;
 }
 
 static sph2d_status read_path(const path_slot *slot, const char *from, sph2d__pool *pool, sph2d_report *report)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "files/history_file.h"
 #include "files/snapshot.h"
 #include "sph2d/key.h"
 
@@ -118,21 +119,21 @@ static void get_path(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
     sph2d__h5_item_close(&item);
 }
 
-/** Number of obstacles: each has a restitution. */
-static size_t count_obstacles(sph2d__h5_reader *r)
+/** Number of items of a list: each has a key. */
+static size_t count_items(sph2d__h5_reader *r, const char *list, const char *each)
 {
     char key[64];
     size_t count = 0;
     do
-        snprintf(key, sizeof key, "obstacles[%zu].restitution", count);
+        snprintf(key, sizeof key, "%s[%zu].%s", list, count, each);
     while (sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) && ++count);
     return count;
 }
 
 void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
-    size_t obstacles = count_obstacles(r);
-    s->paths = sph2d__pool_alloc(r->pool, obstacles + 2, sizeof *s->paths);
+    size_t obstacles = count_items(r, "obstacles", "restitution"), openings = count_items(r, "openings", "side");
+    s->paths = sph2d__pool_alloc(r->pool, obstacles + SPH2D__HISTORIES * openings + 2, sizeof *s->paths);
     if (!s->paths) {
         r->status = SPH2D_NOMEM;
         return;
@@ -144,4 +145,10 @@ void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
         snprintf(key, sizeof key, "obstacles[%zu].motion.path", i);
         get_path(r, s, key);
     }
+    for (size_t i = 0; i < openings && r->status != SPH2D_NOMEM; ++i)
+        for (size_t kind = 0; kind < SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
+            char key[64];
+            sph2d__history_key(key, i, kind);
+            get_path(r, s, key);
+        }
 }

@@ -10,6 +10,7 @@
 #include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
+#include "files/history_file.h"
 #include "files/overrides.h"
 #include "files/particles_file.h"
 
@@ -81,10 +82,15 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
     sph2d__pool *pool = &file->document.pool;
     if (faults->errors > 0)
         return SPH2D_OK;
-    if (!file->source->with_files)
-        return sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
+    if (!file->source->with_files) {
+        sph2d_status kept = sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
+        return kept != SPH2D_OK ? kept
+                                : sph2d__histories_keep(scene, file->source->kept, file->source->kept_count, pool);
+    }
     size_t first = faults->report ? faults->report->count : 0;
     sph2d_status status = sph2d__motions_read(scene, from, pool, faults->report);
+    if (status == SPH2D_OK)
+        status = sph2d__histories_read(scene, from, pool, faults->report);
     if (status == SPH2D_OK && scene->particles.file)
         status = sph2d__particles_read(scene, from, pool, faults->report);
     locate_files(file, first, faults->report);

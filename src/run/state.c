@@ -69,10 +69,10 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
         out[n++] = run_array("WallLoads", "of each probe of kind force or work: forces, impulses, power, work",
                              SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
     if (sim->openings.count > 0)
-        out[n++] = run_array(
-            "OpeningMeans",
-            "of each opening: velocity, pressure, slope in the mean over a time; that time; particles in, out, first",
-            SPH2D_F64, SPH2D__OPENING_VALUES * sim->openings.count, sim->openings.means);
+        out[n++] = run_array("OpeningMeans",
+                             "of each opening: velocity, pressure, slope, depth, fed width in the mean over a time; "
+                             "that time; particles in, out, first",
+                             SPH2D_F64, SPH2D__OPENING_VALUES * sim->openings.count, sim->openings.means);
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
     if (sim->bodies.count > 0 && sim->method->density_rate)

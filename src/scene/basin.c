@@ -186,11 +186,15 @@ static double fall_from(grid *g, sph2d_vec2 p, double extra_head, bool walled)
     return height - spread(g, height + extra_head);
 }
 
-/** The same from the higher end of an opening, a quarter of a spacing before it. */
+/** The same from the higher end of an opening, or its surface, a quarter of a spacing before it. */
 static double fall_from_opening(grid *g, const sph2d_opening *opening, double extra_head, bool walled)
 {
     sph2d__mouth m = sph2d__opening_mouth(g->scene, opening);
     double inside = g->scene->spacing / 4, low = fmin(inside, m.width / 4), fall = 0;
+    if (sph2d__opening_has_surface(opening) && m.along.y > 0) { /* from the surface, which may be above the opening */
+        sph2d_vec2 p = {m.start.x + inside * m.inward.x, m.start.y + low};
+        return fall_from(g, p, extra_head, walled) + sph2d__opening_highest(g->scene, opening) - low;
+    }
     for (int end = 0; end < 2; ++end) {
         double t = end == 0 ? low : m.width - low;
         sph2d_vec2 p = {m.start.x + t * m.along.x + inside * m.inward.x,

@@ -17,24 +17,87 @@ typedef sph2d__checker checker;
 /* Smallest width of an opening [spacings]: less is a row or two, whose pressure and velocity cannot be measured. */
 static const double MIN_WIDTH = 3;
 
+static const char *const kind_words[] = {"velocity", "flow_rate", "pressure", "level"};
+
+/** Checks the points of a history. */
+static void check_history(checker *c, size_t i, int kind)
+{
+    const sph2d_history *h = sph2d__opening_history(&c->scene->openings[i], (sph2d__opening_kind)kind);
+    char path[SPH2D__PATH_SIZE], key[32];
+    snprintf(key, sizeof key, ".history.%s", kind_words[kind]);
+    sph2d__check_times(c, h->count > 0 ? &h->items[0].x : NULL, h->count, 2,
+                       sph2d__check_path(path, "openings", i, key));
+}
+
+/** Checks that an opening prescribes one thing. False otherwise. */
+static bool check_one(checker *c, size_t i)
+{
+    const sph2d_opening *o = &c->scene->openings[i];
+    char path[SPH2D__PATH_SIZE];
+    int numbers = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure) + !isnan(o->level), lists = 0;
+    for (int kind = 0; kind <= SPH2D__OPENING_LEVEL; ++kind)
+        lists += sph2d__opening_history(o, (sph2d__opening_kind)kind)->count > 0;
+    if (o->history.file) { /* once it is read, it is a list */
+        sph2d__check_fault(c, lists > 0 ? SPH2D_CODE_CONFLICT : SPH2D_CODE_MISSING_KEY,
+                           sph2d__check_path(path, "openings", i, ".history.file"),
+                           lists > 0 ? "is a list, which is given, too: leave out one of the two"
+                                     : "was not read: only a scene that is read from a file has files");
+        return false;
+    }
+    int given = numbers + lists;
+    if (given == 1)
+        return true;
+    sph2d_diagnostic *d = sph2d__check_fault(c, given == 0 ? SPH2D_CODE_MISSING_KEY : SPH2D_CODE_CONFLICT,
+                                             sph2d__check_path(path, "openings", i, ""),
+                                             given == 0 ? "prescribes nothing" : "prescribes more than one thing");
+    sph2d_diagnostic_hint(d, "give one of velocity, flow_rate, pressure, level, or one of them in `history`");
+    return false;
+}
+
+/** Checks an opening in which liquid has a surface. */
+static void check_surface(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    const sph2d_opening *o = &scene->openings[i];
+    bool level = sph2d__opening_kind_of(o) == SPH2D__OPENING_LEVEL,
+         vertical = sph2d__opening_mouth(scene, o).along.y > 0;
+    const char *key = level ? ".level" : ".free_surface";
+    char path[SPH2D__PATH_SIZE], message[120];
+    sph2d__check_path(path, "openings", i, key);
+    if (scene->gravity.x != 0 || !(scene->gravity.y < 0))
+        sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "needs gravity downwards, `gravity: [0, -9.81]`");
+    else if (!level && !sph2d__opening_has_velocity(o))
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "belongs to velocity or flow_rate, not to pressure");
+    else if (!level && !vertical)
+        sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "is for openings in the left and right side");
+    else if (!level && o->profile != SPH2D_OPENING_PROFILE_UNIFORM)
+        sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "goes with a uniform profile only");
+    double low = sph2d__opening_mouth(scene, o).start.y;
+    if (level && !(sph2d__opening_largest(o) > low)) {
+        snprintf(message, sizeof message, "%g lies below the opening, which begins at y = %g",
+                 sph2d__opening_largest(o), low);
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+        sph2d_diagnostic_hint(d, "where liquid falls over an edge, use an open side");
+    }
+}
+
 /** Checks that an opening prescribes one thing, and no more than belongs to it. */
 static void check_prescribed(checker *c, size_t i)
 {
     const sph2d_opening *o = &c->scene->openings[i];
-    char path[SPH2D__PATH_SIZE];
-    int given = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure);
-    if (given != 1) {
-        sph2d_diagnostic *d = sph2d__check_fault(c, given == 0 ? SPH2D_CODE_MISSING_KEY : SPH2D_CODE_CONFLICT,
-                                                 sph2d__check_path(path, "openings", i, ""),
-                                                 given == 0 ? "prescribes nothing" : "prescribes more than one thing");
-        sph2d_diagnostic_hint(d, "give one of velocity, flow_rate, pressure");
+    char path[SPH2D__PATH_SIZE], message[80];
+    if (!check_one(c, i))
         return;
-    }
+    sph2d__opening_kind kind = sph2d__opening_kind_of(o);
+    check_history(c, i, (int)kind);
     bool shaped = o->profile != SPH2D_OPENING_PROFILE_UNIFORM;
-    if (!isnan(o->pressure) && (shaped || o->ramp > 0))
+    if (!sph2d__opening_has_velocity(o) && (shaped || o->ramp > 0)) {
+        snprintf(message, sizeof message, "belongs to velocity or flow_rate, not to %s", kind_words[kind]);
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
-                           sph2d__check_path(path, "openings", i, shaped ? ".profile" : ".ramp"),
-                           "belongs to velocity or flow_rate, not to pressure");
+                           sph2d__check_path(path, "openings", i, shaped ? ".profile" : ".ramp"), message);
+    }
+    if (sph2d__opening_has_surface(o))
+        check_surface(c, i);
 }
 
 /** Checks the ends of an opening. False if they are not valid. */
@@ -137,21 +200,39 @@ static void check_before(checker *c, size_t i)
         }
 }
 
-/** Checks that liquid which fills its domain can flow out as it flows in. */
+/** What openings let in more than out at a time [m^2/s], nothing if that is rounding; NAN where one has a pressure or
+ *  level, which balances the others. */
+static double excess_at(const sph2d_scene *scene, double time)
+{
+    double sum = 0, all = 0;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        if (!sph2d__opening_has_velocity(o))
+            return NAN;
+        double rate = sph2d__opening_velocity(scene, o, time) * sph2d__opening_mouth(scene, o).width;
+        sum += rate;
+        all += fabs(rate);
+    }
+    return fabs(sum) > 1e-9 * all ? sum : 0;
+}
+
+/** Checks that liquid which fills its domain can flow out as it flows in: in the end, and whenever a history bends. */
 static void check_balance(checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    double sum = 0, all = 0;
+    if (scene->opening_count == 0 || !sph2d__has_no_surface(scene))
+        return;
+    double excess = excess_at(scene, INFINITY);
     for (size_t i = 0; i < scene->opening_count; ++i) {
-        double rate = sph2d__opening_velocity(scene, &scene->openings[i]) *
-                      sph2d__opening_mouth(scene, &scene->openings[i]).width;
-        sum += rate;
-        all += fabs(rate); /* NAN where a pressure is given: that one balances the others */
+        const sph2d_opening *o = &scene->openings[i];
+        const sph2d_history *h = sph2d__opening_history(o, sph2d__opening_kind_of(o));
+        for (size_t k = 0; excess == 0 && k < h->count; ++k)
+            excess = excess_at(scene, h->items[k].x);
     }
-    if (scene->opening_count == 0 || !sph2d__has_no_surface(scene) || !(fabs(sum) > 1e-9 * all))
+    if (!(excess != 0) || isnan(excess))
         return;
     char message[120];
-    snprintf(message, sizeof message, "let in %g m^2/s more than out, and liquid fills the domain", sum);
+    snprintf(message, sizeof message, "let in %g m^2/s more than out, and liquid fills the domain", excess);
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "openings", message);
     sph2d_diagnostic_hint(d, "give one of them a pressure in place of a velocity or flow_rate");
 }

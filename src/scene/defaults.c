@@ -43,7 +43,7 @@ sph2d_drain sph2d_drain_default(void)
 
 sph2d_opening sph2d_opening_default(void)
 {
-    return (sph2d_opening){.from = NAN, .to = NAN, .velocity = NAN, .flow_rate = NAN, .pressure = NAN};
+    return (sph2d_opening){.from = NAN, .to = NAN, .velocity = NAN, .flow_rate = NAN, .pressure = NAN, .level = NAN};
 }
 
 sph2d_obstacle sph2d_obstacle_default(void)

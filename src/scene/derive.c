@@ -134,7 +134,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.pull += central_speed * central_speed / 2;
     double pressed = 0; /* by openings, as by a column of liquid */
     for (size_t i = 0; i < scene->opening_count; ++i)
-        pressed = fmax(pressed, fabs(scene->openings[i].pressure) / scene->fluid.density); /* NAN: not given */
+        if (sph2d__opening_kind_of(&scene->openings[i]) == SPH2D__OPENING_PRESSURE)
+            pressed = fmax(pressed, sph2d__opening_largest(&scene->openings[i]) / scene->fluid.density);
     d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.pull += fmax(pressed - g * d.height, 0);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;

@@ -184,6 +184,23 @@ static const sph2d_key drain_items[] = {
 };
 KEYS(drain, sph2d_drain, drain_set);
 
+#define HISTORY(name, unit_text)                                                                                       \
+    {                                                                                                                  \
+#name, SPH2D_KEY_POINTS, false, LIST_AT(sph2d_opening_history, name.items, name.count), ANY,                   \
+            .unit = "s, " unit_text, .default_text = "none",                                                           \
+            .text = "[t, " #name "] points with straight lines between, constant before and after"                     \
+    }
+
+static const sph2d_key opening_history_items[] = {
+    HISTORY(velocity, "m/s"),
+    HISTORY(flow_rate, "m^2/s"),
+    HISTORY(pressure, "Pa"),
+    HISTORY(level, "m"),
+    {"file", SPH2D_KEY_TEXT, false, AT(sph2d_opening_history, file), .unit = "", .default_text = "none",
+     .text = "a CSV file with columns t and one of velocity, flow_rate, pressure, level: that list"},
+};
+KEYS(opening_history, sph2d_opening_history, NULL);
+
 static const sph2d_key opening_items[] = {
     {"name", SPH2D_KEY_TEXT, false, AT(sph2d_opening, name), .unit = "", .default_text = "none",
      .text = "by which probes refer to it"},
@@ -205,6 +222,13 @@ static const sph2d_key opening_items[] = {
     {"pressure", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, pressure), ANY, .nan_is_unset = true, .unit = "Pa",
      .default_text = "none",
      .text = "pressure in its middle, hydrostatic from there, in place of velocity: liquid flows in or out"},
+    {"level", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, level), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "none", .text = "height y of the surface of still liquid outside, in place of velocity"},
+    {"history", SPH2D_KEY_GROUP, false, AT(sph2d_opening, history), .keys = &opening_history_keys, .unit = "",
+     .default_text = "none", .text = "one of velocity, flow_rate, pressure, level over time, in place of the number"},
+    {"free_surface", SPH2D_KEY_WORD, false, AT(sph2d_opening, free_surface), .words = switch_words, .unit = "",
+     .default_text = "off",
+     .text = "with velocity or flow_rate: liquid stands in it as high as before it, with air above"},
 };
 KEYS(opening, sph2d_opening, opening_set);
 

@@ -41,17 +41,117 @@ sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening 
     }
 }
 
-double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening)
+/* ---- what is prescribed ------------------------------------------------------------------------------------------ */
+
+const sph2d_history *sph2d__opening_history(const sph2d_opening *opening, sph2d__opening_kind kind)
 {
-    return isnan(opening->flow_rate) ? opening->velocity
-                                     : opening->flow_rate / sph2d__opening_mouth(scene, opening).width;
+    const sph2d_history *of[] = {&opening->history.velocity, &opening->history.flow_rate, &opening->history.pressure,
+                                 &opening->history.level};
+    return of[kind];
+}
+
+sph2d__opening_kind sph2d__opening_kind_of(const sph2d_opening *opening)
+{
+    const double values[] = {opening->velocity, opening->flow_rate, opening->pressure, opening->level};
+    int kind = SPH2D__OPENING_VELOCITY;
+    while (kind < SPH2D__OPENING_LEVEL && isnan(values[kind]) &&
+           sph2d__opening_history(opening, (sph2d__opening_kind)kind)->count == 0)
+        ++kind;
+    return (sph2d__opening_kind)kind;
+}
+
+bool sph2d__opening_has_velocity(const sph2d_opening *opening)
+{
+    sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
+    return kind == SPH2D__OPENING_VELOCITY || kind == SPH2D__OPENING_FLOW_RATE;
+}
+
+bool sph2d__opening_has_surface(const sph2d_opening *opening)
+{
+    return sph2d__opening_kind_of(opening) == SPH2D__OPENING_LEVEL || opening->free_surface == SPH2D_SWITCH_ON;
+}
+
+static double history_at(const sph2d_history *history, double time)
+{
+    const sph2d_vec2 *p = history->items, *last = &p[history->count - 1];
+    if (time <= p->x)
+        return p->y;
+    while (p < last && time >= p[1].x)
+        ++p;
+    return p == last ? p->y : p->y + (time - p->x) / (p[1].x - p->x) * (p[1].y - p->y);
+}
+
+/** Grows from 0 to 1 over a ramp, with a continuous acceleration. */
+static double ramp_at(double ramp, double time)
+{
+    double z = ramp > 0 ? fmin(time / ramp, 1) : 1;
+    return z * z * z * (10 - 15 * z + 6 * z * z);
+}
+
+double sph2d__opening_value(const sph2d_opening *opening, double time)
+{
+    sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
+    const sph2d_history *history = sph2d__opening_history(opening, kind);
+    const double values[] = {opening->velocity, opening->flow_rate, opening->pressure, opening->level};
+    double value = history->count > 0 ? history_at(history, time) : values[kind];
+    return sph2d__opening_has_velocity(opening) ? value * ramp_at(opening->ramp, time) : value;
+}
+
+double sph2d__opening_largest(const sph2d_opening *opening)
+{
+    sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
+    const sph2d_history *history = sph2d__opening_history(opening, kind);
+    if (history->count == 0)
+        return kind == SPH2D__OPENING_LEVEL ? opening->level : fabs(sph2d__opening_value(opening, INFINITY));
+    double largest = -INFINITY;
+    for (size_t i = 0; i < history->count; ++i)
+        largest = fmax(largest, kind == SPH2D__OPENING_LEVEL ? history->items[i].y : fabs(history->items[i].y));
+    return largest;
+}
+
+double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening, double time)
+{
+    double value = sph2d__opening_value(opening, time);
+    bool rate = sph2d__opening_kind_of(opening) == SPH2D__OPENING_FLOW_RATE;
+    return rate ? value / sph2d__opening_mouth(scene, opening).width : value;
+}
+
+/** The depth at which a velocity or flow rate is critical: u^2 = g h (Chow 1959, Open-Channel Hydraulics, eq. 3-10). */
+static double critical_depth(const sph2d_scene *scene, sph2d__opening_kind kind, double value)
+{
+    double g = hypot(scene->gravity.x, scene->gravity.y);
+    return kind == SPH2D__OPENING_FLOW_RATE ? cbrt(value * value / g) : value * value / g;
+}
+
+double sph2d__opening_critical_depth(const sph2d_scene *scene, const sph2d_opening *opening, double time)
+{
+    double depth = critical_depth(scene, sph2d__opening_kind_of(opening), sph2d__opening_value(opening, time));
+    return fmin(depth, sph2d__opening_mouth(scene, opening).width / 2);
+}
+
+double sph2d__opening_highest(const sph2d_scene *scene, const sph2d_opening *opening)
+{
+    sph2d__mouth m = sph2d__opening_mouth(scene, opening);
+    sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
+    double most = sph2d__opening_largest(opening);
+    if (kind == SPH2D__OPENING_LEVEL)
+        return most - m.start.y;
+    /* behind a weir or a jump liquid stands some critical depths high; what it holds at the start counts by itself */
+    return fmin(3 * critical_depth(scene, kind, most), m.width);
 }
 
 double sph2d__opening_speed(const sph2d_scene *scene, const sph2d_opening *opening)
 {
-    double velocity = sph2d__opening_velocity(scene, opening);
-    return isnan(velocity) ? 0 : fabs(velocity) * (opening->profile == SPH2D_OPENING_PROFILE_PARABOLA ? 1.5 : 1);
+    if (!sph2d__opening_has_velocity(opening))
+        return 0;
+    double largest = sph2d__opening_largest(opening);
+    if (sph2d__opening_kind_of(opening) == SPH2D__OPENING_FLOW_RATE)
+        largest /= sph2d__opening_has_surface(opening) ? critical_depth(scene, SPH2D__OPENING_FLOW_RATE, largest)
+                                                       : sph2d__opening_mouth(scene, opening).width;
+    return largest > 0 ? largest * (opening->profile == SPH2D_OPENING_PROFILE_PARABOLA ? 1.5 : 1) : 0;
 }
+
+/* ---- reservoirs -------------------------------------------------------------------------------------------------- */
 
 /* Particles in the domain feel a reservoir as far as the support reaches, and what these know of their own neighbours
  * reaches as far again. */

@@ -20,11 +20,44 @@ const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *
 /** Of an opening of a scene as it was given, without reservoirs. */
 sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening);
 
-/** The mean velocity of an opening into the domain, after its ramp; NAN where it prescribes a pressure [m/s]. */
-double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening);
+/** What an opening prescribes. */
+typedef enum sph2d__opening_kind {
+    SPH2D__OPENING_VELOCITY,
+    SPH2D__OPENING_FLOW_RATE,
+    SPH2D__OPENING_PRESSURE,
+    SPH2D__OPENING_LEVEL,
+} sph2d__opening_kind;
 
-/** The largest speed that an opening prescribes; 0 where it prescribes a pressure [m/s]. */
+/** The first one that is given, by a number or over time. */
+sph2d__opening_kind sph2d__opening_kind_of(const sph2d_opening *opening);
+
+/** Whether it prescribes a velocity or a flow rate. */
+bool sph2d__opening_has_velocity(const sph2d_opening *opening);
+
+/** Whether liquid need not fill it: a level is given, or it has a free surface. */
+bool sph2d__opening_has_surface(const sph2d_opening *opening);
+
+/** The history of a kind. */
+const sph2d_history *sph2d__opening_history(const sph2d_opening *opening, sph2d__opening_kind kind);
+
+/** What it prescribes at a time: velocity [m/s] and flow rate [m^2/s] after their ramp, pressure [Pa] or level [m]. */
+double sph2d__opening_value(const sph2d_opening *opening, double time);
+
+/** The largest size of that at any time; of a level the highest one. */
+double sph2d__opening_largest(const sph2d_opening *opening);
+
+/** The velocity in the mean over the width at a time, of one that liquid fills [m/s]. */
+double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening, double time);
+
+/** The largest speed that an opening prescribes; 0 where it prescribes a pressure or level [m/s]. */
 double sph2d__opening_speed(const sph2d_scene *scene, const sph2d_opening *opening);
+
+/** The least depth of liquid in an opening with a free surface at a time: critical, and half the width at most [m].
+ *  Faster streams have no depth that follows from the liquid before them. */
+double sph2d__opening_critical_depth(const sph2d_scene *scene, const sph2d_opening *opening, double time);
+
+/** The height from which liquid that comes in through an opening with a surface may fall, above its lower end [m]. */
+double sph2d__opening_highest(const sph2d_scene *scene, const sph2d_opening *opening);
 
 /** Length of the duct between the side and the reservoir of an opening with a pressure [spacings]. Liquid that leaves a
  *  tank is still gathering speed before the side; where its velocity was measured there, a tank was drained at a third

@@ -21,8 +21,10 @@ void sph2d__opening_set_line(const sph2d_sim *sim, sph2d__opening *o, double bey
 static bool make_lanes(sph2d_sim *sim, sph2d__opening *o)
 {
     double dx = sim->scene.spacing;
-    o->velocity = sph2d__opening_velocity(&sim->given, o->given);
-    o->duct = isnan(o->velocity) ? SPH2D__DUCT * dx : 0;
+    o->kind = sph2d__opening_kind_of(o->given);
+    o->has_velocity = sph2d__opening_has_velocity(o->given);
+    o->has_surface = sph2d__opening_has_surface(o->given);
+    o->duct = o->has_velocity ? 0 : SPH2D__DUCT * dx;
     sph2d__opening_set_line(sim, o, o->duct);
     o->lane_count = (size_t)fmax(floor(o->mouth.width / dx + 0.5), 1);
     o->lane_width = o->mouth.width / (double)o->lane_count;
@@ -107,7 +109,7 @@ void sph2d__opening_read(const sph2d_sim *sim, size_t index, double values[SPH2D
     const sph2d__opening *o = &sim->openings.items[index];
     double area = sim->scene.spacing * sim->scene.spacing;
     sph2d__openings_measure(sim);
-    double wet = (double)o->wet_lanes * o->lane_width;
+    double wet = o->has_surface ? o->now.depth : (double)o->wet_lanes * o->lane_width;
     double kept = sph2d__opening_particles(sim, o) - o->means->first;
     values[0] = o->wet ? o->now.velocity : NAN;
     values[1] = wet * o->now.velocity;

@@ -25,6 +25,11 @@
  *  (Lastiwka, Basa & Quinlan 2009, eq. 14 to 16). A wave of frequency omega is reflected by
  *  1/sqrt(1 + (2 omega T)^2).
  *
+ *  Outside, liquid is at rest: where it flows in, rho0 <u>^2/2 is taken from P (Bernoulli), without which it would gain
+ *  speed without end. A level L is the pressure rho0 g (L - y), where <u> counts less towards the surface, whose pressure is that of air. In
+ *  an opening with a surface some lanes are *fed*, from the bottom up: those below L, or as many as the liquid before the
+ *  line is deep, in the mean over T; a flow rate is divided by their width, in the same mean.
+ *
  *  The particles take part in all sums, but their velocity and density are overwritten; what that does to the liquid is
  *  booked as energy fed. */
 #ifndef SPH2D_SIM_OPENINGS_H
@@ -34,10 +39,11 @@
 #include "scene/openings.h"
 #include "sph2d/sim.h"
 
-/** What an opening keeps from step to step: <u>, <p'>, <dp'/dn>, and the time that they cover, 0 where it was dry; and
- *  how many particles came and left at the end of its reservoir, and were in it at the start. */
+/** What an opening keeps from step to step: <u>, <p'>, <dp'/dn>, the depth of liquid before the line and the width of
+ *  lanes that are fed, and the time that these means cover, 0 where it was dry; and how many particles came and left at
+ *  the end of its reservoir, and were in it at the start. */
 typedef struct sph2d__opening_means {
-    double velocity, pressure, slope, age;
+    double velocity, pressure, slope, depth, fed, age;
     double came, left, first;
 } sph2d__opening_means;
 
@@ -57,7 +63,9 @@ typedef struct sph2d__opening {
     sph2d__mouth mouth;
     sph2d_vec2 middle; /**< of the opening in the side [m] */
     double duct;       /**< from there to the line [m] */
-    double velocity;   /**< U [m/s]; NAN: a pressure is given */
+    sph2d__opening_kind kind;
+    bool has_velocity, has_surface;
+    double value; /**< U [m/s] or P [Pa] at present */
     sph2d__lane *lanes;
     size_t lane_count;
     double lane_width;           /**< [m] */
@@ -65,6 +73,7 @@ typedef struct sph2d__opening {
     double depth;                /**< of the reservoir [m] */
     bool wet;                    /**< some lanes are */
     size_t wet_lanes;            /**< their number */
+    size_t fed_lanes;            /**< number of those that get particles where liquid flows in, from the first on */
     sph2d__opening_means now;    /**< over the lanes that are wet, as measured last; `age` unused */
     sph2d__opening_means *means; /**< over time: part of the state */
     double *outermost;           /**< of each lane, while it is fed: depth of its last particle [m] */

@@ -6,6 +6,12 @@
 #include "sim/openings_parts.h"
 #include "sim/simulation.h"
 
+/** Whether liquid that flows in through a lane comes from somewhere: with a pressure, it may have flowed out before. */
+static bool is_fed(const sph2d__opening *o, size_t k)
+{
+    return k < o->fed_lanes && (o->kind != SPH2D__OPENING_PRESSURE || o->lanes[k].wet);
+}
+
 /** Adds a particle. False when memory is short. */
 static bool add_at(sph2d_sim *sim, const sph2d__opening *o, sph2d__spot at)
 {
@@ -30,10 +36,9 @@ static size_t lane_at(const sph2d__opening *o, double along)
 /** Fills duct and reservoir of an opening whose line is in the side. False when memory is short. */
 static bool fill(sph2d_sim *sim, const sph2d__opening *o)
 {
-    bool all = !isnan(o->velocity);
     for (size_t k = 0; k < o->lane_count; ++k)
         for (double beyond = o->stride / 2; beyond <= o->depth + o->duct; beyond += o->stride)
-            if ((o->lanes[k].wet || all) && !add_at(sim, o, (sph2d__spot){((double)k + 0.5) * o->lane_width, beyond}))
+            if (is_fed(o, k) && !add_at(sim, o, (sph2d__spot){((double)k + 0.5) * o->lane_width, beyond}))
                 return false;
     return true;
 }
@@ -78,8 +83,7 @@ static bool flows_in(const sph2d_sim *sim, const sph2d__opening *o, size_t k)
 {
     double along = ((double)k + 0.5) * o->lane_width;
     sph2d_vec2 p = sph2d__place_of(o, (sph2d__spot){along, 0});
-    return sph2d__prescribed_at(sim, o, (sph2d__spot){along, 0}, p.x, p.y).inward > 0 &&
-           (o->lanes[k].wet || !isnan(o->velocity));
+    return is_fed(o, k) && sph2d__prescribed_at(sim, o, (sph2d__spot){along, 0}, p.x, p.y).inward > 0;
 }
 
 /** Counts the particle that came last, and its energy. */

@@ -94,7 +94,7 @@ static void set_lane(const sph2d_sim *sim, const sph2d__opening *o, size_t k, co
 }
 
 /** Measures some lanes of an opening, in the order of the particles. */
-static void measure_lanes(const sph2d_sim *sim, const sph2d__opening *o, size_t first, size_t count)
+static void measure_lanes(const sph2d_sim *sim, sph2d__opening *o, size_t first, size_t count)
 {
     const sph2d__store *f = &sim->system.fluid;
     lane_sums sums[LANES_AT_ONCE];
@@ -131,6 +131,55 @@ static void average_lanes(sph2d__opening *o)
     o->now.slope /= count;
 }
 
+/* Distance from the line at which depth is measured, with weights that fall linearly to 0 in as much [spacings]: a whole
+ * number, so that a lattice has the same depth wherever it is. */
+static const double DEPTH_AT = 2;
+
+/** Sets the depth of liquid before the line: its area, in the mean with weights. */
+static void measure_depth(const sph2d_sim *sim, sph2d__opening *o)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    double dx = sim->scene.spacing, weight = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        sph2d__spot at = sph2d__spot_of(o, f->x[i], f->y[i]);
+        bool beside = at.along < -o->lane_width || at.along > o->mouth.width + o->lane_width;
+        weight += beside ? 0 : hat((-at.beyond / dx - DEPTH_AT) / DEPTH_AT);
+    }
+    o->now.depth = fmin(weight / DEPTH_AT * dx, o->mouth.width);
+}
+
+/** Depth of the lanes that are fed, with a level at its height; of an opening without a surface all [m]. */
+static double fed_depth(const sph2d_sim *sim, const sph2d__opening *o, double level)
+{
+    if (!o->has_surface)
+        return o->mouth.width;
+    if (o->kind == SPH2D__OPENING_LEVEL)
+        return o->mouth.along.y > 0 ? fmin(fmax(level - o->mouth.start.y, 0), o->mouth.width) : o->mouth.width;
+    double depth = o->means->age > 0 ? o->means->depth : o->now.depth;
+    return fmax(depth, sph2d__opening_critical_depth(&sim->given, o->given, sim->record.time));
+}
+
+/** Sets what is prescribed now, and how many lanes are fed. Outside, liquid is at rest: what flows in has lost the
+ *  pressure rho0 <u>^2/2, or the height <u>^2/(2 g), by Bernoulli's law. */
+static void set_value(const sph2d_sim *sim, sph2d__opening *o)
+{
+    double value = sph2d__opening_value(o->given, sim->record.time);
+    double inflow = o->means->age > 0 ? fmax(o->means->velocity, 0) : 0;
+    if (o->kind == SPH2D__OPENING_LEVEL)
+        value -= inflow * inflow / (2 * hypot(sim->record.gravity_x, sim->record.gravity_y));
+    else if (o->kind == SPH2D__OPENING_PRESSURE)
+        value -= sim->system.rest_density * inflow * inflow / 2;
+    o->fed_lanes = (size_t)fmin(floor(fed_depth(sim, o, value) / o->lane_width + 0.5), (double)o->lane_count);
+    o->now.fed = (double)o->fed_lanes * o->lane_width;
+    o->value = value;
+    if (o->kind == SPH2D__OPENING_LEVEL) {
+        o->value = -sph2d__rest_pressure(sim, o, o->middle.x, value);
+    } else if (o->kind == SPH2D__OPENING_FLOW_RATE) {
+        double fed = o->means->age > 0 ? o->means->fed : o->now.fed;
+        o->value = fed > 0 ? value / (o->has_surface ? fed : o->mouth.width) : 0;
+    }
+}
+
 void sph2d__openings_measure(const sph2d_sim *sim)
 {
     for (size_t k = 0; k < sim->openings.count; ++k) {
@@ -140,6 +189,9 @@ void sph2d__openings_measure(const sph2d_sim *sim)
             measure_lanes(sim, o, first, left < LANES_AT_ONCE ? left : LANES_AT_ONCE);
         }
         average_lanes(o);
+        if (o->has_surface)
+            measure_depth(sim, o);
+        set_value(sim, o);
     }
 }
 
@@ -160,6 +212,8 @@ void sph2d__openings_average(const sph2d_sim *sim, double dt)
         m->velocity += new_part(dt, m->age, PERIODS_OF_PRESSURE * period) * (o->now.velocity - m->velocity);
         m->pressure += part * (o->now.pressure - m->pressure);
         m->slope += part * (o->now.slope - m->slope);
+        m->depth += part * (o->now.depth - m->depth);
+        m->fed += part * (o->now.fed - m->fed);
         m->age = o->wet ? fmin(m->age + dt, PERIODS * period) : 0;
     }
 }

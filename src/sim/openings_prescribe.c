@@ -3,6 +3,7 @@
  *  What an opening prescribes to the particles of its reservoir, and the stages of a step that hold them to it. */
 #include <math.h>
 
+#include "base/pi.h"
 #include "methods/common/state_equation.h"
 #include "sim/openings_parts.h"
 #include "sim/simulation.h"
@@ -14,11 +15,24 @@ static double profile_at(sph2d_opening_profile profile, double z)
     return profile == SPH2D_OPENING_PROFILE_PARABOLA ? 6 * z * (1 - z) : 1;
 }
 
-/** Grows from 0 to 1 over a ramp, with a continuous acceleration. */
-static double ramp_at(double ramp, double time)
+/** Sound in liquid with a surface has none of its pressure there: as in the slowest wave of a layer on a floor. */
+static double sound_part(const sph2d__opening *o, size_t k)
 {
-    double z = ramp > 0 ? fmin(time / ramp, 1) : 1;
-    return z * z * z * (10 - 15 * z + 6 * z * z);
+    if (!o->has_surface)
+        return 1;
+    double depth = fmax(o->now.depth, o->now.fed), height = ((double)k + 0.5) * o->lane_width;
+    return depth > height ? sin(SPH2D__PI / 2 * (1 - height / depth)) : 0;
+}
+
+/** The velocity of a lane with a pressure: that before it. One that is dry below the level goes as the others, or, where
+ *  all are dry, as much liquid comes as when a dam breaks, 8/27 sqrt(g d) d (Ritter 1892). */
+static double lane_velocity(const sph2d_sim *sim, const sph2d__opening *o, size_t k)
+{
+    if (o->lanes[k].wet || o->kind != SPH2D__OPENING_LEVEL)
+        return o->lanes[k].inward;
+    if (o->wet)
+        return fmax(o->now.velocity, 0);
+    return 8.0 / 27 * sqrt(hypot(sim->record.gravity_x, sim->record.gravity_y) * o->now.fed);
 }
 
 /** What a lane prescribes at its line: velocity inwards and sidewards, pressure p', and its slope. */
@@ -27,11 +41,11 @@ static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k,
     const sph2d__lane *lane = &o->lanes[k];
     double impedance = sim->system.rest_density * sim->system.sound_speed;
     bool known = o->means->age > 0;
-    if (isnan(o->velocity)) {
+    if (!o->has_velocity) {
         double sound = known ? -impedance * (o->now.velocity - o->means->velocity) : 0;
-        values[0] += part * lane->inward;
+        values[0] += part * lane_velocity(sim, o, k);
         values[1] += part * (lane->inward < 0 ? lane->sideward : 0);
-        values[2] += part * (o->given->pressure + sound);
+        values[2] += part * (o->value + sound_part(o, k) * sound);
     } else {
         values[0] += part * (known ? -(o->now.pressure - o->means->pressure) / impedance : 0);
         values[2] += part * lane->pressure;
@@ -48,9 +62,8 @@ sph2d__prescribed sph2d__prescribed_at(const sph2d_sim *sim, const sph2d__openin
     double part = lane - (double)k, values[4] = {0};
     lane_values(sim, o, k, 1 - part, values);
     lane_values(sim, o, next, part, values);
-    if (!isnan(o->velocity))
-        values[0] += o->velocity * profile_at(o->given->profile, at.along / o->mouth.width) *
-                     ramp_at(o->given->ramp, sim->record.time);
+    if (o->has_velocity)
+        values[0] += o->value * profile_at(o->given->profile, at.along / o->mouth.width);
     double pressure = values[2] - values[3] * (at.beyond + o->duct) + sph2d__rest_pressure(sim, o, x, y);
     double aside = fmax(1 - at.beyond / sim->system.support, 0);
     return (sph2d__prescribed){values[0], aside * values[1],
@@ -88,7 +101,7 @@ void sph2d__openings_impose(sph2d_sim *sim)
 }
 
 /* What pressure does to particles in reservoirs, it does to their neighbours, too: the energy is booked, and the
- * particles keep what is sph2d__prescribed. */
+ * particles keep what is prescribed. */
 void sph2d__openings_hold_density(sph2d_sim *sim, double dt)
 {
     sph2d__store *f = &sim->system.fluid;

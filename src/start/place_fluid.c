@@ -83,9 +83,9 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
     status = sph2d__openings_fill(sim);
     if (status != SPH2D_OK)
         return status;
-    if (fluid->count == 0 && scene->source_count == 0) {
+    if (fluid->count == 0 && scene->source_count == 0 && scene->opening_count == 0) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_NO_PARTICLES, scene->block_count > 0 ? "blocks" : "particles",
-                         "the scene has no particles and no source");
+                         "the scene has no particles, source or opening");
         return SPH2D_SCENE;
     }
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
