@@ -59,6 +59,7 @@
     X(tunnelling)                                                                                                      \
     X(openings)                                                                                                        \
     X(open_channels)                                                                                                   \
+    X(rheology)                                                                                                        \
     X(sources)                                                                                                         \
     X(steering)                                                                                                        \
     X(scene_keys)                                                                                                      \

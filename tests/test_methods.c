@@ -77,6 +77,7 @@ START_TEST(every_feature_has_a_key_and_a_method)
     found[SPH2D_FEATURE_SURFACE_TENSION] = found[SPH2D_FEATURE_WALL_SLIP] = true; /* of other groups */
     found[SPH2D_FEATURE_SMOOTH_WALLS] = found[SPH2D_FEATURE_FREE_SURFACE] = true; /* of no key alone */
     found[SPH2D_FEATURE_OPENINGS] = true;                                         /* of a list */
+    found[SPH2D_FEATURE_RHEOLOGY] = true;                                         /* of fluid */
     const sph2d_keys *keys = sph2d_scene_keys();
     for (size_t k = 0; k < keys->count; ++k)
         if (strcmp(keys->items[k].name, "method") == 0)

@@ -154,6 +154,18 @@ static const char *const goldens[] = {
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  density: 1500\n  model: herschel_bulkley\n  consistency: 5\n  index: 0.8\n  yield_stress: 50\n"
+    "  regularisation: 2\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  dynamic_viscosity: 5\n  model: carreau\n  index: 0.5\n  infinite_viscosity: 0.1\n"
+    "  relaxation_time: 2\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
     "fluid:\n  material: honey\n  density: 1000\n" /* 1000 is the default, but not honey's */
     "method:\n  name: pcisph\n  criterion: mean\n  min_iterations: 2\n"
     "blocks:\n"

@@ -37,7 +37,8 @@ extern "C" {
     X(WALL_SLIP, "wall_slip")                                                                                          \
     X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
     X(FREE_SURFACE, "open sides, sources and drains")                                                                  \
-    X(OPENINGS, "openings")
+    X(OPENINGS, "openings")                                                                                            \
+    X(RHEOLOGY, "fluid.model")
 
 /** A feature that not every method has. */
 typedef enum sph2d_feature {

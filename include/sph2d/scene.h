@@ -182,8 +182,32 @@ typedef struct sph2d_fluid {
     /** Rest density [kg/m^3], > 0; default 1000. */
     double density;
 
-    /** Dynamic viscosity [Pa s], >= 0; default 0.001, of water. */
+    /** Dynamic viscosity [Pa s], >= 0; default 0.001, of water. Of Carreau's liquid that at rest; of the other models
+     *  but newtonian not used. */
     double dynamic_viscosity;
+
+    /** How viscosity depends on the shear rate: wcsph with symmetric operators and shifting; default newtonian. */
+    sph2d_rheology model;
+
+    /** power_law, herschel_bulkley: K [Pa s^n], > 0; must be given. */
+    double consistency;
+
+    /** n, 0.1 to 3; less than 1 where liquid gets thinner as it is sheared; default 0: 1, for carreau it must be given. */
+    double index;
+
+    /** herschel_bulkley: the stress below which it does not flow [Pa], > 0; must be given. */
+    double yield_stress;
+
+    /** power_law, herschel_bulkley: slower shear than one over this, m [s], has a bounded viscosity, at most
+     *  K m^(1-n) + m yield_stress; default 100 L/sqrt(2 E), L the smaller side of the domain and E the energy per mass
+     *  that the scene has at the start: head, speed and pull. */
+    double regularisation;
+
+    /** carreau: the viscosity at a high shear rate [Pa s], >= 0; default 0. */
+    double infinite_viscosity;
+
+    /** carreau: one over the shear rate from which on it gets thinner [s], > 0; must be given. */
+    double relaxation_time;
 
     /** Surface tension [N/m], >= 0; default 0: none. All methods but wcsph with fitted operators. Surfaces meet layered
      *  walls at a right angle; other walls are not wetted. */

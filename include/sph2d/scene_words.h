@@ -298,6 +298,21 @@ typedef enum sph2d_material {
     SPH2D_MATERIAL_MERCURY = 5
 } sph2d_material;
 
+/** How the viscosity of a liquid depends on the shear rate (methods/terms/rheology.h has the equations). */
+typedef enum sph2d_rheology {
+    /** Not at all. */
+    SPH2D_RHEOLOGY_NEWTONIAN,
+
+    /** As a power of it: consistency, index. */
+    SPH2D_RHEOLOGY_POWER_LAW,
+
+    /** From one value at rest to another: dynamic_viscosity, infinite_viscosity, relaxation_time, index. */
+    SPH2D_RHEOLOGY_CARREAU,
+
+    /** It flows above a yield stress: yield_stress, consistency, index. Bingham's liquid with index 1. */
+    SPH2D_RHEOLOGY_HERSCHEL_BULKLEY
+} sph2d_rheology;
+
 /** Off or on. */
 typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0, SPH2D_SWITCH_ON = 1 } sph2d_switch;
 

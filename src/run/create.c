@@ -5,6 +5,7 @@
 
 #include "base/null.h"
 #include "methods/projection/body_rows.h"
+#include "methods/terms/rheology.h"
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/bodies.h"
@@ -89,7 +90,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->tension = limited ? tension : INFINITY;
     bool fills = sim->given.opening_count > 0 && sph2d__has_no_surface(&sim->given) && !fitted;
     s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
-    s->viscosity = scene->fluid.dynamic_viscosity;
+    s->liquid = &scene->fluid;
+    s->viscosity = sph2d__rheology_viscosity(s->liquid, 0);
     s->method = scene->method;
     unsigned slips = sph2d__slips(scene);
     s->walls_rough = slips >> SPH2D_SLIP_NONE & 1;
@@ -201,6 +203,8 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     sph2d_status status = sph2d__sim_load(sim, state, report);
     if (status != SPH2D_OK)
         return status;
+    if (!sph2d__rheology_set(&sim->system))
+        return SPH2D_NOMEM;
     status = sph2d__sim_update_forcing(sim, sim->record.time);
     if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
         status = recompute_gradients(sim);
@@ -220,6 +224,7 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
     sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
+    sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
         return status;
@@ -332,8 +337,9 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__neighbours_free(&s->neighbours, memory);
     sph2d__neighbours_free(&s->wall_neighbours, memory);
     sph2d__body_pairs_free(&s->body_pairs, memory);
-    void *blocks[2] = {sim->to_remove, sim->state_arrays};
+    void *blocks[3] = {sim->to_remove, sim->state_arrays, sim->system.viscosities};
     sph2d__release(memory, &blocks[0], sim->to_remove_capacity, 1);
+    sph2d__release(memory, &blocks[2], sim->system.viscosity_capacity, sizeof(double));
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
     sph2d__barrier_free(&sim->barrier, memory);
     for (size_t k = 0; k < sim->moving_count; ++k)

@@ -247,6 +247,7 @@ static void check_consistency(checker *c)
         check_times(c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
     }
     sph2d__check_obstacles(c);
+    sph2d__check_liquid(c);
     if (c->errors == 0)
         sph2d__check_openings(c);
     for (size_t i = 0; i < scene->interaction_count; ++i)

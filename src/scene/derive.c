@@ -169,3 +169,16 @@ double sph2d_scene_particles(const sph2d_scene *scene)
     double layers = form == SPH2D_WALL_GENERALISED ? ceil(support - 1e-9) : form == SPH2D_WALL_SPRING ? 0 : 1;
     return count + length / dx * layers;
 }
+
+/* Shear that is a hundred times slower than that of the scene: a plug in a channel then creeps by 1 % of its velocity. */
+static const double SLOWER = 100;
+
+double sph2d__regularisation(const sph2d_scene *scene)
+{
+    const sph2d_fluid *f = &scene->fluid;
+    if (f->regularisation > 0 || f->model == SPH2D_RHEOLOGY_NEWTONIAN || f->model == SPH2D_RHEOLOGY_CARREAU)
+        return f->regularisation;
+    double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    double head = sph2d__scene_derive(scene).head;
+    return head > 0 ? SLOWER * fmin(width, height) / sqrt(2 * head) : 1;
+}

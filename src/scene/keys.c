@@ -69,6 +69,7 @@ static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
 static const char *const between_words[] = {"default", "lines", "cubic", NULL};
+static const char *const rheology_words[] = {"newtonian", "power_law", "carreau", "herschel_bulkley", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", "inside", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 
@@ -540,6 +541,22 @@ static const sph2d_key fluid_items[] = {
      .default_text = "0.001", .text = "water 0.001, oil 0.08, honey 19"},
     {"surface_tension", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, surface_tension), FROM_0, .unit = "N/m",
      .default_text = "0", .feature = SPH2D_FEATURE_SURFACE_TENSION, .text = "of the free surface"},
+    {"model", SPH2D_KEY_WORD, false, AT(sph2d_fluid, model), .words = rheology_words, .unit = "",
+     .default_text = "newtonian", .feature = SPH2D_FEATURE_RHEOLOGY,
+     .text = "how viscosity depends on the shear rate; herschel_bulkley with index 1 is Bingham's liquid"},
+    {"consistency", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, consistency), FROM_0, .unit = "Pa s^n",
+     .default_text = "none", .text = "of power_law and herschel_bulkley: stress K rate^n"},
+    {"index", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, index), BETWEEN_OR_0(0.1, 3), .unit = "", .default_text = "1",
+     .text = "n; below 1 for liquid that gets thinner as it is sheared"},
+    {"yield_stress", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, yield_stress), FROM_0, .unit = "Pa",
+     .default_text = "none", .text = "of herschel_bulkley: below it liquid does not flow"},
+    {"regularisation", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, regularisation), FROM_0, .unit = "s",
+     .default_text = "100 L/sqrt(2 E), L the smaller side, E the energy per mass",
+     .text = "m: slower shear than 1/m has a bounded viscosity, at most K m^(1-n) + m yield_stress"},
+    {"infinite_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, infinite_viscosity), FROM_0, .unit = "Pa s",
+     .default_text = "0", .text = "of carreau, at high shear rates; dynamic_viscosity is that at rest"},
+    {"relaxation_time", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, relaxation_time), FROM_0, .unit = "s",
+     .default_text = "none", .text = "of carreau: one over the shear rate from which on it gets thinner"},
 };
 KEYS(fluid, sph2d_fluid, NULL);
 

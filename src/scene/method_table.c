@@ -55,7 +55,7 @@ static const sph2d__method_row rows[] = {
               .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(KERNEL) | HAS(STATE_EQUATION) | HAS(VISCOSITY_FORM) |
                           HAS(TURBULENCE) | HAS(ARTIFICIAL_VISCOSITY) | HAS(DENSITY_DIFFUSION) | HAS(DIFFUSION_FORM) |
                           HAS(SHIFTING) | HAS(TENSILE_CONTROL) | HAS(SURFACE_TENSION) | HAS(WALL_SLIP) |
-                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS),
+                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS) | HAS(RHEOLOGY),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.3,
      .damping_hint = "method.artificial_viscosity: 0.05",

@@ -55,7 +55,8 @@ sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
     const sph2d_method_options *m = &scene->method;
     if (m->turbulence != SPH2D_TURBULENCE_DEFAULT || !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_TURBULENCE))
         return m->turbulence;
-    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !sph2d__has_no_surface(scene);
+    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !sph2d__has_no_surface(scene) &&
+                  scene->fluid.model == SPH2D_RHEOLOGY_NEWTONIAN;
     return eddies ? SPH2D_TURBULENCE_SMAGORINSKY : SPH2D_TURBULENCE_NONE;
 }
 

@@ -44,7 +44,7 @@ static void pack_some_fluid(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     pack_common(s, first, last);
-    pack(sph2d__floats(f, f->packed_strain, 0), f->stretch, 0, first, last);
+    pack(sph2d__floats(f, f->packed_strain, 0), s->viscosities ? s->viscosities : f->stretch, 0, first, last);
     pack(sph2d__floats(f, f->packed_strain, 1), f->shear, 0, first, last);
 }
 

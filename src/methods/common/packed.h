@@ -18,12 +18,13 @@
  *                    diffusion) or the wall_rate of walls
  *   packed_density   density and min_eigenvalue of liquid; slide and mass of walls
  *   packed_gradient  gradient of density of liquid; slip direction of walls
- *   packed_strain    stretch, shear; for the rate of density H grad C (shift.h) */
+ *   packed_strain    stretch, shear, or viscosity where it depends on them; for the rate of density H grad C (shift.h) */
 
 /** Arrays with one value per particle. Density is relative to `from`. */
 typedef struct sph2d__packed {
     const sph2d__real *x, *y, *vx, *vy, *density, *pressure, *volume, *mass, *density_grad_x, *density_grad_y,
-        *min_eigenvalue, *excess, *stretch, *shear, *grad_c_x, *grad_c_y, *wall_rate, *slide, *along_x, *along_y;
+        *min_eigenvalue, *excess, *stretch, *shear, *viscosity, *grad_c_x, *grad_c_y, *wall_rate, *slide, *along_x,
+        *along_y;
     double from; /**< [kg/m^3] */
 } sph2d__packed;
 
@@ -63,6 +64,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            .density = sph2d__floats(t, t->packed_density, 0),
                            .stretch = sph2d__floats(t, t->packed_strain, 0),
                            .shear = sph2d__floats(t, t->packed_strain, 1),
+                           .viscosity = sph2d__floats(t, t->packed_strain, 0),
                            .grad_c_x = sph2d__floats(t, t->packed_strain, 0),
                            .grad_c_y = sph2d__floats(t, t->packed_strain, 1),
                            .slide = sph2d__floats(t, t->packed_density, 0),
@@ -77,7 +79,6 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
 #else
 SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d__store *t, bool walls)
 {
-    (void)s;
     return (sph2d__packed){t->x,
                            t->y,
                            walls ? t->image_vx : t->vx,
@@ -92,6 +93,7 @@ SPH2D__INLINE sph2d__packed sph2d__packed_of(const sph2d__system *s, const sph2d
                            t->excess,
                            t->stretch,
                            t->shear,
+                           s->viscosities,
                            t->grad_c_x,
                            t->grad_c_y,
                            t->wall_rate,

@@ -45,14 +45,17 @@ typedef struct sph2d__system {
     uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
     double *rigid_compression_rate; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
 
-    double spacing;         /**< dx [m] */
-    double support;         /**< support radius H [m] */
-    double reach;           /**< search radius for fluid particles [m] */
-    double wall_reach;      /**< search radius for boundary particles [m] */
-    double mass;            /**< of a fluid particle [kg/m] */
-    double rest_density;    /**< [kg/m^3] */
-    double sound_speed;     /**< c0 [m/s] */
-    double viscosity;       /**< dynamic [Pa s] */
+    double spacing;            /**< dx [m] */
+    double support;            /**< support radius H [m] */
+    double reach;              /**< search radius for fluid particles [m] */
+    double wall_reach;         /**< search radius for boundary particles [m] */
+    double mass;               /**< of a fluid particle [kg/m] */
+    double rest_density;       /**< [kg/m^3] */
+    double sound_speed;        /**< c0 [m/s] */
+    double viscosity;          /**< dynamic; where it depends on the shear rate, the largest of a particle [Pa s] */
+    const sph2d_fluid *liquid; /**< the scene's, with its regularisation */
+    double *viscosities;       /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
+    size_t viscosity_capacity;
     double surface_tension; /**< [N/m] */
     double calibration;     /**< muller: factor on the density sum that gives a full lattice the rest density */
     double side_fill;       /**< muller: F of muller_side.h, times rest density [kg/m^3] */

@@ -14,11 +14,22 @@ static bool is_laplacian(const sph2d__system *s)
     return s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
 }
 
-sph2d__viscosity sph2d__viscosity_of(const sph2d__system *s)
+sph2d__viscosity sph2d__viscosity_apart(const sph2d__system *s, double laplacian, double central)
 {
     double artificial = s->rest_density * s->method.artificial_viscosity * s->sound_speed * s->support / 16;
-    return (sph2d__viscosity){.laplacian = is_laplacian(s) ? s->viscosity : 0,
-                              .central = artificial + (is_laplacian(s) ? 0 : s->viscosity)};
+    return (sph2d__viscosity){.laplacian = is_laplacian(s) ? laplacian : 0,
+                              .central = artificial + (is_laplacian(s) ? 0 : central)};
+}
+
+sph2d__viscosity sph2d__viscosity_of(const sph2d__system *s)
+{
+    return sph2d__viscosity_apart(s, s->viscosity, s->viscosity);
+}
+
+sph2d__viscosity sph2d__viscosity_at(const sph2d__system *s, size_t i)
+{
+    double viscosity = s->viscosities ? s->viscosities[i] : s->viscosity;
+    return sph2d__viscosity_apart(s, viscosity, viscosity);
 }
 
 double sph2d__viscosity_limiting(const sph2d__system *s)

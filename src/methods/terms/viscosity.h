@@ -28,6 +28,12 @@ typedef struct sph2d__viscosity {
 /** Those of the symmetric operators of `wcsph`. */
 sph2d__viscosity sph2d__viscosity_of(const sph2d__system *system);
 
+/** The same with another viscosity of the liquid in either form. */
+sph2d__viscosity sph2d__viscosity_apart(const sph2d__system *system, double laplacian, double central);
+
+/** Those of particle i, whose viscosity may be its own. */
+sph2d__viscosity sph2d__viscosity_at(const sph2d__system *system, size_t i);
+
 /** The kinematic viscosity in Laplacian form with the same step limit [m^2/s]. */
 double sph2d__viscosity_limiting(const sph2d__system *system);
 

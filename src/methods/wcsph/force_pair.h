@@ -34,6 +34,7 @@ typedef struct terms {
     bool laplacian, central; /**< forms of viscosity */
     bool eddies;             /**< subgrid viscosity; never without `central` */
     bool blocks;             /**< the step follows from the viscous blocks; never without `central` */
+    bool variable;           /**< viscosity depends on the shear rate; never with `eddies` */
 } terms;
 
 /** Parameters of the scene. */
@@ -42,9 +43,11 @@ typedef struct constants {
     sph2d__real inverse_mass;
     sph2d__real inverse_value; /**< 1/f(dx/H) */
     sph2d__real background;    /**< pressure [Pa] */
-    sph2d__viscosity viscosity;
-    double eddies;       /**< subgrid viscosity over the strain rate [Pa s^2] */
-    sph2d__real no_slip; /**< 1 if walls are rough, else 0 */
+    sph2d__viscosity
+        viscosity; /**< in the sums: where it differs among particles, 1 for the drag, of the rest artificial */
+    sph2d__viscosity limiting; /**< for the step */
+    double eddies;             /**< subgrid viscosity over the strain rate [Pa s^2] */
+    sph2d__real no_slip;       /**< 1 if walls are rough, else 0 */
     const unsigned char *slips;
     const uint64_t *ids; /**< of boundary particles: their slip, where walls differ, by id, and their ids */
 } constants;
@@ -57,9 +60,9 @@ typedef struct constants {
 #endif
 
 /** The particles of a group. `pv2` is p V^2, `strain` half the strain rate, `damping` -8 mu V of the central viscosity
- *  and `eddies` that of the subgrid viscosity over the strain rate. */
+ *  and `eddies` that of the subgrid viscosity over the strain rate. `viscosity` is the particle's own. */
 typedef struct group_state {
-    sph2d__lanes vx, vy, density, pv2, damping, strain, stretch, shear, eddies;
+    sph2d__lanes vx, vy, density, pv2, damping, strain, stretch, shear, eddies, viscosity, volume;
 } group_state;
 
 /** Adds a neighbour to the neighbourhood sums: `vg` is V_j g, `ratio` its mass over that of a fluid particle. */
@@ -114,6 +117,17 @@ SPH2D__INLINE sph2d__lanes limited_jump(const group_state *own, const pair *p, c
     return sph2d__lanes_max(-most, -sph2d__lanes_max(-jump, -most));
 }
 
+/** The viscosity between a particle and a candidate, where it differs: to the factor of the drag, or of the jump. */
+SPH2D__INLINE void add_viscosity(terms with, const group_state *own, sph2d__lanes viscosity, sph2d__real volume,
+                                 sph2d__lanes jump, sph2d__lanes *damped, sph2d__lanes *share)
+{
+    const sph2d__real form = -8;
+    if (with.laplacian)
+        *share *= viscosity;
+    else
+        *damped += form * viscosity * own->volume * volume * jump;
+}
+
 /** Adds a fluid particle. */
 SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, const group_state *own, const pair *p,
                               const sph2d__packed *f, size_t j)
@@ -126,9 +140,14 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
         const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
         damped += own->eddies * (own->strain + theirs) * volume * limited_jump(own, p, f, j, jump);
     }
+    sph2d__lanes share = p->g * volume;
+    if (with.variable) {
+        const sph2d__real half = 0.5;
+        add_viscosity(with, own, (own->viscosity + f->viscosity[j]) * half, volume, jump, &damped, &share);
+    }
     add_central(sums, with, own, p, 1, (f->pressure[j] + k->background) * volume * volume, damped);
     if (with.laplacian)
-        sph2d__drag_add(&sums->drag, p->g * volume, dvx, dvy);
+        sph2d__drag_add(&sums->drag, share, dvx, dvy);
     if (with.blocks)
         sph2d__block_add(&sums->block, p->g * volume, p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
     if (with.detail >= SPH2D__DETAIL_GRADIENT) {
@@ -151,14 +170,18 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
     const sph2d__real no_slip = k->slips ? k->slips[k->ids[j]] == SPH2D_SLIP_NONE : k->no_slip;
     const sph2d__real theirs = ratio > 0 ? (w->pressure[j] + k->background) * volume * volume / ratio : 0;
     sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
-    add_central(sums, with, own, p, ratio, theirs, own->damping * (volume * no_slip) * (dvx * p->dx + dvy * p->dy));
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = own->damping * (volume * no_slip) * jump;
+    sph2d__lanes share = p->g * (volume * no_slip);
+    if (with.variable)
+        add_viscosity(with, own, own->viscosity, volume * no_slip, jump, &damped, &share);
+    add_central(sums, with, own, p, ratio, theirs, damped);
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
     sph2d__lanes along =
         sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
     sums->press_x += along * along_x;
     sums->press_y += along * along_y;
     if (with.laplacian)
-        sph2d__drag_add(&sums->drag, p->g * (volume * no_slip), dvx, dvy);
+        sph2d__drag_add(&sums->drag, share, dvx, dvy);
     if (with.blocks)
         sph2d__block_add(&sums->block, p->g * (volume * no_slip), p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
@@ -242,7 +265,7 @@ SPH2D__INLINE double viscous_rate_of(const sph2d__system *s, size_t i, const for
                                      const constants *k)
 {
     double most = sph2d__block_most((double)sums->block.xx[l], (double)sums->block.xy[l], (double)sums->block.yy[l]);
-    return sph2d__viscous_rate(k->viscosity, slope_scale(s) * most / s->fluid.density[i]);
+    return sph2d__viscous_rate(k->limiting, slope_scale(s) * most / s->fluid.density[i]);
 }
 
 static constants constants_of(const sph2d__system *s)
@@ -253,7 +276,8 @@ static constants constants_of(const sph2d__system *s)
                        .inverse_mass = (sph2d__real)(1 / s->mass),
                        .inverse_value = (sph2d__real)(1 / value),
                        .background = (sph2d__real)s->background,
-                       .viscosity = sph2d__viscosity_of(s),
+                       .viscosity = s->viscosities ? sph2d__viscosity_apart(s, 1, 0) : sph2d__viscosity_of(s),
+                       .limiting = sph2d__viscosity_of(s),
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                        .no_slip = s->walls_rough,
                        .slips = s->wall_slips,

@@ -48,6 +48,10 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
             own.strain = sph2d__lanes_sqrt(own.stretch * own.stretch + own.shear * own.shear);
             own.eddies = -8 * (sph2d__real)k.eddies * volume;
         }
+        if (with.variable) {
+            own.viscosity = sph2d__lanes_load(liquid.viscosity + g.first);
+            own.volume = volume;
+        }
         force_sums sums = {0};
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
@@ -83,11 +87,12 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
     terms with = {.kernel = kernel,
                   .detail = sph2d__wcsph_detail(&s->method),
                   .eddies = k.eddies > 0,
-                  .blocks = s->viscosity_limits};
+                  .blocks = s->viscosity_limits,
+                  .variable = s->viscosities != NULL};
 #ifndef SPH2D__BARE
     with.laplacian = k.viscosity.laplacian > 0;
 #endif
-    with.central = k.viscosity.central > 0 || with.eddies;
+    with.central = k.viscosity.central > 0 || with.eddies || (with.variable && !with.laplacian);
     return with;
 }
 
@@ -117,8 +122,8 @@ SPH2D__INLINE void force_by_copy(sph2d__system *s, size_t first, size_t last, wa
     const terms with = terms_of(s, USUAL);
 #define TRY(of, form1, form2, form3, form4)                                                                            \
     if (with.detail == SPH2D__DETAIL_##of && with.laplacian == form1 && with.central == form2 &&                       \
-        with.eddies == form3 && with.blocks == form4) {                                                                \
-        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, form3, form4}, walls_of);          \
+        with.eddies == form3 && with.blocks == form4 && !with.variable) {                                              \
+        force_with(s, first, last, (terms){USUAL, SPH2D__DETAIL_##of, form1, form2, form3, form4, false}, walls_of);   \
         return;                                                                                                        \
     }
     FOR_COPIES(TRY)

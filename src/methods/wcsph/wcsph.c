@@ -9,6 +9,7 @@
 #include "methods/common/packed.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/friction.h"
+#include "methods/terms/rheology.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
@@ -66,7 +67,8 @@ static void prepare(sph2d__system *s)
                 s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
         }
     walls_placed(s);
-    s->viscosity_limits = sph2d__viscosity_limits(s);
+    bool varies = s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN && sph2d__viscosity_apart(s, 0, 1).central > 0;
+    s->viscosity_limits = varies || sph2d__viscosity_limits(s);
 }
 
 /** Whether density diffusion has Fourtakas' form, of the excess over hydrostatic density. */
@@ -156,6 +158,8 @@ static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, set_some_pressures);
+    if (!sph2d__rheology_set(s))
+        return false;
     sph2d__pack_fluid(s);
     if (s->walls_press) {
         RUN(wall, s, &s->walls);
@@ -197,7 +201,7 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     force.friction = sph2d__friction_of(s, b, dx, dy);
     if (sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
         return force;
-    force.friction = sph2d__viscosity_force(sph2d__viscosity_of(s), vi * vb * g, dx, dy, f->vx[i] - w->image_vx[b],
+    force.friction = sph2d__viscosity_force(sph2d__viscosity_at(s, i), vi * vb * g, dx, dy, f->vx[i] - w->image_vx[b],
                                             f->vy[i] - w->image_vy[b]);
     return force;
 }
