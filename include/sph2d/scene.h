@@ -428,8 +428,8 @@ typedef struct sph2d_opening_history {
  *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
  *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
- *  (Lastiwka, Basa & Quinlan 2009), slower ones meet what is prescribed. An opening with a velocity or flow rate is full
- *  from the start, one with a pressure where liquid stands before it. The particles of reservoirs are among those of the
+ *  (Lastiwka, Basa & Quinlan 2009), slower ones meet what is prescribed. An opening with a velocity or flow rate into
+ *  the domain is full from the start, others where liquid stands before them. The particles of reservoirs are among those of the
  *  run, of its energy and momentum. Where liquid fills the domain, pressure may fall below 0 without a void: there is no
  *  air to fill it. */
 typedef struct sph2d_opening {

@@ -66,8 +66,10 @@ sph2d__prescribed sph2d__prescribed_at(const sph2d_sim *sim, const sph2d__openin
         values[0] += o->value * profile_at(o->given->profile, at.along / o->mouth.width);
     double pressure = values[2] - values[3] * (at.beyond + o->duct) + sph2d__rest_pressure(sim, o, x, y);
     double aside = fmax(1 - at.beyond / sim->system.support, 0);
+    const sph2d__system *s = &sim->system;
+    double least = s->rest_density * s->sound_speed * s->sound_speed * s->method.max_compression; /* without a bound */
     return (sph2d__prescribed){values[0], aside * values[1],
-                               sph2d__density_of(&sim->system, fmax(pressure, -sim->system.tension))};
+                               sph2d__density_of(s, fmax(pressure, -fmin(s->tension, least)))};
 }
 
 static double energy_of(const sph2d_sim *sim, size_t i)

@@ -123,9 +123,13 @@ static void judge_summary(const ending *checked, const ending *run, const librar
     for (size_t i = 0; i < sizeof lost / sizeof lost[0]; ++i)
         gone += number(particles, lost[i]);
     const double placed = number(checked->out, "particles"), fed = number(particles, "fed");
-    const double now = number(particles, "now");
-    if (now + gone != placed + fed)
-        verdict_fail(v, "particles", "%g placed by check, %g fed, %g lost, %g left now", placed, fed, gone, now);
+    const double now = number(particles, "now"), in = number(particles, "let_in"), out = number(particles, "let_out");
+    if (now + gone + out != placed + fed + in)
+        verdict_fail(v, "particles", "%g placed by check, %g fed, %g let in, %g out, %g lost, %g left now", placed, fed,
+                     in, out, gone, now);
+    const double error = number(run->out, "energy_error") / number(run->out, "energy_scale");
+    if (library->opened && !(fabs(error) <= OPENED_BOUND))
+        verdict_fail(v, "balance", "%.3g %% of the scene's energy is unaccounted for", 100 * error);
     static const char *const finite[] = {"compression_p99", "compression_mean", "compression_max",
                                          "energy_kinetic",  "energy_potential", "energy_change",
                                          "energy_bodies",   "energy_contacts",  "speed_max"};

@@ -20,6 +20,7 @@ typedef struct draft {
     bool open[4];
     double support, max_compression, cfl, area;
     bool bodied; /**< whether it is of those that may have bodies and a tank that moves */
+    bool opened; /**< whether it has openings, and may have a liquid that is not Newtonian */
 } draft;
 
 /** A place for something of so large a half size, and all that are taken. */
@@ -53,6 +54,8 @@ void write_walls(draft *d);
 
 /** Writes rigid bodies, clear of the places from `first` on: those of obstacles and sources, not of liquid. */
 void write_bodies(draft *d, const places *taken, int first);
+/** Writes openings. */
+void write_openings(draft *d);
 /** Writes the motion of the tank. */
 void write_tank(draft *d);
 

@@ -35,7 +35,8 @@ bool walls_are_at_rest(const sph2d_scene *s)
 bool scene_is_closed(const sph2d_scene *s)
 {
     const bool period_x = s->boundary.left == SPH2D_SIDE_PERIODIC, period_y = s->boundary.bottom == SPH2D_SIDE_PERIODIC;
-    bool drive = s->source_count > 0 || s->drain_count > 0 || s->interaction_count > 0 || moves(&s->motion);
+    bool drive = s->source_count > 0 || s->drain_count > 0 || s->opening_count > 0 || s->interaction_count > 0 ||
+                 moves(&s->motion);
     for (size_t i = 0; i < s->body_count; ++i)
         drive = drive || (s->bodies[i].motor.torque > 0 && s->bodies[i].motor.rate != 0);
     drive = drive || !walls_are_at_rest(s);

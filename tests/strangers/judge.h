@@ -31,12 +31,14 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 #define DENSITY_HIGH 4.0    /* largest, of liquid that does not start compressed */
 #define CONTACTS_BOUND 0.01 /* energy that contacts give back of what they took: a step's forces act on both sides */
 #define GAPS_BOUND 0.05     /* work of the pressure in thin gaps, of the energy scale: it lifts a body by a spacing */
+#define OPENED_BOUND 0.05   /* energy unaccounted for, of the scene's, where liquid flows in and out */
 #define OVERLAP_BOUND 0.1   /* of bodies with each other, obstacles and sides [spacings] */
 #define INSIDE_BOUND 0.2    /* how deep liquid is in a body [spacings] */
 
 /** What a run by the library found. Numbers that were not judged are NaN. */
 typedef struct library_run {
     bool started, finished;
+    bool opened;               /**< the scene has openings */
     double compression_max;    /**< largest rho/rho0 - 1 over all particles and steps */
     double scale, rise, since; /**< energy scale [J/m]; largest rise over it; when that was reached [s] */
     double packing, density;   /**< mean density over rest density inside the liquid, by counting and as reported */

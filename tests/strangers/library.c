@@ -153,19 +153,28 @@ static size_t count_inside(const sph2d_scene *s, const sph2d_sim *sim)
     return count;
 }
 
+/** Whether a side is a wall without openings: behind these are reservoirs. */
+static bool is_shut(const sph2d_scene *s, sph2d_side_name side)
+{
+    const sph2d_side kinds[] = {s->boundary.left, s->boundary.right, s->boundary.bottom, s->boundary.top};
+    bool shut = kinds[side] == SPH2D_SIDE_WALL;
+    for (size_t i = 0; i < s->opening_count; ++i)
+        shut = shut && s->openings[i].side != side;
+    return shut;
+}
+
 /** Nothing passes a wall: neither a side of the domain nor a closed obstacle. */
 static void look_behind_walls(const watch *w, size_t inside_at_start)
 {
     const sph2d_view f = sph2d_sim_fluid(w->sim);
-    const sph2d_boundary *side = &w->scene->boundary;
+    const bool left = is_shut(w->scene, SPH2D_SIDE_NAME_LEFT), right = is_shut(w->scene, SPH2D_SIDE_NAME_RIGHT);
+    const bool bottom = is_shut(w->scene, SPH2D_SIDE_NAME_BOTTOM), top = is_shut(w->scene, SPH2D_SIDE_NAME_TOP);
     const sph2d_box *box = &w->scene->domain;
     const double skin = 1e-3 * w->scene->spacing;
     for (size_t i = 0; i < f.count; ++i) {
         // Beside an open side walls go on for one domain more; beyond that liquid is removed.
-        if ((side->left == SPH2D_SIDE_WALL && f.x[i] < box->min.x - skin) ||
-            (side->right == SPH2D_SIDE_WALL && f.x[i] > box->max.x + skin) ||
-            (side->bottom == SPH2D_SIDE_WALL && f.y[i] < box->min.y - skin) ||
-            (side->top == SPH2D_SIDE_WALL && f.y[i] > box->max.y + skin)) {
+        if ((left && f.x[i] < box->min.x - skin) || (right && f.x[i] > box->max.x + skin) ||
+            (bottom && f.y[i] < box->min.y - skin) || (top && f.y[i] > box->max.y + skin)) {
             verdict_fail(w->verdict, "walls", "particle %llu is at (%g, %g), behind a side that is a wall",
                          (unsigned long long)f.id[i], f.x[i], f.y[i]);
             break;
@@ -221,6 +230,7 @@ library_run judge_by_library(const judge_request *request, const sph2d_scene *sc
     if (sph2d_sim_create(scene, &options, sim, NULL) != SPH2D_OK || sph2d_contacts_attach(*sim) != SPH2D_OK)
         return run;
     run.started = true;
+    run.opened = scene->opening_count > 0;
     run.scale = energy_scale(scene, *sim);
     watch w = {.scene = scene, .sim = *sim, .verdict = v, .lowest = INFINITY, .held = INFINITY};
     w.energy = scene_is_closed(scene);

@@ -42,7 +42,7 @@ bool is(const draft *d, const char *method)
 
 static void write_wcsph(draft *d)
 {
-    d->fitted = d->full ? chance(d, 0.6) : chance(d, 0.02);
+    d->fitted = !d->opened && (d->full ? chance(d, 0.6) : chance(d, 0.02));
     if (d->fitted)
         fputs(", operators: fitted", d->out);
     if (chance(d, 0.25))
@@ -90,9 +90,10 @@ static void write_solver(draft *d)
 
 void write_method(draft *d)
 {
-    const bool named = !chance(d, 0.15);
+    const bool named = !chance(d, 0.15) && !(d->opened && chance(d, 0.5));
     snprintf(d->method, sizeof d->method, "%s",
-             !named                      ? d->bodied ? "wcsph" : "muller"
+             d->opened                   ? "wcsph"
+             : !named                    ? d->bodied ? "wcsph" : "muller"
              : d->full && chance(d, 0.7) ? "wcsph"
                                          : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
     const bool soft = is(d, "muller");

@@ -64,6 +64,23 @@ static void write_gravity(draft *d)
 
 // ---- liquid --------------------------------------------------------------------------------------------------------
 
+/** A liquid that is not Newtonian, as viscous as one with a Reynolds number of at least 3. */
+static void write_model(draft *d, double speed)
+{
+    const double rate = speed / d->width, most = d->density * speed * d->width / decades(d, 3, 1e4);
+    const double index = between(d, 0.4, 1.5);
+    const char *model = ONE_OF(d, "power_law", "carreau", "herschel_bulkley");
+    fprintf(d->out, ", model: %s, index: %.3g", model, index);
+    if (model[0] == 'c')
+        fprintf(d->out, ", dynamic_viscosity: %.3g, infinite_viscosity: %.3g, relaxation_time: %.3g", most,
+                most * between(d, 0, 0.5), between(d, 0.1, 10) / rate);
+    else
+        fprintf(d->out, ", consistency: %.3g, regularisation: %.3g", most * pow(rate, 1 - index) / 10, 10 / rate);
+    if (model[0] == 'h')
+        fprintf(d->out, ", yield_stress: %.3g", most * rate / 10);
+    d->viscosity = 3 * most;
+}
+
 static void write_fluid(draft *d)
 {
     d->density = chance(d, 0.6) ? 1000 : decades(d, 1, 13600);
@@ -77,7 +94,9 @@ static void write_fluid(draft *d)
                      ? d->width < 0.1 ? 0.0728 : decades(d, 1e-4, 0.1) * d->density * speed * speed * d->width
                      : 0;
     fprintf(d->out, "fluid: {density: %.4g", d->density);
-    if (said)
+    if (d->opened && chance(d, 0.25))
+        write_model(d, speed);
+    else if (said)
         fprintf(d->out, ", dynamic_viscosity: %.3g", d->viscosity);
     if (d->tension > 0)
         fprintf(d->out, ", surface_tension: %.3g", d->tension);
@@ -303,13 +322,16 @@ static void write_fault(draft *d)
 
 /* Scenes up to this seed have no bodies and no tank that moves: older than both, and the same since. */
 enum { WITHOUT_BODIES = 1000 };
+/* From this one on they have openings. */
+enum { WITH_OPENINGS = 2001 };
 
 void random_scene_write(uint64_t seed, FILE *out)
 {
-    draft d = {.out = out, .random = seed * 0x2545f4914f6cdd1du, .bodied = seed > WITHOUT_BODIES};
+    const bool opened = seed >= WITH_OPENINGS;
+    draft d = {.out = out, .random = seed * 0x2545f4914f6cdd1du, .bodied = seed > WITHOUT_BODIES, .opened = opened};
     const double kind = between(&d, 0, 1);
     d.full = kind < 0.15;
-    d.free = kind > 0.88;
+    d.free = kind > 0.88 && !opened;
     places taken = {.count = 0};
     const char *shapes[MOST_PLACES] = {NULL};
     fprintf(out, "name: stranger_%llu\n", (unsigned long long)seed);
@@ -336,8 +358,11 @@ void random_scene_write(uint64_t seed, FILE *out)
     write_obstacles(&d, &taken);
     write_drives(&d, &taken);
     write_fluid(&d);
-    if (d.bodied) {
-        write_tank(&d);
+    if (opened)
+        write_openings(&d);
+    if (d.bodied && (!opened || chance(&d, 0.15))) {
+        if (!opened)
+            write_tank(&d);
         write_bodies(&d, &taken, first);
     }
     const double until = run_time(&d);
