@@ -13,13 +13,13 @@
 
 frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
-    return (frame_style){scene->run.frames, scene->domain, scene->spacing};
+    return (frame_style){scene->run.frames, scene->domain, scene->boundary, scene->spacing};
 }
 
 frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 {
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
-    return (frame_style){info.frames, info.domain, info.spacing};
+    return (frame_style){info.frames, info.domain, info.boundary, info.spacing};
 }
 
 /* ---- fields ------------------------------------------------------------------------------------------------------ */
@@ -91,15 +91,15 @@ sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
     return SPH2D_SCENE;
 }
 
-static bool reserve(frame_buffers *buffers, size_t count)
+static bool reserve(double **block, size_t *capacity, size_t count)
 {
-    if (count <= buffers->capacity)
+    if (count <= *capacity)
         return true;
-    double *grown = realloc(buffers->values, count * sizeof *grown);
+    double *grown = realloc(*block, count * sizeof *grown);
     if (!grown)
         return false;
-    buffers->values = grown;
-    buffers->capacity = count;
+    *block = grown;
+    *capacity = count;
     return true;
 }
 
@@ -127,7 +127,7 @@ static sph2d_status make_values(const particle_source *source, const frame_style
         speed ? find_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : find_field(source, SPH2D_GROUP_FLUID, name);
     if (!field.name || field.count != picture->count || (!speed && field.components != 1))
         return missing_field(report, speed ? "Velocities" : name);
-    if (!reserve(buffers, field.count))
+    if (!reserve(&buffers->values, &buffers->capacity, field.count))
         return SPH2D_NOMEM;
     if (speed)
         fill_speeds(buffers->values, &field);
@@ -153,6 +153,55 @@ static sph2d_box view_of(const frame_style *style)
     return (sph2d_box){{d.min.x - dx, d.min.y - dx}, {d.max.x + dx, d.max.y + dx}};
 }
 
+/* Layers of walls that are drawn, and a spacing more: behind them are the reservoirs of openings. */
+static const double BEHIND_WALLS = 4;
+
+static sph2d_box shown_of(const frame_style *style)
+{
+    const sph2d_boundary *b = &style->boundary;
+    sph2d_box d = style->domain;
+    double beyond = BEHIND_WALLS * style->spacing;
+    return (sph2d_box){{b->left == SPH2D_SIDE_WALL ? d.min.x - beyond : -INFINITY,
+                        b->bottom == SPH2D_SIDE_WALL ? d.min.y - beyond : -INFINITY},
+                       {b->right == SPH2D_SIDE_WALL ? d.max.x + beyond : INFINITY,
+                        b->top == SPH2D_SIDE_WALL ? d.max.y + beyond : INFINITY}};
+}
+
+/* Copies the positions within a box, and their values in place; returns their number. */
+static size_t keep_within(const sph2d_box *box, const double *x, const double *y, size_t count, double *to_x,
+                          double *to_y, double *values)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < count; ++i) {
+        if (x[i] < box->min.x || x[i] > box->max.x || y[i] < box->min.y || y[i] > box->max.y)
+            continue;
+        to_x[kept] = x[i];
+        to_y[kept] = y[i];
+        if (values)
+            values[kept] = values[i];
+        ++kept;
+    }
+    return kept;
+}
+
+/* Leaves out what is behind walls. */
+static sph2d_status cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph2d_picture *picture)
+{
+    const sph2d_box box = shown_of(style);
+    const size_t fluid = picture->count, walls = picture->wall_count;
+    if (!reserve(&buffers->places, &buffers->place_capacity, 2 * (fluid + walls)))
+        return SPH2D_NOMEM;
+    double *x = buffers->places, *y = x + fluid, *wall_x = y + fluid, *wall_y = wall_x + walls;
+    double *values = picture->values ? buffers->values : NULL;
+    picture->count = keep_within(&box, picture->x, picture->y, fluid, x, y, values);
+    picture->wall_count = keep_within(&box, picture->wall_x, picture->wall_y, walls, wall_x, wall_y, NULL);
+    picture->x = x;
+    picture->y = y;
+    picture->wall_x = wall_x;
+    picture->wall_y = wall_y;
+    return SPH2D_OK;
+}
+
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report)
 {
@@ -173,13 +222,14 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
         .wall_y = walls.data[1],
         .wall_radius = 0.5 * style->spacing,
     };
-    if (!points || !style->frames.color)
-        return SPH2D_OK;
-    return make_values(source, style, buffers, picture, report);
+    sph2d_status status =
+        points && style->frames.color ? make_values(source, style, buffers, picture, report) : SPH2D_OK;
+    return status == SPH2D_OK ? cut_reservoirs(style, buffers, picture) : status;
 }
 
 void frame_free(frame_buffers *buffers)
 {
     free(buffers->values);
+    free(buffers->places);
     *buffers = (frame_buffers){0};
 }

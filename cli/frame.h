@@ -12,7 +12,8 @@
 typedef struct frame_style {
     sph2d_frames frames;
     sph2d_box domain; /**< [m] */
-    double spacing;   /**< [m] */
+    sph2d_boundary boundary;
+    double spacing; /**< [m] */
 } frame_style;
 
 frame_style frame_style_of_scene(const sph2d_scene *scene);
@@ -29,8 +30,8 @@ typedef struct particle_source {
 
 /** Values that a picture borrows. Initialise with {0}, keep it as long as the picture, free it with frame_free. */
 typedef struct frame_buffers {
-    double *values;
-    size_t capacity;
+    double *values, *places;
+    size_t capacity, place_capacity;
     char label[96];
 } frame_buffers;
 

@@ -102,6 +102,9 @@ typedef struct sph2d_snapshot_info {
     /** Domain [m]. */
     sph2d_box domain;
 
+    /** Its sides. */
+    sph2d_boundary boundary;
+
     /** Particle spacing dx [m]. */
     double spacing;
 

@@ -58,6 +58,7 @@ static void read_metadata(sph2d__h5_reader *r, sph2d_snapshot *s)
     sph2d__snapshot_get_parameters(r, &scene);
     info->scene_name = scene.name;
     info->domain = scene.domain;
+    info->boundary = scene.boundary;
     info->spacing = scene.spacing;
     info->frames = scene.run.frames;
     info->method = sph2d__h5_get_text(r, SPH2D__GROUP_PARAMETERS, "method.name");
