@@ -342,6 +342,41 @@ START_TEST(no_void_stays_behind_a_cylinder)
 }
 END_TEST
 
+START_TEST(no_void_stays_behind_a_corner)
+{
+    /* A river that turns round a corner: of blocks that fill the domain with a solid, water of nearly no viscosity. */
+    static const sph2d_vec2 solid[] = {{0, 0}, {1.2, 0}, {1.2, 1}, {1, 1.2}, {0, 1.2}};
+    static const sph2d_vec2 liquid[] = {{0, 1.2}, {1, 1.2}, {1.2, 1}, {1.2, 0}, {2, 0}, {2, 2}, {0, 2}};
+    lay_channel(2, 2, true);
+    c.scene.spacing = 0.05;
+    sph2d_obstacle bank = sph2d_obstacle_default();
+    bank.outline.kind = SPH2D_OUTLINE_POLYGON;
+    bank.outline.polygon = (sph2d_points){solid, 5};
+    c.scene.obstacles = &bank;
+    c.scene.obstacle_count = 1;
+    c.blocks[0] = sph2d_block_default();
+    c.blocks[0].shape.kind = SPH2D_SHAPE_POLYGON;
+    c.blocks[0].shape.polygon = (sph2d_points){liquid, 7};
+    c.openings[0].from = 1.2;
+    c.openings[0].ramp = 0.5;
+    c.openings[1].side = SPH2D_SIDE_NAME_BOTTOM;
+    c.openings[1].from = 1.2;
+    start();
+    double at_start = 0, now = 0;
+    for (int end = 0; end < 2; ++end) {
+        run_until(3.0 * end);
+        sph2d_view f = sph2d_sim_fluid(c.sim);
+        for (size_t i = 0; i < f.count; ++i)
+            *(end ? &now : &at_start) += f.x[i] > 0 && f.y[i] > 0;
+    }
+    ck_assert_double_le(fabs(now / at_start - 1), 0.02);
+    ck_assert_double_ge(read_opening(1).wet, 0.79);
+    sph2d_summary s = sph2d_sim_summary(c.sim);
+    ck_assert_double_le(fabs(s.energy_error), 0.03 * s.energy_scale);
+    finish();
+}
+END_TEST
+
 /* ---- bits -------------------------------------------------------------------------------------------------------- */
 
 static void lay_busy_channel(void)
@@ -534,6 +569,7 @@ Suite *suite_openings(void)
     tcase_add_test(test, a_tank_drains_as_through_a_short_tube);
     tcase_add_test(test, a_jet_fills_an_empty_tank);
     tcase_add_test(test, no_void_stays_behind_a_cylinder);
+    tcase_add_test(test, no_void_stays_behind_a_corner);
     tcase_add_test(test, threads_give_the_same_bits);
     tcase_add_test(test, a_resumed_run_has_the_same_bits);
     tcase_add_loop_test(test, bad_openings_are_refused, 0, FAULTS);

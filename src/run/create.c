@@ -62,7 +62,8 @@ static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
 }
 
 /* Pressure on voids over that of the scene's head. Beside a cylinder in a stream pressure falls by 1.2 rho U^2, 2.4 times
- * that of its head, below that of the stream. */
+ * that of its head, below that of the stream. Tension may be as large: behind a corner density fell to a fifth where it
+ * was not. Without shifting such a pressure would disorder the particles. */
 static const double BACKGROUND = 3;
 
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
@@ -88,8 +89,9 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
     s->tension = limited ? tension : INFINITY;
-    bool fills = sim->given.opening_count > 0 && sph2d__has_no_surface(&sim->given) && !fitted;
+    bool fills = sim->given.opening_count > 0 && scene->method.shifting > 0 && sph2d__liquid_fills(&sim->given);
     s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
+    s->tension = fmax(s->tension, s->background);
     s->liquid = &scene->fluid;
     s->viscosity = sph2d__rheology_viscosity(s->liquid, 0);
     s->method = scene->method;

@@ -220,7 +220,7 @@ static double excess_at(const sph2d_scene *scene, double time)
 static void check_balance(checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    if (scene->opening_count == 0 || !sph2d__has_no_surface(scene))
+    if (scene->opening_count == 0 || !sph2d__liquid_fills(scene))
         return;
     double excess = excess_at(scene, INFINITY);
     for (size_t i = 0; i < scene->opening_count; ++i) {

@@ -46,6 +46,38 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
     return false;
 }
 
+/* Places that are looked at for a void, and the part of them that may be one: where edges of blocks and solids meet. */
+static const double MOST_PLACES = 4e6, VOID_PART = 0.002;
+
+static bool is_taken(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    bool taken = sph2d__in_block(scene, p);
+    for (size_t i = 0; !taken && i < scene->obstacle_count; ++i)
+        taken = sph2d__obstacle_fills(scene, &scene->obstacles[i], p);
+    return taken;
+}
+
+bool sph2d__liquid_fills(const sph2d_scene *scene)
+{
+    const sph2d_boundary *b = &scene->boundary;
+    const sph2d_box *d = &scene->domain;
+    double nx = floor((d->max.x - d->min.x) / scene->spacing), ny = floor((d->max.y - d->min.y) / scene->spacing);
+    if (sph2d__has_no_surface(scene))
+        return true;
+    if (b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN ||
+        b->top == SPH2D_SIDE_OPEN || nx * ny > MOST_PLACES)
+        return false;
+    double voids = 0;
+    for (double row = ny; row-- > 0;) /* from the top, where air is */
+        for (double column = 0; column < nx; ++column) {
+            sph2d_vec2 p = {d->min.x + (column + 0.5) * scene->spacing, d->min.y + (row + 0.5) * scene->spacing};
+            voids += !is_taken(scene, p);
+            if (voids > VOID_PART * nx * ny)
+                return false;
+        }
+    return true;
+}
+
 /** Distance of a position from a line [m]; *side is positive on its left. Of two equally near segments, at a corner,
  *  both count. */
 static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)

@@ -13,6 +13,10 @@ double sph2d__layer_thickness(const sph2d_scene *scene);
 /** Whether a position lies in a block. */
 bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p);
 
+/** Whether liquid and solids fill the domain from the start: one block does, or no side is open and there is no room for
+ *  a particle elsewhere, but for some along the edges of blocks. */
+bool sph2d__liquid_fills(const sph2d_scene *scene);
+
 /** Whether an obstacle is an open line with layers, so that it has a wet side. */
 bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle);
 
