@@ -166,6 +166,21 @@ START_TEST(an_opening_in_the_floor_has_the_pressure_of_its_level)
 }
 END_TEST
 
+START_TEST(a_level_without_gravity_is_no_pressure)
+{
+    lay_channel(0.6, 0.4, 0.2);
+    c.openings[0].level = 0.3;
+    start();
+    test_steps(c.sim, 20);
+    ck_assert_int_eq(sph2d_sim_set_gravity(c.sim, (sph2d_vec2){0, 0}), SPH2D_OK);
+    test_steps(c.sim, 50);
+    sph2d_view f = sph2d_sim_fluid(c.sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert(isfinite(f.x[i]) && isfinite(f.vx[i]) && isfinite(f.density[i]));
+    finish();
+}
+END_TEST
+
 /* ---- flow rates -------------------------------------------------------------------------------------------------- */
 
 START_TEST(a_flow_rate_has_the_depth_of_the_liquid_before_it)
@@ -377,6 +392,7 @@ Suite *suite_open_channels(void)
     tcase_add_test(test, a_head_outside_drives_as_torricelli_says);
     tcase_add_test(test, a_level_lets_in_critical_flow);
     tcase_add_test(test, an_opening_in_the_floor_has_the_pressure_of_its_level);
+    tcase_add_test(test, a_level_without_gravity_is_no_pressure);
     tcase_add_test(test, a_flow_rate_has_the_depth_of_the_liquid_before_it);
     tcase_add_test(test, onto_a_dry_bed_a_flow_is_critical);
     tcase_add_test(test, a_history_is_straight_lines);

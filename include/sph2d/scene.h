@@ -429,9 +429,9 @@ typedef struct sph2d_opening_history {
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
  *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
  *  (Lastiwka, Basa & Quinlan 2009), slower ones meet what is prescribed. An opening with a velocity or flow rate into
- *  the domain is full from the start, others where liquid stands before them. The particles of reservoirs are among those of the
- *  run, of its energy and momentum. Where liquid fills the domain, pressure may fall below 0 without a void: there is no
- *  air to fill it. */
+ *  the domain is full from the start, others where liquid stands before them. The particles of reservoirs are among
+ *  those of the run, of its energy and momentum. Where liquid fills the domain, pressure may fall below 0 without a
+ *  void: there is no air to fill it. */
 typedef struct sph2d_opening {
     /** Name for probes; default NULL: none. */
     const char *name;
@@ -458,8 +458,9 @@ typedef struct sph2d_opening {
      *  rho u^2/2 is taken from it (Bernoulli) [Pa]; default NAN: not given. */
     double pressure;
 
-    /** Height y of the surface of liquid at rest outside [m], in place of the pressure; with gravity downwards. Lanes below
-     *  it are filled, to whole spacings; where it flows in, it is lower by u^2/(2 g); default NAN: not given. */
+    /** Height y of the surface of liquid at rest outside [m], in place of the pressure; with gravity downwards. The
+     *  opening is filled up to it, to whole spacings; where liquid flows in, to u^2/(2 g) less; default NAN: not
+     *  given. */
     double level;
 
     /** One of them over time, in place of the number. */

@@ -165,8 +165,9 @@ static void set_value(const sph2d_sim *sim, sph2d__opening *o)
 {
     double value = sph2d__opening_value(o->given, sim->record.time);
     double inflow = o->means->age > 0 ? fmax(o->means->velocity, 0) : 0;
-    if (o->kind == SPH2D__OPENING_LEVEL)
-        value -= inflow * inflow / (2 * hypot(sim->record.gravity_x, sim->record.gravity_y));
+    double g = hypot(sim->record.gravity_x, sim->record.gravity_y);
+    if (o->kind == SPH2D__OPENING_LEVEL && g > 0) /* a program may take gravity away */
+        value -= inflow * inflow / (2 * g);
     else if (o->kind == SPH2D__OPENING_PRESSURE)
         value -= sim->system.rest_density * inflow * inflow / 2;
     o->fed_lanes = (size_t)fmin(floor(fed_depth(sim, o, value) / o->lane_width + 0.5), (double)o->lane_count);

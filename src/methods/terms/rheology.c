@@ -40,11 +40,6 @@ double sph2d__rheology_viscosity(const sph2d_fluid *fluid, double g)
     return fluid->dynamic_viscosity;
 }
 
-double sph2d__rheology_largest(const sph2d_fluid *fluid, double most)
-{
-    return fmax(sph2d__rheology_viscosity(fluid, 0), sph2d__rheology_viscosity(fluid, most));
-}
-
 static void set_some(sph2d__system *s, size_t first, size_t last)
 {
     for (size_t i = first; i < last; ++i)

@@ -18,9 +18,6 @@
 /** The viscosity at a shear rate [1/s], >= 0, in [Pa s]; the regularisation of the liquid is known. */
 double sph2d__rheology_viscosity(const sph2d_fluid *fluid, double shear_rate);
 
-/** The largest and smallest viscosity at any shear rate up to `most` [Pa s]. */
-double sph2d__rheology_largest(const sph2d_fluid *fluid, double most);
-
 /** Sets the viscosities of particles by their shear rates, and the largest of them as the system's. Nothing for liquids
  *  with one viscosity. False when memory is short. */
 bool sph2d__rheology_set(sph2d__system *system);
