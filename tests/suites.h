@@ -57,6 +57,7 @@
     X(slip)                                                                                                            \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
+    X(absorb)                                                                                                          \
     X(openings)                                                                                                        \
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \

@@ -15,6 +15,7 @@ static sph2d_path_point path[2];
 static sph2d_block blocks[3];
 static sph2d_source sources[1];
 static sph2d_drain drains[1];
+static sph2d_absorber absorbers[2];
 static sph2d_obstacle obstacles[4];
 static sph2d_interaction interactions[1];
 static sph2d_probe probes[2];
@@ -59,6 +60,8 @@ static void start(void)
     sources[0].speed = 1;
     drains[0] = sph2d_drain_default();
     drains[0].shape = blocks[0].shape;
+    absorbers[0] = absorbers[1] = (sph2d_absorber){.side = SPH2D_SIDE_NAME_LEFT, .length = 0.5};
+    absorbers[1].side = SPH2D_SIDE_NAME_RIGHT;
     path[0] = (sph2d_path_point){0, 0.1, 0.1};
     path[1] = (sph2d_path_point){1, 0.9, 0.9};
     interactions[0] = sph2d_interaction_default();
@@ -81,6 +84,8 @@ static void start(void)
     scene.source_count = 1;
     scene.drains = drains;
     scene.drain_count = 1;
+    scene.absorbers = absorbers;
+    scene.absorber_count = 2;
     scene.obstacles = obstacles;
     scene.obstacle_count = 4;
     scene.interactions = interactions;
@@ -121,6 +126,14 @@ static void start(void)
     X(drain_reversed, "drains[0].box", OUT_OF_RANGE, drains[0].shape.box.min.y = 0.4)                                  \
     X(drain_outside, "drains[0].box", OUTSIDE, drains[0].shape.box = ((sph2d_box){{1.1, 0}, {1.2, 1}}))                \
     X(drain_stops_early, "drains[0].stop", CONFLICT, drains[0].start = 1; drains[0].stop = 0.5)                        \
+    X(absorber_without_length, "absorbers[1].length", OUT_OF_RANGE, absorbers[1].length = 0)                           \
+    X(absorber_too_long, "absorbers[0].length", OUT_OF_RANGE, absorbers[0].length = 1.1)                               \
+    X(absorber_of_no_side, "absorbers[0].side", OUT_OF_RANGE, absorbers[0].side = (sph2d_side_name)7)                  \
+    X(absorber_twice, "absorbers[1].side", CONFLICT, absorbers[1].side = SPH2D_SIDE_NAME_LEFT)                         \
+    X(absorber_without_gravity, "absorbers[0].rate", MISSING_KEY, scene.gravity.y = 0; absorbers[1].rate = 1)          \
+    X(absorber_at_periodic_side, "absorbers[1].side", CONFLICT,                                                        \
+      scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;                                                \
+      absorbers[0].side = SPH2D_SIDE_NAME_TOP)                                                                         \
     X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].outline.kind = SPH2D_OUTLINE_NONE)           \
     X(obstacle_of_springs, "obstacles[3].form", UNSUPPORTED, obstacles[3].form = SPH2D_WALL_SPRING)                    \
     X(line_of_one, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 1)                             \
@@ -588,7 +601,7 @@ END_TEST
 START_TEST(nothing_gives_the_sound_speed)
 {
     scene.gravity = (sph2d_vec2){0, 0};
-    scene.source_count = scene.interaction_count = 0;
+    scene.source_count = scene.interaction_count = scene.absorber_count = 0;
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
     ck_assert(test_report_has(&report, SPH2D_CODE_MISSING_KEY, "method.stiffness"));
     scene.method.stiffness = 1;

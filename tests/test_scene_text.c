@@ -138,6 +138,7 @@ static const char *const goldens[] = {
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nboundary:\n  top: wall\nspacing: 0.05\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n"
+    "absorbers:\n  - side: right\n    length: 0.5\n    rate: 2\n  - side: left\n    length: 0.25\n"
     "openings:\n"
     "  - name: in\n    side: left\n    from: 0.5\n    velocity: 0.5\n    profile: parabola\n    ramp: 0.25\n"
     "  - side: bottom\n    from: 0.25\n    to: 0.5\n    flow_rate: -0.125\n"

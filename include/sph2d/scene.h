@@ -406,6 +406,21 @@ typedef struct sph2d_drain {
     double start, stop;
 } sph2d_drain;
 
+/** An absorbing end: near a side the velocity of the liquid decays, so that waves do not come back from it. The rate of
+ *  decay grows from 0 at `length` from the side to `rate` there, as the square of the distance. Where the side has an
+ *  opening only the velocity along the side decays, and a current goes on. Bodies are not held. */
+typedef struct sph2d_absorber {
+    /** The side, not periodic; must be given. */
+    sph2d_side_name side;
+
+    /** How far it reaches into the domain [m], > 0, best a wavelength or more; must be given. */
+    double length;
+
+    /** Rate of decay at the side [1/s], >= 0; default 0: 3 sqrt(g/length), 1.2 times the angular frequency of waves in
+     *  deep water that are as long; twice that where the side has an opening. Must be given without gravity. */
+    double rate;
+} sph2d_absorber;
+
 /** Points (t, value) with increasing t, borrowed: straight lines between them, constant before and after. */
 typedef struct sph2d_history {
     const sph2d_vec2 *items;
@@ -870,6 +885,10 @@ typedef struct sph2d_scene {
     const sph2d_drain *drains;
     size_t drain_count;
 
+    /** Absorbing ends, where waves die out. */
+    const sph2d_absorber *absorbers;
+    size_t absorber_count;
+
     /** Openings, through which liquid flows in and out. */
     const sph2d_opening *openings;
     size_t opening_count;
@@ -899,6 +918,7 @@ SPH2D_API sph2d_scene sph2d_scene_default(void);
 SPH2D_API sph2d_block sph2d_block_default(void);
 SPH2D_API sph2d_source sph2d_source_default(void);
 SPH2D_API sph2d_drain sph2d_drain_default(void);
+SPH2D_API sph2d_absorber sph2d_absorber_default(void);
 SPH2D_API sph2d_opening sph2d_opening_default(void);
 SPH2D_API sph2d_obstacle sph2d_obstacle_default(void);
 SPH2D_API sph2d_motion sph2d_motion_default(void);

@@ -333,8 +333,8 @@ typedef struct sph2d_summary {
     /** Work of moving walls: on the liquid by pressure, friction and the swept test, and on bodies by contact [J/m]. */
     double energy_walls;
 
-    /** Work of interactions, the pointer, gravity along periods, motors and dampers, and of the pressure in gaps between
-     *  bodies and walls that are too thin for particles [J/m]. */
+    /** Work of interactions, the pointer, gravity along periods, motors and dampers, of the pressure in gaps between
+     *  bodies and walls that are too thin for particles, less what absorbing ends took [J/m]. */
     double energy_forces;
 
     /** Energy dissipated by viscosity, artificial viscosity, wall friction, dampers [J/m]. */

@@ -37,6 +37,9 @@ void sph2d__sim_sample(sph2d_sim *sim);
 /** Fills the plan of a simulation that is ready for its first step. */
 void sph2d__sim_make_plan(sph2d_sim *sim);
 
+/** Lets the velocities in absorbing ends decay for a step of `dt`, and books the energy. */
+void sph2d__sim_absorb(sph2d_sim *sim, double dt);
+
 /** Apply sources, and drains and open sides, before a step. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_emit(sph2d_sim *sim);
 sph2d_status sph2d__sim_drain(sph2d_sim *sim);

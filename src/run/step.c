@@ -72,6 +72,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
         sph2d__sim_measure(sim, report); /* reports the particle */
     if (status != SPH2D_OK)
         return halt(sim, status, report);
+    sph2d__sim_absorb(sim, dt);
     sph2d__bodies_close(sim, dt);
     sph2d__loads_close(sim, dt);
     advance_clock(sim, dt);

@@ -172,6 +172,32 @@ static void check_interaction(checker *c, size_t i)
         sph2d__check_outside(c, path, (sph2d_vec2){times->items[0].x, times->items[0].y});
 }
 
+/** Checks that an absorbing end is at a side that ends, and in the domain. */
+static void check_absorber(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    const sph2d_absorber *a = &scene->absorbers[i];
+    const sph2d_side sides[] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
+                                scene->boundary.top};
+    bool across = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_RIGHT;
+    sph2d_box d = scene->domain;
+    double size = across ? d.max.x - d.min.x : d.max.y - d.min.y;
+    char path[PATH_SIZE];
+    if (sides[a->side] == SPH2D_SIDE_PERIODIC)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "absorbers", i, ".side"),
+                           "is periodic: waves go on beyond it");
+    if (a->length > size)
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "absorbers", i, ".length"),
+                           "reaches beyond the domain");
+    if (!(a->rate > 0) && scene->gravity.x == 0 && scene->gravity.y == 0)
+        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "absorbers", i, ".rate"),
+                           "must be given, as there is no gravity from which it could follow");
+    for (size_t k = 0; k < i; ++k)
+        if (scene->absorbers[k].side == a->side)
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "absorbers", i, ".side"),
+                               "has an absorber already: one is enough");
+}
+
 /* Maximum number of items of a list, so that a scene is checked in seconds: many are compared with each other. */
 enum { MAX_ITEMS = 1000 };
 
@@ -181,10 +207,11 @@ static void check_lists(checker *c)
     const struct {
         const char *path;
         size_t count;
-    } lists[] = {{"blocks", s->block_count},     {"sources", s->source_count},
-                 {"drains", s->drain_count},     {"obstacles", s->obstacle_count},
-                 {"bodies", s->body_count},      {"probes", s->probe_count},
-                 {"openings", s->opening_count}, {"interactions", s->interaction_count}};
+    } lists[] = {{"blocks", s->block_count},      {"sources", s->source_count},
+                 {"drains", s->drain_count},      {"obstacles", s->obstacle_count},
+                 {"bodies", s->body_count},       {"probes", s->probe_count},
+                 {"openings", s->opening_count},  {"interactions", s->interaction_count},
+                 {"absorbers", s->absorber_count}};
     for (size_t k = 0; k < sizeof lists / sizeof *lists; ++k) {
         char message[80];
         snprintf(message, sizeof message, "has %zu items, more than %d", lists[k].count, MAX_ITEMS);
@@ -246,6 +273,8 @@ static void check_consistency(checker *c)
         check_shape(c, &scene->drains[i].shape, "drains", i, false);
         check_times(c, "drains", i, scene->drains[i].start, scene->drains[i].stop);
     }
+    for (size_t i = 0; i < scene->absorber_count; ++i)
+        check_absorber(c, i);
     sph2d__check_obstacles(c);
     sph2d__check_liquid(c);
     if (c->errors == 0)

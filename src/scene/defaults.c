@@ -41,6 +41,11 @@ sph2d_drain sph2d_drain_default(void)
     return (sph2d_drain){0};
 }
 
+sph2d_absorber sph2d_absorber_default(void)
+{
+    return (sph2d_absorber){0};
+}
+
 sph2d_opening sph2d_opening_default(void)
 {
     return (sph2d_opening){.from = NAN, .to = NAN, .velocity = NAN, .flow_rate = NAN, .pressure = NAN, .level = NAN};

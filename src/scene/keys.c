@@ -30,6 +30,7 @@ DEFAULT(scene)
 DEFAULT(block)
 DEFAULT(source)
 DEFAULT(drain)
+DEFAULT(absorber)
 DEFAULT(opening)
 DEFAULT(obstacle)
 DEFAULT(body)
@@ -184,6 +185,17 @@ static const sph2d_key drain_items[] = {
      .text = "when it closes"},
 };
 KEYS(drain, sph2d_drain, drain_set);
+
+static const sph2d_key absorber_items[] = {
+    {"side", SPH2D_KEY_WORD, true, AT(sph2d_absorber, side), .words = side_name_words, .unit = "",
+     .text = "at which waves die out"},
+    {"length", SPH2D_KEY_NUMBER, true, AT(sph2d_absorber, length), ABOVE_0, .unit = "m",
+     .text = "how far it reaches into the domain, best a wavelength or more"},
+    {"rate", SPH2D_KEY_NUMBER, false, AT(sph2d_absorber, rate), FROM_0, .unit = "1/s",
+     .default_text = "3 sqrt(g/length), with an opening 6",
+     .text = "of decay of the velocity at the side, from 0 at the other end as the square of the distance"},
+};
+KEYS(absorber, sph2d_absorber, absorber_set);
 
 #define HISTORY(name, unit_text)                                                                                       \
     {                                                                                                                  \
@@ -686,6 +698,7 @@ static const sph2d_key scene_items[] = {
      .text = "a CSV file of particles: x, y, optionally vx, vy, density"},
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
+    LIST("absorbers", absorbers, absorber, "ends where waves die out, so that they do not come back"),
     LIST("openings", openings, opening,
          "parts of sides through which liquid flows in or out, wcsph with symmetric operators"),
     LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),

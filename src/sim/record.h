@@ -24,7 +24,8 @@
     X(energy_start, "EnergyStart", 1, 1, -2, "kinetic, potential and elastic energy at the start, per metre")          \
     X(energy_fed, "EnergyFed", 1, 1, -2, "energy of particles added less that of particles removed, per metre")        \
     X(energy_walls, "EnergyWalls", 1, 1, -2, "work of walls that move, on liquid and bodies, per metre")               \
-    X(energy_forces, "EnergyForces", 1, 1, -2, "work of interactions, forces along periods, thin gaps, per metre")     \
+    X(energy_forces, "EnergyForces", 1, 1, -2,                                                                         \
+      "work of interactions, forces along periods, gaps, absorbers, per metre")                                        \
     X(energy_viscous, "EnergyViscous", 1, 1, -2, "energy dissipated by viscosity, per metre")                          \
     X(energy_diffused, "EnergyDiffused", 1, 1, -2,                                                                     \
       "elastic energy dissipated by diffusion, relaxation and resets of density, per metre")                           \

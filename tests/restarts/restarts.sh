@@ -69,6 +69,9 @@ change_drives() {
         add "interactions=[{path: [[0, $(point)], [$until, $(point)]], radius: $(number "8 * $spacing"),
             acceleration: $(between -50 50)}]"
     fi
+    if chance 20; then
+        add "absorbers=[{side: $(pick left bottom), length: $(number "10 * $spacing"), rate: $(between 1 20)}]"
+    fi
 }
 
 change_outputs() {
