@@ -58,6 +58,7 @@
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(absorb)                                                                                                          \
+    X(implicit_viscosity)                                                                                              \
     X(openings)                                                                                                        \
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \

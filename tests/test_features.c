@@ -277,7 +277,7 @@ static const struct feature {
 } features[] = {
     {"boundary.top", FREE, set_open},
     {"boundary.left", ALL, set_periodic},
-    {"wall_slip", WCSPH | FITTED, set_rough},
+    {"wall_slip", ALL & ~MULLER, set_rough},
     {"wall_slip", WCSPH, set_smooth},
     {"fluid.surface_tension", FREE, set_tension},
     {"central_force", ALL, set_central},

@@ -285,7 +285,7 @@ static void newtonian_index(void)
 }
 static void other_method(void)
 {
-    scene.method.name = SPH2D_METHOD_PCISPH;
+    scene.method.name = SPH2D_METHOD_MULLER;
 }
 static void no_shifting(void)
 {

@@ -66,10 +66,10 @@ void sph2d__check_liquid(checker *c)
     if (!sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_RHEOLOGY)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "fluid.model",
                                                  "this method knows no shear rate: it has newtonian liquids only");
-        sph2d_diagnostic_hint(d, "use `method: wcsph` with symmetric operators");
+        sph2d_diagnostic_hint(d, "use `method: wcsph` with symmetric operators, constraint or pcisph");
         return;
     }
-    if (!(m->shifting > 0))
+    if (m->name == SPH2D_METHOD_WCSPH && !(m->shifting > 0))
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.shifting",
                            "must be above 0: the shear rate is known with shifting only");
     if (m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY)

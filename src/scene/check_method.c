@@ -106,6 +106,21 @@ static void check_own_slip(sph2d__checker *c, const char *path, sph2d_slip slip,
                     "use `none`, or `operators: symmetric`");
 }
 
+/** Methods with a pressure solver let bodies slip. */
+static void check_slip_of_bodies(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    char path[SPH2D__PATH_SIZE];
+    bool has = sph2d_method_has(sph2d_method_of(&scene->method), SPH2D_FEATURE_WALL_SLIP);
+    for (size_t i = 0; has && i < scene->obstacle_count && scene->method.name != SPH2D_METHOD_WCSPH; ++i) {
+        if (!scene->obstacles[i].body || sph2d__obstacle_slip(scene, &scene->obstacles[i]) == SPH2D_SLIP_FREE)
+            continue;
+        sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".slip"),
+                                                 "bodies have free slip with this method");
+        sph2d_diagnostic_hint(d, "give it `slip: free`, or use `method: wcsph`");
+    }
+}
+
 static void check_slips(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
@@ -128,6 +143,7 @@ static void check_slips(sph2d__checker *c)
             check_own_slip(c, sph2d__check_wall_path(c, path, i, ".slip"),
                            sph2d__obstacle_slip(scene, &scene->obstacles[i]), true,
                            sph2d__obstacle_form(scene, &scene->obstacles[i]));
+    check_slip_of_bodies(c);
     bool smooth = scene->wall_slip == SPH2D_SLIP_SMOOTH || (sph2d__slips(scene) >> SPH2D_SLIP_SMOOTH & 1);
     if (scene->slip_length != 0 && !smooth)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",

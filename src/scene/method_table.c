@@ -84,7 +84,8 @@ static const sph2d__method_row rows[] = {
               .support_ratio = 2.4,
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(DAMPING) | HAS(TOLERANCE) | HAS(MAX_ITERATIONS) |
-                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(WALL_SLIP) |
+                          HAS(RHEOLOGY),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .artificial_viscosity = 0.1,
      .sound_compression = 1,
@@ -99,7 +100,8 @@ static const sph2d__method_row rows[] = {
               .support_ratio = 2.4,
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(CRITERION) | HAS(MIN_ITERATIONS) | HAS(MAX_ITERATIONS) |
-                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(WALL_SLIP) |
+                          HAS(RHEOLOGY),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .artificial_viscosity = 0.1,
      .free_compression = true,

@@ -90,9 +90,10 @@ static double integrate(double *last, double power, double span)
 
 double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 {
-    double work = dt * powers_of_walls(sim).all;
-    sim->record.energy_walls += work;
-    return work;
+    wall_powers power = powers_of_walls(sim);
+    sim->record.energy_walls += dt * power.all;
+    sim->record.energy_viscous += dt * power.friction;
+    return dt * (power.all - power.friction);
 }
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
@@ -227,7 +228,7 @@ static bool is_viscous(const sph2d_sim *sim)
     const sph2d__system *s = &sim->system;
     const sph2d_method_options *m = &s->method;
     bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
-    return s->viscosity > 0 || (m->artificial_viscosity > 0 && !sim->method->project) || eddies ||
+    return (s->viscosity > 0 && !s->implicit.on) || (m->artificial_viscosity > 0 && !sim->method->project) || eddies ||
            s->body.springs.stiffness > 0;
 }
 

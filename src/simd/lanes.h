@@ -185,6 +185,13 @@ SPH2D__INLINE void sph2d__float2_store(double *to, sph2d__float2 p)
 {
     memcpy(to, &p, sizeof p);
 }
+/** The two of each pair exchanged. */
+SPH2D__INLINE sph2d__float2 sph2d__float2_swapped(sph2d__float2 p)
+{
+    typedef unsigned long long words __attribute__((vector_size(sizeof p)));
+    words w = (words)p;
+    return (sph2d__float2)(w >> 32 | w << 32);
+}
 SPH2D__INLINE sph2d__float2 sph2d__float2_gather(const double *from, const uint32_t *index)
 {
     return (sph2d__float2)sph2d__lanes_gather_late(from, index);

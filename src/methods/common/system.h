@@ -29,6 +29,25 @@ typedef struct sph2d__body_pairs {
     size_t bodies; /**< room in `first`, less 1 */
 } sph2d__body_pairs;
 
+/** Viscosity that a step solves for (methods/projection/implicit_viscosity.h), by particles of the fluid. */
+typedef struct sph2d__implicit {
+    bool on;
+    double brake;                  /**< b/H^2: times mu |g| r_ij^2 the rate of a pair [1/(kg m)] */
+    double *vx, *vy;               /**< v* [m/s] */
+    double *ax, *ay;               /**< a_v [m/s^2] */
+    double *rest_x, *rest_y;       /**< what is left of the equations [m/s] */
+    double *xx, *xy, *yy;          /**< blocks of the walls [1/s] */
+    double *wall_x, *wall_y;       /**< what walls that move add to a_v [m/s^2] */
+    double *inverse_x, *inverse_y; /**< of the matrix's diagonal */
+    double *product_x, *product_y; /**< of the matrix with the direction [m/s] */
+    double *direction;             /**< two floats each (lanes.h) [m/s] */
+    double *block;                 /**< all of these */
+    double *dyads;                 /**< by pairs of the fluid's neighbours: c, two floats [s^-1/2] */
+    size_t capacity, pairs;        /**< particles and pairs for which there is room */
+    uint64_t iterations;           /**< so far */
+} sph2d__implicit;
+enum { SPH2D__IMPLICIT_ARRAYS = 16 };
+
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
@@ -56,6 +75,7 @@ typedef struct sph2d__system {
     const sph2d_fluid *liquid; /**< the scene's, with its regularisation */
     double *viscosities;       /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
     size_t viscosity_capacity;
+    sph2d__implicit implicit;
     double surface_tension; /**< [N/m] */
     double calibration;     /**< muller: factor on the density sum that gives a full lattice the rest density */
     double side_fill;       /**< muller: F of muller_side.h, times rest density [kg/m^3] */

@@ -8,7 +8,9 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "methods/projection/implicit_viscosity.h"
 #include "methods/projection/limited_viscosity.h"
+#include "methods/terms/rheology.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
@@ -63,7 +65,7 @@ bool sph2d__projection_gather(sph2d__system *s)
             break;
     }
     sph2d__tension_add(s);
-    bool done = sph2d__body_rows_gather(s);
+    bool done = sph2d__body_rows_gather(s) && sph2d__rheology_set(s);
     sph2d__profile_enter(&s->profile, before);
     return done;
 }
@@ -200,6 +202,13 @@ void sph2d__projection_end(sph2d__system *s)
     sph2d__body_rows_end(s);
 }
 
+void sph2d__projection_press(sph2d__system *s)
+{
+    const double share = 1 / (s->step * s->step);
+    sph2d__projection_begin(s, 1);
+    sph2d__over_fluid(s, press_slab, &share);
+}
+
 void sph2d__projection_average(sph2d__system *s)
 {
     if (s->fluid.capacity > 0) /* of the particle that shorter lists end with */
@@ -218,7 +227,8 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
     double press = s->mass / (s->step * s->step) * (s->fluid.multiplier[i] + s->walls.multiplier[b]);
     /* Volatile: GCC 12 with -O3 makes one vector of two conversions to float and back, and drops them. */
     volatile float gx = (float)(g * dx), gy = (float)(g * dy);
-    return (sph2d__wall_force){.pressure = {-press * (double)gx, -press * (double)gy}};
+    return (sph2d__wall_force){.pressure = {-press * (double)gx, -press * (double)gy},
+                               .friction = sph2d__implicit_friction(s, i, b, dx, dy)};
 }
 
 double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
@@ -241,7 +251,7 @@ static const double VISCOUS = 2.0 / 3;
 double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double push = sqrt(s->max_pressure / s->rest_density);
-    double nu = s->viscosity / s->rest_density + sph2d__limited_viscosity_of(s);
+    double nu = (s->implicit.on ? 0 : s->viscosity / s->rest_density) + sph2d__limited_viscosity_of(s);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, nu,
                                 VISCOUS * sph2d__viscosity_step(s->method.kernel), FORCE, limit);
 }
@@ -320,4 +330,5 @@ void sph2d__projection_prepare(sph2d__system *s)
     s->moment = s->calibration * ratio * ratio * constant * lattice.moment / 2;
     weigh_rows(s, lattice.value);
     fill_layers(s);
+    sph2d__implicit_viscosity_prepare(s);
 }

@@ -67,6 +67,9 @@ void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
+/** Adds the acceleration by the pressures of the step before. */
+void sph2d__projection_press(sph2d__system *system);
+
 /** The pressures that are reported, from those of the solver and the neighbours as they are. */
 void sph2d__projection_average(sph2d__system *system);
 

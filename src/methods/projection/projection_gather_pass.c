@@ -111,8 +111,8 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
     weights w = {.support = s->support,
                  .slope = sph2d__kernel_constant(kernel) / (h2 * h2),
                  .weight = (sph2d__lanes){0} + own,
-                 .viscous = s->viscosity > 0,
-                 .limited = sph2d__limited_viscosity_of(s) > 0,
+                 .viscous = s->viscosity > 0 && !s->implicit.on,
+                 .limited = sph2d__limited_viscosity_of(s) > 0 || s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN,
                  .from = f,
                  .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
