@@ -387,9 +387,12 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	    --seeds 1001..$(if $(SPH2D_TEST_FULL),1100,1010)
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
 	    --seeds 2001..$(if $(SPH2D_TEST_FULL),2100,2010)
+	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
+	    --seeds 3001..$(if $(SPH2D_TEST_FULL),3060,3010)
 	$(hush)$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12)
 	$(hush)$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006)
 	$(hush)$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015)
+	$(hush)$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006)
 	$(hush)$(KILLS) $(if $(SPH2D_TEST_FULL),500,10)
 	$(hush)$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || { grep -E 'MISSED|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; }
 	$(hush)$(if $(GOLDEN),tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)")

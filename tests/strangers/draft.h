@@ -20,6 +20,7 @@ typedef struct draft {
     bool open[4];
     double support, max_compression, cfl, area;
     bool bodied; /**< whether it is of those that may have bodies and a tank that moves */
+    bool thick;  /**< whether its liquid is thick, or not Newtonian, by a method that solves for viscosity */
     bool opened; /**< whether it has openings, and may have a liquid that is not Newtonian */
 } draft;
 

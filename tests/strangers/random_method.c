@@ -90,9 +90,10 @@ static void write_solver(draft *d)
 
 void write_method(draft *d)
 {
-    const bool named = !chance(d, 0.15) && !(d->opened && chance(d, 0.5));
+    const bool named = (!chance(d, 0.15) && !(d->opened && chance(d, 0.5))) || d->thick;
     snprintf(d->method, sizeof d->method, "%s",
              d->opened                   ? "wcsph"
+             : d->thick                  ? ONE_OF(d, "pcisph", "constraint")
              : !named                    ? d->bodied ? "wcsph" : "muller"
              : d->full && chance(d, 0.7) ? "wcsph"
                                          : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
@@ -121,6 +122,10 @@ void write_walls(draft *d)
 {
     const bool soft = is(d, "muller");
     d->layered = !soft;
+    if (d->thick && chance(d, 0.6)) {
+        fputs("wall_slip: none\n", d->out);
+        return;
+    }
     if (chance(d, 0.2)) {
         const char *form = is(d, "wcsph") ? "generalised"
                            : soft         ? ONE_OF(d, "spring", "heavy")

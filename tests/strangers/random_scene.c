@@ -67,7 +67,8 @@ static void write_gravity(draft *d)
 /** A liquid that is not Newtonian, as viscous as one with a Reynolds number of at least 3. */
 static void write_model(draft *d, double speed)
 {
-    const double rate = speed / d->width, most = d->density * speed * d->width / decades(d, 3, 1e4);
+    const double least = d->thick ? 0.01 : 3; /* Reynolds number */
+    const double rate = speed / d->width, most = d->density * speed * d->width / decades(d, least, 1e4);
     const double index = between(d, 0.4, 1.5);
     const char *model = ONE_OF(d, "power_law", "carreau", "herschel_bulkley");
     fprintf(d->out, ", model: %s, index: %.3g", model, index);
@@ -87,14 +88,14 @@ static void write_fluid(draft *d)
     const double speed = sqrt(2 * d->gravity * d->fall + d->speed * d->speed) + 1e-3 * d->width;
     const double water = 0.001;
     const bool said = !chance(d, 0.3);
-    d->viscosity = said ? d->density * speed * d->width / decades(d, 3, 1e7) : water;
+    d->viscosity = said ? d->density * speed * d->width / decades(d, d->thick ? 1e-3 : 3, d->thick ? 1e3 : 1e7) : water;
     if (d->full && chance(d, 0.1))
         d->viscosity = 0;
     d->tension = !d->fitted && chance(d, d->width < 0.1 ? 0.35 : 0.1)
                      ? d->width < 0.1 ? 0.0728 : decades(d, 1e-4, 0.1) * d->density * speed * speed * d->width
                      : 0;
     fprintf(d->out, "fluid: {density: %.4g", d->density);
-    if (d->opened && chance(d, 0.25))
+    if ((d->opened || d->thick) && chance(d, 0.25))
         write_model(d, speed);
     else if (said)
         fprintf(d->out, ", dynamic_viscosity: %.3g", d->viscosity);
@@ -302,7 +303,7 @@ static double run_time(draft *d)
     const double sound = solver ? 0 : speed / sqrt(d->max_compression);
     const double particles = d->area / (d->spacing * d->spacing);
     double step = d->cfl * reach / (sound + speed);
-    if (nu > 0)
+    if (nu > 0 && !d->thick)
         step = fmin(step, 0.05 * reach * reach / nu);
     if (d->tension > 0)
         step = fmin(step, 0.2 * sqrt(d->density * pow(d->spacing, 3) / d->tension));
@@ -324,11 +325,17 @@ static void write_fault(draft *d)
 enum { WITHOUT_BODIES = 1000 };
 /* From this one on they have openings. */
 enum { WITH_OPENINGS = 2001 };
+/* From this one on they have thick liquids in their place, by methods that solve for viscosity. */
+enum { WITH_THICK = 3001 };
 
 void random_scene_write(uint64_t seed, FILE *out)
 {
-    const bool opened = seed >= WITH_OPENINGS;
-    draft d = {.out = out, .random = seed * 0x2545f4914f6cdd1du, .bodied = seed > WITHOUT_BODIES, .opened = opened};
+    const bool thick = seed >= WITH_THICK, opened = seed >= WITH_OPENINGS && !thick;
+    draft d = {.out = out,
+               .random = seed * 0x2545f4914f6cdd1du,
+               .bodied = seed > WITHOUT_BODIES && !thick,
+               .opened = opened,
+               .thick = thick};
     const double kind = between(&d, 0, 1);
     d.full = kind < 0.15;
     d.free = kind > 0.88 && !opened;
