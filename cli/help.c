@@ -179,16 +179,25 @@ static void print_materials(void)
 {
     size_t count;
     const sph2d_material_data *materials = sph2d_materials(&count);
-    printf("At 20 C. 'fluid: NAME' sets density and viscosity; surface_tension is 0 unless it is given.\n\n");
+    char law[200];
+    printf("At 20 C, unless the source says otherwise. 'fluid: NAME' sets density and viscosity, or the model of a\n"
+           "liquid that has no single viscosity; surface_tension is 0 unless it is given.\n\n");
     printf("%-10s %8s %18s %16s  %s\n", "name", "density", "dynamic_viscosity", "surface_tension", "source");
     printf("%-10s %8s %18s %16s\n", "", "kg/m^3", "Pa s", "N/m");
     for (size_t i = 1; i < count; ++i) {
-        char tension[24] = "-";
+        char viscosity[24] = "see below", tension[24] = "-";
+        if (materials[i].model == SPH2D_RHEOLOGY_NEWTONIAN)
+            snprintf(viscosity, sizeof viscosity, "%g", materials[i].dynamic_viscosity);
         if (materials[i].surface_tension > 0)
             snprintf(tension, sizeof tension, "%g", materials[i].surface_tension);
-        printf("%-10s %8g %18g %16s  %s\n", materials[i].name, materials[i].density, materials[i].dynamic_viscosity,
-               tension, materials[i].source);
+        printf("%-10s %8g %18s %16s  %s\n", materials[i].name, materials[i].density, viscosity, tension,
+               materials[i].source);
     }
+    printf("\nWith method wcsph, whose viscosity depends on the shear rate. With 'model: newtonian' and a\n"
+           "dynamic_viscosity they are liquids for every method.\n\n");
+    for (size_t i = 1; i < count; ++i)
+        if (keys_law(&materials[i], law, sizeof law)[0] != '\0')
+            printf("%-10s %s\n", materials[i].name, law);
 }
 
 static void print_methods(void)

@@ -78,6 +78,26 @@ void keys_append_wall_forms(uint32_t forms, char *out, size_t size)
         }
 }
 
+char *keys_law(const sph2d_material_data *material, char *out, size_t size)
+{
+    static const char *const words[] = {"newtonian", "power_law", "carreau", "herschel_bulkley"};
+    const struct {
+        const char *key;
+        double value;
+    } numbers[] = {
+        {"yield_stress", material->yield_stress},           {"consistency", material->consistency},
+        {"dynamic_viscosity", material->dynamic_viscosity}, {"infinite_viscosity", material->infinite_viscosity},
+        {"relaxation_time", material->relaxation_time},     {"index", material->index > 0 ? material->index : 1}};
+    out[0] = '\0';
+    if (material->model == SPH2D_RHEOLOGY_NEWTONIAN)
+        return out;
+    text_append(out, size, "%s", words[material->model]);
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k)
+        if (numbers[k].value > 0)
+            text_append(out, size, ", %s %g", numbers[k].key, numbers[k].value);
+    return out;
+}
+
 char *keys_describe(const sph2d_key *key, char *out, size_t size)
 {
     out[0] = '\0';

@@ -22,6 +22,10 @@ void keys_append_range(const sph2d_key *key, char *out, size_t size);
 /** Appends the forms of wall that a method has, "heavy, reflect", from their bits. */
 void keys_append_wall_forms(uint32_t forms, char *out, size_t size);
 
+/** The law of a material that is not newtonian, "carreau, dynamic_viscosity 0.056, ..."; of others nothing. Returns
+ *  `out`. */
+char *keys_law(const sph2d_material_data *material, char *out, size_t size);
+
 /** Prints every key of a scene, indented as in a file, to stdout. */
 void keys_print_all(void);
 

@@ -368,13 +368,15 @@ static void write_materials(const form *f)
                                         "surface tension against air [N/m]", "source"};
     size_t count;
     const sph2d_material_data *materials = sph2d_materials(&count);
-    f->begin_table("Materials, at 20 C and the pressure of the air. The surface tension of a scene is 0 unless "
-                   "surface_tension is given.",
-                   heads, 5);
+    f->begin_table(
+        "Materials, at the pressure of the air and 20 C, unless the source says otherwise; those with a model "
+        "for wcsph. The surface tension of a scene is 0 unless surface_tension is given.",
+        heads, 5);
     for (size_t i = 1; i < count; ++i) {
-        char density[24], viscosity[24], tension[24] = "not known";
+        char density[24], viscosity[200], tension[24] = "not known";
         snprintf(density, sizeof density, "%g", materials[i].density);
-        snprintf(viscosity, sizeof viscosity, "%g", materials[i].dynamic_viscosity);
+        if (keys_law(&materials[i], viscosity, sizeof viscosity)[0] == '\0')
+            snprintf(viscosity, sizeof viscosity, "%g", materials[i].dynamic_viscosity);
         if (materials[i].surface_tension > 0)
             snprintf(tension, sizeof tension, "%g", materials[i].surface_tension);
         const char *cells[] = {materials[i].name, density, viscosity, tension, materials[i].source};

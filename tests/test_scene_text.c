@@ -172,6 +172,17 @@ static const char *const goldens[] = {
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  material: mud\n  yield_stress: 50\n" /* a model and its numbers, but for one */
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
+    "fluid:\n  material: blood\n  dynamic_viscosity: 0.0035\n  model: newtonian\n" /* the default, but not blood's */
+    "method:\n  name: pcisph\n"
+    "blocks:\n"
+    "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
+
     /* nothing but what must be there; what it starts with is one of four lists */
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
     "blocks:\n"

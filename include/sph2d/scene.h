@@ -155,7 +155,7 @@ typedef struct sph2d_central_force {
     double rate;
 } sph2d_central_force;
 
-/** Properties of a material. */
+/** Properties of a material, at 20 C unless its source says otherwise. */
 typedef struct sph2d_material_data {
     /** Word of scene files, "water". */
     const char *name;
@@ -163,20 +163,25 @@ typedef struct sph2d_material_data {
     /** Density [kg/m^3]. */
     double density;
 
-    /** Dynamic viscosity [Pa s]. */
+    /** Dynamic viscosity [Pa s]; of Carreau's liquid that at rest, 0 for those of the other models but newtonian. */
     double dynamic_viscosity;
 
     /** Surface tension against air [N/m]; 0: no reliable value is known. */
     double surface_tension;
 
-    /** Source of the values. */
+    /** Source of the values, with the temperature of those that are not at 20 C. */
     const char *source;
+
+    /** How viscosity depends on the shear rate, and the numbers of that law, as in sph2d_fluid; 0 for those that are no
+     *  part of it. */
+    sph2d_rheology model;
+    double consistency, index, yield_stress, infinite_viscosity, relaxation_time;
 } sph2d_material_data;
 
 /** The liquid. */
 typedef struct sph2d_fluid {
-    /** The material that a file names; its properties are in the fields below, as from sph2d_fluid_of(). Default none.
-     */
+    /** The material that a file names; its properties are in the fields below, as from sph2d_fluid_of(). One with a
+     *  model keeps its dynamic viscosity, unless it is made newtonian with one of its own. Default none. */
     sph2d_material material;
 
     /** Rest density [kg/m^3], > 0; default 1000. */
@@ -930,8 +935,8 @@ SPH2D_API sph2d_probe sph2d_probe_default(void);
 /** The table of materials, by sph2d_material; static storage. `count` may be NULL. */
 SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);
 
-/** A liquid with the density and viscosity of a material, and no surface tension: set that if drops and jets are so
- *  small that it matters. The default liquid for material none. */
+/** A liquid with the density and viscosity of a material, or its model and the numbers of that, and no surface tension:
+ *  set that if drops and jets are so small that it matters. The default liquid for material none. */
 SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
 
 /** Reports every error in the structs: ranges, conflicts, positions outside the domain. Overlaps of blocks are found

@@ -277,7 +277,7 @@ typedef enum sph2d_liquid_side {
     SPH2D_LIQUID_INSIDE = 4
 } sph2d_liquid_side;
 
-/** Liquids by name, at 20 C and atmospheric pressure. */
+/** Liquids by name, at 20 C unless another temperature is named, and atmospheric pressure. */
 typedef enum sph2d_material {
     /** None: density and viscosity are given. */
     SPH2D_MATERIAL_NONE = 0,
@@ -295,7 +295,34 @@ typedef enum sph2d_material {
     SPH2D_MATERIAL_HONEY = 4,
 
     /** Mercury. */
-    SPH2D_MATERIAL_MERCURY = 5
+    SPH2D_MATERIAL_MERCURY = 5,
+
+    /** Seawater of salinity 35. */
+    SPH2D_MATERIAL_SEAWATER = 6,
+
+    /** Ethanol without water. */
+    SPH2D_MATERIAL_ETHANOL = 7,
+
+    /** Gasoline, at 15.6 C. */
+    SPH2D_MATERIAL_GASOLINE = 8,
+
+    /** Whole milk. */
+    SPH2D_MATERIAL_MILK = 9,
+
+    /** Engine oil, SAE 30, at 15.6 C. */
+    SPH2D_MATERIAL_ENGINE_OIL = 10,
+
+    /** Basaltic lava near its vent, at 1050 to 1200 C. */
+    SPH2D_MATERIAL_LAVA = 11,
+
+    /** Human blood at 37 C: Carreau's liquid. */
+    SPH2D_MATERIAL_BLOOD = 12,
+
+    /** Molten milk chocolate: Bingham's liquid. */
+    SPH2D_MATERIAL_CHOCOLATE = 13,
+
+    /** Mud of silt and clay: Bingham's liquid. */
+    SPH2D_MATERIAL_MUD = 14
 } sph2d_material;
 
 /** How the viscosity of a liquid depends on the shear rate (methods/terms/rheology.h has the equations). */

@@ -68,7 +68,9 @@ static const char *const turbulence_words[] = {"default", "none", "smagorinsky",
 static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 #define PROBE_WORD(name, word, columns) #word,
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
-static const char *const material_words[] = {"none", "water", "oil", "glycerine", "honey", "mercury", NULL};
+static const char *const material_words[] = {"none",     "water",     "oil",      "glycerine", "honey",      "mercury",
+                                             "seawater", "ethanol",   "gasoline", "milk",      "engine_oil", "lava",
+                                             "blood",    "chocolate", "mud",      NULL};
 static const char *const between_words[] = {"default", "lines", "cubic", NULL};
 static const char *const rheology_words[] = {"newtonian", "power_law", "carreau", "herschel_bulkley", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", "inside", NULL};
@@ -545,8 +547,8 @@ static const sph2d_key fluid_items[] = {
     {"material", SPH2D_KEY_WORD, false, AT(sph2d_fluid, material), .words = material_words, .unit = "",
      .default_text = "none", .stands_alone = true, .preset = set_material,
      .text =
-         "density and viscosity at 20 C, unless they are given; short form `fluid: water`; `help materials` lists the "
-         "values"},
+         "its density and viscosity, or the model of one that has no single viscosity, unless they are given; short "
+         "form `fluid: water`; `help materials` lists the values"},
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, density), ABOVE_0, .unit = "kg/m^3", .default_text = "1000",
      .text = "rest density"},
     {"dynamic_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, dynamic_viscosity), FROM_0, .unit = "Pa s",

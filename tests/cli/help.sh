@@ -19,13 +19,33 @@ expect 0 "$SPH2D" help exit && lines 13 && prints '^  75  EX_TEMPFAIL'
 expect 0 "$SPH2D" help codes && prints '^S104  '
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
-expect 0 "$SPH2D" help materials && lines 9 && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
-# every material that a scene may name is in the table
-"$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >named
-[ "$(wc -l <named)" = 5 ] || fail 'not five materials'
+expect 0 "$SPH2D" help materials && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
+prints '^blood  *1051  *see below  *0.0526  *human, at 37 C; Cho & Kensey 1991'
+prints '^blood  *carreau, dynamic_viscosity 0.056, infinite_viscosity 0.00345, relaxation_time 3.313, index 0.3568$'
+prints '^mud  *herschel_bulkley, yield_stress 9.11, consistency 2.25, index 1$'
+# every material that a scene may name is in the table, with a source, and makes a scene
+"$SPH2D" help scene | sed -n 's/^  *material .*one of none, \([a-z_, ]*\);.*/\1/p' | tr -d ',' | tr ' ' '\n' >named
+[ "$(wc -l <named)" = 14 ] || fail 'not fourteen materials'
 while read -r material; do
-    "$SPH2D" help materials | grep -q "^$material  *[0-9]" || fail "no $material"
+    "$SPH2D" help materials | grep -q "^$material  *[0-9].*[12][90][0-9][0-9]\|^$material  *[0-9].*\(IAPWS\|table\)" ||
+        fail "no $material"
+    cat >material.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.1
+fluid: $material
+blocks: [{box: {min: [0, 0], max: [0.5, 0.5]}}]
+END
+    expect 0 "$SPH2D" check material.yaml --quiet && empty
 done <named
+# one without a single viscosity is for wcsph, or is given one
+echo 'method: pcisph' >>material.yaml
+expect 65 "$SPH2D" check material.yaml
+says '^material.yaml:3:8: error\[S111\]: fluid.material: mud is herschel_bulkley'
+# shellcheck disable=SC2016 # the backquotes are what it says
+says 'or add `model: newtonian` with a `dynamic_viscosity`'
+expect 65 "$SPH2D" check material.yaml -s fluid.model=newtonian && says 'fluid.dynamic_viscosity: must be given: mud is'
+expect 0 "$SPH2D" check material.yaml -s fluid.model=newtonian -s fluid.dynamic_viscosity=20 --quiet
+rm material.yaml named
 
 # every method with its walls, and the keys that not every method has
 expect 0 "$SPH2D" help methods && prints '^wcsph with symmetric operators (the default)$'
