@@ -74,6 +74,7 @@
     X(packing)                                                                                                         \
     X(packing_rest)                                                                                                    \
     X(placing)                                                                                                         \
+    X(starts)                                                                                                          \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(extremes)                                                                                                        \

@@ -316,6 +316,72 @@ typedef struct sph2d_perturb {
     uint64_t seed;
 } sph2d_perturb;
 
+/** Velocity and pressure over a rectangular grid of places, whose lines may be any distances apart. Between them they are
+ *  interpolated by cubics along x and y (Hermite's, with slopes of the polynomial through five points, fewer where the grid
+ *  has fewer): cubic fields are exact, others to the fourth order, and their gradients are continuous. */
+typedef struct sph2d_grid {
+    /** A CSV file with columns x, y and any of vx, vy, pressure, its rows in any order, which only
+     *  sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    const char *file;
+
+    /** Grid lines [m], increasing, borrowed. */
+    const double *x, *y;
+
+    /** Their numbers, 2 at least; default 0: none. */
+    size_t nx, ny;
+
+    /** Velocity [m/s] and pressure [Pa] at (x[i], y[j]), in [j nx + i], borrowed; NULL: not given. */
+    const double *vx, *vy, *pressure;
+} sph2d_grid;
+
+/** A particle of a snapshot. */
+typedef struct sph2d_cloud_point {
+    /** Position [m]. */
+    double x, y;
+
+    /** Velocity [m/s]. */
+    double vx, vy;
+
+    /** Pressure [Pa]. */
+    double pressure;
+} sph2d_cloud_point;
+
+/** The liquid of another run. Between its particles velocity and pressure are interpolated by moving least squares within
+ *  2.5 spacings, its own or the scene's, whichever is larger: quadratic fields are exact inside the liquid, linear ones on
+ *  its surface. Where the particles do not determine a gradient, as beside a jet of one row, it is the mean by their
+ *  weights (Shepard 1968). */
+typedef struct sph2d_cloud {
+    /** A snapshot, which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    const char *file;
+
+    /** Its particles, borrowed. */
+    const sph2d_cloud_point *items;
+
+    /** Their number. */
+    size_t count;
+
+    /** Their spacing [m], > 0 if there are any. */
+    double spacing;
+} sph2d_cloud;
+
+/** What liquid has at the start: one of these, or nothing. */
+typedef struct sph2d_start {
+    /** A known flow: its velocity is added, and with method wcsph the liquid starts at its pressure; default none. That of
+     *  the first block that has one is what an `error` probe compares with. */
+    sph2d_flow flow;
+
+    /** Values over places; all of the liquid must lie within the grid. Without a pressure the liquid keeps its own. */
+    sph2d_grid table;
+
+    /** Another run's liquid. Where it has no particle within 2.5 spacings the liquid keeps its own velocity and
+     *  pressure. */
+    sph2d_cloud snapshot;
+
+    /** The largest speed of the table or snapshot, for the sound speed [m/s], >= 0; default 0: that of its values, where
+     *  they are known. */
+    double top_speed;
+} sph2d_start;
+
 /** A region of liquid at the start. Its particles fill the shape, except for solids in it, within 0.2 % or half a
  *  particle: on a square lattice for boxes with or without cut-outs, if that has the right area and no lattice site is
  *  lost near a wall with layers; on a box's lattice stretched by at most 2 %, or another shape's lattice shifted, if no
@@ -329,9 +395,8 @@ typedef struct sph2d_block {
     /** Velocity at the start [m/s]; default (0, 0). */
     sph2d_vec2 velocity;
 
-    /** A known flow: adds its velocity, and with method wcsph starts at its pressure; default none. That of the first
-     *  block that has one is what an `error` probe compares with. */
-    sph2d_flow start;
+    /** A known flow, a table or a snapshot that it starts with, besides its velocity; default none. */
+    sph2d_start start;
 
     /** Spacing of this block's particles [m], >= 0; default 0: the scene's. Particle mass is always that of the scene's
      *  spacing, so that with a smaller one the block starts compressed. */
@@ -352,15 +417,15 @@ typedef struct sph2d_particle {
     /** Velocity [m/s]. */
     double vx, vy;
 
-    /** Density [kg/m^3], > 0; muller computes its own. */
+    /** Density [kg/m^3], > 0; 0: that of the pressure by the scene's `start`, or else the rest density. muller computes
+     *  its own. */
     double density;
 } sph2d_particle;
 
 /** Individual particles, besides those of blocks. Their mass is that of the scene's spacing. The sound speed is not
  *  derived from them: the method must give it. */
 typedef struct sph2d_particles {
-    /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0 and the rest density), which only
-     *  sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0), which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
     const char *file;
 
     /** The particles, borrowed. */
@@ -861,6 +926,12 @@ typedef struct sph2d_scene {
 
     /** Individual particles; default none. */
     sph2d_particles particles;
+
+    /** What individual particles start with, besides their velocities. With a snapshot and no individual particles: the
+     *  liquid of that snapshot, where it is in the domain and outside obstacles and blocks; as many particles as have its
+     *  mass, on a square lattice, at the places that it covers most. Its sound speed must be given, as with individual
+     *  particles; sph2d_scene_file_read() takes it from the snapshot if that is of the same method. Default none. */
+    sph2d_start start;
 
     /** Nozzles that emit liquid. */
     const sph2d_source *sources;

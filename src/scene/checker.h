@@ -87,6 +87,9 @@ void sph2d__check_method(sph2d__checker *c);
 /** Warns of scenes that their method is known to compute badly. */
 void sph2d__check_weak(sph2d__checker *c);
 
+/** Checks what the liquid of blocks and the scene starts with. */
+void sph2d__check_starts(sph2d__checker *c);
+
 /** Checks single particles, up to the first error. */
 void sph2d__check_particles(sph2d__checker *c);
 
