@@ -147,6 +147,7 @@ static const char *const goldens[] = {
     "  - side: right\n    to: 0.5\n    level: 0.25\n"
     "  - side: left\n    from: 0.25\n    to: 0.45\n    history:\n      flow_rate: [[0, 0], [1, 0.5]]\n    "
     "free_surface: on\n"
+    "  - side: bottom\n    from: 0.55\n    to: 0.75\n    history:\n      profile: [[0, 0.55, 0], [0, 0.75, -0.25]]\n"
     "probes:\n"
     "  - name: in\n    kind: opening\n    on: in\n    every: 0.5\n",
 

@@ -471,6 +471,22 @@ typedef struct sph2d_drain {
     double start, stop;
 } sph2d_drain;
 
+/** A point of a path: a position at a time. */
+typedef struct sph2d_path_point {
+    /** Time [s] and position [m]. */
+    double t, x, y;
+} sph2d_path_point;
+
+/** A piecewise linear function of time, undefined before the first point and after the last. A single point holds
+ *  always. */
+typedef struct sph2d_path {
+    /** The points, borrowed, with increasing times. */
+    const sph2d_path_point *items;
+
+    /** Number of points. */
+    size_t count;
+} sph2d_path;
+
 /** Points (t, value) with increasing t, borrowed: straight lines between them, constant before and after. */
 typedef struct sph2d_history {
     const sph2d_vec2 *items;
@@ -482,14 +498,21 @@ typedef struct sph2d_opening_history {
     /** [m/s], [m^2/s], [Pa], [m]; default none. */
     sph2d_history velocity, flow_rate, pressure, level;
 
-    /** A CSV file with columns t and one of velocity, flow_rate, pressure, level, relative to the scene's file; read
-     *  with the scene, where it becomes the list. NULL: none. */
+    /** Velocity into the domain over place and time: points (t, s, velocity) with s in x, the place along the side, y of
+     *  left and right, x of bottom and top [m], and the velocity in y [m/s]; the same places, increasing and to both ends
+     *  of the opening, at each of increasing times. Cubics between places (as of sph2d_grid), straight lines between times,
+     *  constant before and after; default none. */
+    sph2d_path profile;
+
+    /** A CSV file with columns t and one of velocity, flow_rate, pressure, level, relative to the scene's file, or y (of
+     *  bottom and top x) and velocity, for several times with t; read with the scene, where it becomes the list. NULL:
+     *  none. */
     const char *file;
 } sph2d_opening_history;
 
 /** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph with symmetric
  *  operators, generalised walls. Just one of velocity, flow_rate, pressure and level is given, by a number or over
- *  time. Behind it, outside the domain,
+ *  time, a velocity also over place and time. Behind it, outside the domain,
  *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
  *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
@@ -537,22 +560,6 @@ typedef struct sph2d_opening {
      *  that is less. Default off. */
     sph2d_switch free_surface;
 } sph2d_opening;
-
-/** A point of a path: a position at a time. */
-typedef struct sph2d_path_point {
-    /** Time [s] and position [m]. */
-    double t, x, y;
-} sph2d_path_point;
-
-/** A piecewise linear function of time, undefined before the first point and after the last. A single point holds
- *  always. */
-typedef struct sph2d_path {
-    /** The points, borrowed, with increasing times. */
-    const sph2d_path_point *items;
-
-    /** Number of points. */
-    size_t count;
-} sph2d_path;
 
 /** A point of a motion's path: where the body is at a time. */
 typedef struct sph2d_pose_point {

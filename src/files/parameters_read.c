@@ -156,7 +156,7 @@ void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     size_t obstacles = count_items(r, "obstacles", "restitution"), openings = count_items(r, "openings", "side");
     size_t blocks = count_items(r, "blocks", "velocity");
-    s->paths = sph2d__pool_alloc(r->pool, obstacles + SPH2D__HISTORIES * openings + blocks + 4, sizeof *s->paths);
+    s->paths = sph2d__pool_alloc(r->pool, obstacles + (1 + SPH2D__HISTORIES) * openings + blocks + 4, sizeof *s->paths);
     if (!s->paths) {
         r->status = SPH2D_NOMEM;
         return;
@@ -175,7 +175,7 @@ void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
         get_path(r, s, key);
     }
     for (size_t i = 0; i < openings && r->status != SPH2D_NOMEM; ++i)
-        for (size_t kind = 0; kind < SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
+        for (size_t kind = 0; kind <= SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
             char key[64];
             sph2d__history_key(key, i, kind);
             get_path(r, s, key);

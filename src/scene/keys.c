@@ -44,7 +44,7 @@ static void swing_set(void *out)
 
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const side_name_words[] = {"left", "right", "bottom", "top", NULL};
-static const char *const profile_words[] = {"uniform", "parabola", NULL};
+static const char *const profile_words[] = {"uniform", "parabola", "turbulent", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
 static const char *const wall_slip_words[] = {"default", "free", "none", "smooth", NULL};
@@ -205,8 +205,13 @@ static const sph2d_key opening_history_items[] = {
     HISTORY(flow_rate, "m^2/s"),
     HISTORY(pressure, "Pa"),
     HISTORY(level, "m"),
+    {"profile", SPH2D_KEY_PATH, false, LIST_AT(sph2d_opening_history, profile.items, profile.count), ANY,
+     .unit = "s, m, m/s", .default_text = "none",
+     .text = "[t, s, velocity] points, s the place along the side, y or x: the same places at each time, with cubics "
+             "between, and straight lines between times"},
     {"file", SPH2D_KEY_TEXT, false, AT(sph2d_opening_history, file), .unit = "", .default_text = "none",
-     .text = "a CSV file with columns t and one of velocity, flow_rate, pressure, level: that list"},
+     .text = "a CSV file with columns t and one of velocity, flow_rate, pressure, level, or y (x of bottom and top), "
+             "velocity and perhaps t: that list"},
 };
 KEYS(opening_history, sph2d_opening_history, NULL);
 
@@ -225,7 +230,8 @@ static const sph2d_key opening_items[] = {
      .default_text = "none", .text = "area of liquid per second into the domain, in place of velocity"},
     {"profile", SPH2D_KEY_WORD, false, AT(sph2d_opening, profile), .words = profile_words, .unit = "",
      .default_text = "uniform",
-     .text = "velocity over the width: parabola is 0 at both ends, 1.5 times the mean in the middle"},
+     .text = "velocity over the width: parabola is 0 at both ends, 1.5 times the mean in the middle; turbulent follows "
+             "the 1/7 power law from both"},
     {"ramp", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, ramp), FROM_0, .unit = "s", .default_text = "0",
      .text = "time over which velocity or flow_rate grow smoothly from nothing"},
     {"pressure", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, pressure), ANY, .nan_is_unset = true, .unit = "Pa",
