@@ -164,7 +164,7 @@ HARD_SRC := $(sort $(wildcard tests/hard/cases/*.c))
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 GOLDEN_SRC := tests/golden/golden.c
 # What takes any bytes, and what gives them to it.
-FUZZ_NAMES := scene study particles reference snapshot
+FUZZ_NAMES := scene study particles table reference snapshot
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
@@ -402,7 +402,7 @@ test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
 
 FUZZ_SECONDS ?= 1800
-test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of five readers
+test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of six readers
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined fuzz-run
 
 fuzz-run: $(BUILD)/sph2d $(FUZZ_BIN)

@@ -76,6 +76,7 @@
     X(packing)                                                                                                         \
     X(packing_rest)                                                                                                    \
     X(placing)                                                                                                         \
+    X(starts)                                                                                                          \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(extremes)                                                                                                        \

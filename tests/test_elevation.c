@@ -157,7 +157,7 @@ static sph2d_sim *rested(double angle, const double places[PLACES], int threads)
     obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {wall, count}};
     sph2d_block block = sph2d_block_default();
     block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .polygon = {liquid, count}};
-    block.start = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, LEVEL}};
+    block.start.flow = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, LEVEL}};
     static const char *const names[PLACES] = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
     sph2d_probe probes[PLACES];
     for (int k = 0; k < PLACES; ++k)

@@ -330,10 +330,10 @@ static double vortex_error(double dx, double c0)
 {
     scene.spacing = dx;
     scene.method.sound_speed = c0;
-    block.start = sph2d_flow_default();
-    block.start.kind = SPH2D_FLOW_TAYLOR_GREEN;
-    block.start.speed = 1;
-    block.start.length = 1;
+    block.start.flow = sph2d_flow_default();
+    block.start.flow.kind = SPH2D_FLOW_TAYLOR_GREEN;
+    block.start.flow.speed = 1;
+    block.start.flow.length = 1;
     scene.fluid.dynamic_viscosity = 0.01 * RHO0;
     sph2d_probe probe = sph2d_probe_default();
     probe.kind = SPH2D_PROBE_ERROR;

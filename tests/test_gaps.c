@@ -37,7 +37,7 @@ static void start_tank(int method)
     tank.scene.method.name = (sph2d_method)method;
     tank.scene.fluid.dynamic_viscosity = 0.001;
     tank.block = test_block(0, 0, 0.8, DEPTH);
-    tank.block.start = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, DEPTH}};
+    tank.block.start.flow = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, DEPTH}};
     tank.scene.blocks = &tank.block;
     tank.scene.block_count = 1;
     tank.bodies[0] = box(0.3, 0, 0.5, 0.16);

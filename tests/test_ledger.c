@@ -52,7 +52,7 @@ START_TEST(viscosity_takes_what_vortices_lose)
 {
     plain_liquid(0.05);
     close_periods();
-    block.start = (sph2d_flow){.kind = SPH2D_FLOW_TAYLOR_GREEN, .speed = 1, .length = 1};
+    block.start.flow = (sph2d_flow){.kind = SPH2D_FLOW_TAYLOR_GREEN, .speed = 1, .length = 1};
     scene.fluid.dynamic_viscosity = _i == 2 ? 0 : 10;
     scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
     scene.method.artificial_viscosity = _i == 2 ? 0.2 : 0;

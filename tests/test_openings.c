@@ -196,6 +196,124 @@ START_TEST(flow_between_plates_keeps_its_parabola)
 }
 END_TEST
 
+/** Largest difference of the velocity of particles in the reservoir of the first opening from f(y), and their number. */
+static double worst_in_reservoir(double (*f)(double y, double time), size_t *count)
+{
+    sph2d_view v = sph2d_sim_fluid(c.sim);
+    double worst = 0;
+    *count = 0;
+    for (size_t i = 0; i < v.count; ++i)
+        if (v.x[i] < 0) {
+            worst = fmax(worst, fabs(v.vx[i] - f(v.y[i], sph2d_sim_time(c.sim))));
+            ++*count;
+        }
+    return worst;
+}
+
+static double power_law(double y, double time)
+{
+    double wall = fmin(y, 0.5 - y) / 0.25;
+    (void)time;
+    return 8.0 / 7 * pow(wall, 1.0 / 7);
+}
+
+START_TEST(a_turbulent_profile_is_the_power_law)
+{
+    size_t count;
+    lay_channel(1, 0.5, true);
+    c.openings[0].profile = SPH2D_OPENING_PROFILE_TURBULENT;
+    start();
+    ck_assert_double_le(worst_in_reservoir(power_law, &count), 1e-12);
+    ck_assert_uint_gt(count, 100);
+    ck_assert_double_le(fabs(sph2d_sim_plan(c.sim)->sound_speed / 10 - 8.0 / 7), 1e-9);
+    double mean = 0;
+    sph2d_view v = sph2d_sim_fluid(c.sim);
+    for (size_t i = 0; i < v.count; ++i)
+        mean += v.x[i] < 0 ? v.vx[i] / (double)count : 0;
+    ck_assert_double_le(fabs(mean - 1), 0.01); /* the mean of 20 lanes is not that of the law */
+    finish();
+}
+END_TEST
+
+/** Of the points below: cubic in y, linear between t = 0 and 1. */
+static double given(double y, double time)
+{
+    double growth = fmin(time, 1);
+    return (1 + growth) * (1 + y) - 2 * growth * y * y * y;
+}
+
+static void lay_profile(sph2d_path_point points[12])
+{
+    static const double places[6] = {0, 0.1, 0.15, 0.3, 0.4, 0.5};
+    lay_channel(1, 0.5, true);
+    for (size_t k = 0; k < 12; ++k) {
+        double t = k < 6 ? 0 : 1, y = places[k % 6];
+        points[k] = (sph2d_path_point){t, y, given(y, t)};
+    }
+    c.openings[0].velocity = NAN;
+    c.openings[0].history.profile = (sph2d_path){points, 12};
+}
+
+START_TEST(a_velocity_over_place_and_time_is_the_cubic_of_its_points)
+{
+    sph2d_path_point points[12];
+    size_t count;
+    lay_profile(points);
+    c.blocks[0].velocity.x = 1.25;
+    start();
+    ck_assert_double_le(worst_in_reservoir(given, &count), 1e-12);
+    ck_assert_uint_gt(count, 100);
+    test_steps(c.sim, 200); /* sound, that leaves, adds to it */
+    ck_assert_double_gt(sph2d_sim_time(c.sim), 0.1);
+    ck_assert_double_le(worst_in_reservoir(given, &count), 0.25);
+    run_until(1.5);
+    /* the mean over the width: 2 * 1.25 - 2 * 0.5^3/4 */
+    ck_assert_double_le(fabs(read_opening(0).velocity - 2.4375), 0.05);
+    finish();
+}
+END_TEST
+
+START_TEST(points_that_make_no_profile_are_refused)
+{
+    static const char *const words[] = {"does not go on",      "does not go on",      "does not go on",
+                                        "does not go on",      "from 0 to 0.5",       "leave out",
+                                        "more than one thing", "uniform profile only"};
+    sph2d_path_point points[12];
+    sph2d_report report = {0};
+    lay_profile(points);
+    switch (_i) {
+    case 0: /* a place twice */
+        points[3].x = points[2].x;
+        break;
+    case 1: /* another place at the second time */
+        points[8].x += 0.01;
+        break;
+    case 2: /* a place less at the last time */
+        c.openings[0].history.profile.count = 11;
+        break;
+    case 3: /* back in time */
+        for (size_t k = 6; k < 12; ++k)
+            points[k].t = -1;
+        break;
+    case 4: /* not as wide as the opening */
+        points[5].x = points[11].x = 0.49;
+        break;
+    case 5:
+        c.openings[0].profile = SPH2D_OPENING_PROFILE_PARABOLA;
+        break;
+    case 6:
+        c.openings[0].velocity = 1;
+        break;
+    default:
+        c.openings[0].free_surface = SPH2D_SWITCH_ON;
+        c.scene.gravity.y = -9.81;
+    }
+    ck_assert_int_eq(sph2d_scene_check(&c.scene, &report), SPH2D_SCENE);
+    ck_assert_msg(strstr(test_report_text(&report), words[_i]), "%s", test_report_text(&report));
+    sph2d_report_clear(&report);
+}
+END_TEST
+
 /* ---- sound ------------------------------------------------------------------------------------------------------- */
 
 /** Energy of sound: elastic, and kinetic, in liquid that should be at rest. */
@@ -564,6 +682,9 @@ Suite *suite_openings(void)
     tcase_add_test(test, disorder_leaves_with_the_stream);
     tcase_add_test(test, a_stream_starts_from_rest);
     tcase_add_test(test, flow_between_plates_keeps_its_parabola);
+    tcase_add_test(test, a_turbulent_profile_is_the_power_law);
+    tcase_add_test(test, a_velocity_over_place_and_time_is_the_cubic_of_its_points);
+    tcase_add_loop_test(test, points_that_make_no_profile_are_refused, 0, 8);
     tcase_add_loop_test(test, sound_leaves, 0, 3);
     tcase_add_test(test, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
     tcase_add_test(test, a_tank_drains_as_through_a_short_tube);

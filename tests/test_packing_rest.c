@@ -153,9 +153,9 @@ START_TEST(packed_liquid_at_rest_starts_quietly)
     packed.scene.method.support_ratio = 4;
     packed.scene.method.max_compression = 0.02;
     packed.scene.method.artificial_viscosity = 0.1;
-    packed.block.start.kind = SPH2D_FLOW_STILL;
-    packed.block.start.center[0] = packed.corners[2].x;
-    packed.block.start.center[1] = packed.corners[2].y;
+    packed.block.start.flow.kind = SPH2D_FLOW_STILL;
+    packed.block.start.flow.center[0] = packed.corners[2].x;
+    packed.block.start.flow.center[1] = packed.corners[2].y;
     sph2d_sim *sim = test_create(&packed.scene, NULL);
     while (sph2d_sim_time(sim) < 0.15) {
         test_steps(sim, 1);

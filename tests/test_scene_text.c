@@ -60,7 +60,9 @@ static const char *const goldens[] = {
     "    start:\n      flow: rotation\n      speed: 0.5\n      length: 0.3\n      depth: 0.125\n"
     "      center: [2, 1]\n    arrangement: rings\n    perturb:\n      amplitude: 0.1\n      seed: 7\n"
     "  - polygon: [[0, 1], [0.5, 1], [0.25, 1.5]]\n"
+    "    start:\n      table: \"wind.csv\"\n      top_speed: 1.5\n"
     "particles: \"cloud 1.csv\"\n"
+    "start:\n  snapshot: \"old/1.h5\"\n"
     "sources:\n"
     "  - at: [1, 1.5]\n    direction: [1, -1]\n    width: 0.2\n    speed: 2\n    spread: 0.1\n"
     "    rate: 0.3\n    start: 0.5\n    stop: 3\n    seed: 18446744073709551615\n"
@@ -146,6 +148,7 @@ static const char *const goldens[] = {
     "  - side: right\n    to: 0.5\n    level: 0.25\n"
     "  - side: left\n    from: 0.25\n    to: 0.45\n    history:\n      flow_rate: [[0, 0], [1, 0.5]]\n    "
     "free_surface: on\n"
+    "  - side: bottom\n    from: 0.55\n    to: 0.75\n    history:\n      profile: [[0, 0.55, 0], [0, 0.75, -0.25]]\n"
     "probes:\n"
     "  - name: in\n    kind: opening\n    on: in\n    every: 0.5\n",
 

@@ -160,9 +160,9 @@ START_TEST(a_restored_vortex_goes_on_bit_for_bit)
     scene.method.sound_speed = 10;
     block = test_block(0, 0, 1, 1);
     block.perturb.amplitude = 0.2;
-    block.start.kind = SPH2D_FLOW_TAYLOR_GREEN;
-    block.start.speed = 1;
-    block.start.length = 1;
+    block.start.flow.kind = SPH2D_FLOW_TAYLOR_GREEN;
+    block.start.flow.speed = 1;
+    block.start.flow.length = 1;
     scene.blocks = &block;
     scene.block_count = 1;
     scene.probes = probes;

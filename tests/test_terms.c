@@ -120,9 +120,9 @@ START_TEST(a_tank_at_rest_stays_at_rest)
     scene.boundary.right = SPH2D_SIDE_WALL;
     scene.gravity = (sph2d_vec2){0, -9.81};
     block.perturb.amplitude = 0;
-    block.start = sph2d_flow_default();
-    block.start.kind = SPH2D_FLOW_STILL;
-    block.start.center[1] = SIDE * DX;
+    block.start.flow = sph2d_flow_default();
+    block.start.flow.kind = SPH2D_FLOW_STILL;
+    block.start.flow.center[1] = SIDE * DX;
     sph2d_sim *sim = make(SPH2D_ISA_AUTO);
     while (sph2d_sim_summary(sim).time < 1)
         test_steps(sim, 50);

@@ -38,7 +38,8 @@ SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_overr
                                              sph2d_scene_file **file, sph2d_report *report);
 
 /** The same from memory. `name` is the name of the file in messages; files that the scene names are not read: it is
- *  refused if they are of motions or gravity. */
+ *  refused if they are of motions, gravity or openings, and no new run can be made of it if they are of what blocks start
+ *  with. */
 SPH2D_API sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char *name,
                                               const sph2d_override *overrides, size_t override_count,
                                               sph2d_scene_file **file, sph2d_report *report);
@@ -110,6 +111,9 @@ typedef struct sph2d_snapshot_info {
 
     /** Support radius H [m]. */
     double support_radius;
+
+    /** Sound speed c0 [m/s]. */
+    double sound_speed;
 
     /** Frames of the run; `color` is valid as long as the snapshot. */
     sph2d_frames frames;

@@ -321,6 +321,72 @@ typedef struct sph2d_perturb {
     uint64_t seed;
 } sph2d_perturb;
 
+/** Velocity and pressure over a rectangular grid of places, whose lines may be any distances apart. Between them they are
+ *  interpolated by cubics along x and y (Hermite's, with slopes of the polynomial through five points, fewer where the grid
+ *  has fewer): cubic fields are exact, others to the fourth order, and their gradients are continuous. */
+typedef struct sph2d_grid {
+    /** A CSV file with columns x, y and any of vx, vy, pressure, its rows in any order, which only
+     *  sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    const char *file;
+
+    /** Grid lines [m], increasing, borrowed. */
+    const double *x, *y;
+
+    /** Their numbers, 2 at least; default 0: none. */
+    size_t nx, ny;
+
+    /** Velocity [m/s] and pressure [Pa] at (x[i], y[j]), in [j nx + i], borrowed; NULL: not given. */
+    const double *vx, *vy, *pressure;
+} sph2d_grid;
+
+/** A particle of a snapshot. */
+typedef struct sph2d_cloud_point {
+    /** Position [m]. */
+    double x, y;
+
+    /** Velocity [m/s]. */
+    double vx, vy;
+
+    /** Pressure [Pa]. */
+    double pressure;
+} sph2d_cloud_point;
+
+/** The liquid of another run. Between its particles velocity and pressure are interpolated by moving least squares within
+ *  2.5 spacings, its own or the scene's, whichever is larger: quadratic fields are exact inside the liquid, linear ones on
+ *  its surface. Where the particles do not determine a gradient, as beside a jet of one row, it is the mean by their
+ *  weights (Shepard 1968). */
+typedef struct sph2d_cloud {
+    /** A snapshot, which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    const char *file;
+
+    /** Its particles, borrowed. */
+    const sph2d_cloud_point *items;
+
+    /** Their number. */
+    size_t count;
+
+    /** Their spacing [m], > 0 if there are any. */
+    double spacing;
+} sph2d_cloud;
+
+/** What liquid has at the start: one of these, or nothing. */
+typedef struct sph2d_start {
+    /** A known flow: its velocity is added, and with method wcsph the liquid starts at its pressure; default none. That of
+     *  the first block that has one is what an `error` probe compares with. */
+    sph2d_flow flow;
+
+    /** Values over places; all of the liquid must lie within the grid. Without a pressure the liquid keeps its own. */
+    sph2d_grid table;
+
+    /** Another run's liquid. Where it has no particle within 2.5 spacings the liquid keeps its own velocity and
+     *  pressure. */
+    sph2d_cloud snapshot;
+
+    /** The largest speed of the table or snapshot, for the sound speed [m/s], >= 0; default 0: that of its values, where
+     *  they are known. */
+    double top_speed;
+} sph2d_start;
+
 /** A region of liquid at the start. Its particles fill the shape, except for solids in it, within 0.2 % or half a
  *  particle: on a square lattice for boxes with or without cut-outs, if that has the right area and no lattice site is
  *  lost near a wall with layers; on a box's lattice stretched by at most 2 %, or another shape's lattice shifted, if no
@@ -334,9 +400,8 @@ typedef struct sph2d_block {
     /** Velocity at the start [m/s]; default (0, 0). */
     sph2d_vec2 velocity;
 
-    /** A known flow: adds its velocity, and with method wcsph starts at its pressure; default none. That of the first
-     *  block that has one is what an `error` probe compares with. */
-    sph2d_flow start;
+    /** A known flow, a table or a snapshot that it starts with, besides its velocity; default none. */
+    sph2d_start start;
 
     /** Spacing of this block's particles [m], >= 0; default 0: the scene's. Particle mass is always that of the scene's
      *  spacing, so that with a smaller one the block starts compressed. */
@@ -357,15 +422,15 @@ typedef struct sph2d_particle {
     /** Velocity [m/s]. */
     double vx, vy;
 
-    /** Density [kg/m^3], > 0; muller computes its own. */
+    /** Density [kg/m^3], > 0; 0: that of the pressure by the scene's `start`, or else the rest density. muller computes
+     *  its own. */
     double density;
 } sph2d_particle;
 
 /** Individual particles, besides those of blocks. Their mass is that of the scene's spacing. The sound speed is not
  *  derived from them: the method must give it. */
 typedef struct sph2d_particles {
-    /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0 and the rest density), which only
-     *  sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0), which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
     const char *file;
 
     /** The particles, borrowed. */
@@ -426,6 +491,22 @@ typedef struct sph2d_absorber {
     double rate;
 } sph2d_absorber;
 
+/** A point of a path: a position at a time. */
+typedef struct sph2d_path_point {
+    /** Time [s] and position [m]. */
+    double t, x, y;
+} sph2d_path_point;
+
+/** A piecewise linear function of time, undefined before the first point and after the last. A single point holds
+ *  always. */
+typedef struct sph2d_path {
+    /** The points, borrowed, with increasing times. */
+    const sph2d_path_point *items;
+
+    /** Number of points. */
+    size_t count;
+} sph2d_path;
+
 /** Points (t, value) with increasing t, borrowed: straight lines between them, constant before and after. */
 typedef struct sph2d_history {
     const sph2d_vec2 *items;
@@ -437,14 +518,21 @@ typedef struct sph2d_opening_history {
     /** [m/s], [m^2/s], [Pa], [m]; default none. */
     sph2d_history velocity, flow_rate, pressure, level;
 
-    /** A CSV file with columns t and one of velocity, flow_rate, pressure, level, relative to the scene's file; read
-     *  with the scene, where it becomes the list. NULL: none. */
+    /** Velocity into the domain over place and time: points (t, s, velocity) with s in x, the place along the side, y of
+     *  left and right, x of bottom and top [m], and the velocity in y [m/s]; the same places, increasing and to both ends
+     *  of the opening, at each of increasing times. Cubics between places (as of sph2d_grid), straight lines between times,
+     *  constant before and after; default none. */
+    sph2d_path profile;
+
+    /** A CSV file with columns t and one of velocity, flow_rate, pressure, level, relative to the scene's file, or y (of
+     *  bottom and top x) and velocity, for several times with t; read with the scene, where it becomes the list. NULL:
+     *  none. */
     const char *file;
 } sph2d_opening_history;
 
 /** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph with symmetric
  *  operators, generalised walls. Just one of velocity, flow_rate, pressure and level is given, by a number or over
- *  time. Behind it, outside the domain,
+ *  time, a velocity also over place and time. Behind it, outside the domain,
  *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the
  *  liquid before them, in either direction. Changes as fast as sound crosses the domain leave through the opening
@@ -492,22 +580,6 @@ typedef struct sph2d_opening {
      *  that is less. Default off. */
     sph2d_switch free_surface;
 } sph2d_opening;
-
-/** A point of a path: a position at a time. */
-typedef struct sph2d_path_point {
-    /** Time [s] and position [m]. */
-    double t, x, y;
-} sph2d_path_point;
-
-/** A piecewise linear function of time, undefined before the first point and after the last. A single point holds
- *  always. */
-typedef struct sph2d_path {
-    /** The points, borrowed, with increasing times. */
-    const sph2d_path_point *items;
-
-    /** Number of points. */
-    size_t count;
-} sph2d_path;
 
 /** A point of a motion's path: where the body is at a time. */
 typedef struct sph2d_pose_point {
@@ -881,6 +953,12 @@ typedef struct sph2d_scene {
 
     /** Individual particles; default none. */
     sph2d_particles particles;
+
+    /** What individual particles start with, besides their velocities. With a snapshot and no individual particles: the
+     *  liquid of that snapshot, where it is in the domain and outside obstacles and blocks; as many particles as have its
+     *  mass, on a square lattice, at the places that it covers most. Its sound speed must be given, as with individual
+     *  particles; sph2d_scene_file_read() takes it from the snapshot if that is of the same method. Default none. */
+    sph2d_start start;
 
     /** Nozzles that emit liquid. */
     const sph2d_source *sources;

@@ -92,7 +92,10 @@ typedef enum sph2d_opening_profile {
     SPH2D_OPENING_PROFILE_UNIFORM = 0,
 
     /** A parabola, 0 at both ends and 1.5 times the mean in the middle: flow between plates (Poiseuille's). */
-    SPH2D_OPENING_PROFILE_PARABOLA = 1
+    SPH2D_OPENING_PROFILE_PARABOLA = 1,
+
+    /** The 1/7 power law on both sides of the middle, 8/7 of the mean there: turbulent flow between plates. */
+    SPH2D_OPENING_PROFILE_TURBULENT = 2
 } sph2d_opening_profile;
 
 /** What method pcisph keeps below max_compression in every step. */

@@ -15,10 +15,10 @@ sph2d_status sph2d__histories_read(sph2d_scene *scene, const char *from, sph2d__
  *  SPH2D_NOMEM. */
 sph2d_status sph2d__histories_keep(sph2d_scene *scene, const sph2d__kept_path *paths, size_t count, sph2d__pool *pool);
 
-/** The key of a history in snapshots: `openings[0].history.level`. */
+/** The key of a history in snapshots: `openings[0].history.level`, or of kind SPH2D__HISTORIES `...profile`. */
 void sph2d__history_key(char key[64], size_t opening, size_t kind);
 
-/** Kinds of histories. */
+/** Kinds of histories over time alone. */
 enum { SPH2D__HISTORIES = 4 };
 
 #endif

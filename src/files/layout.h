@@ -28,6 +28,7 @@
 #define SPH2D__AT_TIME_STEP "TimeStep"
 #define SPH2D__AT_STEP "Step"
 #define SPH2D__AT_SUPPORT "SupportRadius"
+#define SPH2D__AT_SOUND_SPEED "SoundSpeed"
 
 #define SPH2D__GROUP_CODE "/Code"
 #define SPH2D__AT_CODE_VERSION "Code Version"

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parameters_read.c
- *  Reads single values of a scene from a snapshot, for uses that do not run it, and the paths that files gave it. */
+ *  Reads single values of a scene from a snapshot, for uses that do not run it, and the paths and numbers that files gave
+ *  it. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "files/history_file.h"
 #include "files/snapshot.h"
+#include "files/start_file.h"
 #include "sph2d/key.h"
 
 enum { PATH_SIZE = 256 };
@@ -119,6 +122,25 @@ static void get_path(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
     sph2d__h5_item_close(&item);
 }
 
+/** Takes a number, as a path of one row. */
+static void get_number(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
+{
+    if (r->status == SPH2D_NOMEM || !sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key))
+        return;
+    sph2d__kept_path *path = &s->paths[s->path_count];
+    double *number = sph2d__pool_alloc(r->pool, 1, sizeof *number);
+    path->key = sph2d__pool_text(r->pool, key, strlen(key));
+    if (!number || !path->key) {
+        r->status = SPH2D_NOMEM;
+        return;
+    }
+    if (!sph2d__h5_get_reals(r, SPH2D__GROUP_PARAMETERS, key, number, 1))
+        return;
+    path->rows = number;
+    path->count = path->width = 1;
+    ++s->path_count;
+}
+
 /** Number of items of a list: each has a key. */
 static size_t count_items(sph2d__h5_reader *r, const char *list, const char *each)
 {
@@ -133,10 +155,17 @@ static size_t count_items(sph2d__h5_reader *r, const char *list, const char *eac
 void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     size_t obstacles = count_items(r, "obstacles", "restitution"), openings = count_items(r, "openings", "side");
-    s->paths = sph2d__pool_alloc(r->pool, obstacles + SPH2D__HISTORIES * openings + 2, sizeof *s->paths);
+    size_t blocks = count_items(r, "blocks", "velocity");
+    s->paths = sph2d__pool_alloc(r->pool, obstacles + (1 + SPH2D__HISTORIES) * openings + blocks + 4, sizeof *s->paths);
     if (!s->paths) {
         r->status = SPH2D_NOMEM;
         return;
+    }
+    get_number(r, s, SPH2D__SOUND_SPEED_KEY);
+    for (size_t i = 0; i <= blocks; ++i) {
+        char key[64];
+        sph2d__start_key(key, i < blocks ? i : SIZE_MAX);
+        get_number(r, s, key);
     }
     get_path(r, s, "gravity_path");
     get_path(r, s, "motion.path");
@@ -146,7 +175,7 @@ void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
         get_path(r, s, key);
     }
     for (size_t i = 0; i < openings && r->status != SPH2D_NOMEM; ++i)
-        for (size_t kind = 0; kind < SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
+        for (size_t kind = 0; kind <= SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
             char key[64];
             sph2d__history_key(key, i, kind);
             get_path(r, s, key);

@@ -52,7 +52,7 @@ static sph2d_status copy_rows(const sph2d_table *table, sph2d_scene *scene, sph2
                                       .y = number(table, row, Y, 0),
                                       .vx = number(table, row, VX, 0),
                                       .vy = number(table, row, VY, 0),
-                                      .density = number(table, row, DENSITY, scene->fluid.density)};
+                                      .density = number(table, row, DENSITY, 0)};
         if (lacking(table, row) < COLUMNS) {
             char message[80];
             snprintf(message, sizeof message, "this row lacks a number: its column '%s' is empty or nan",

@@ -13,6 +13,7 @@
 #include "files/history_file.h"
 #include "files/overrides.h"
 #include "files/particles_file.h"
+#include "files/start_file.h"
 
 struct sph2d_scene_file {
     sph2d__document document;
@@ -74,7 +75,7 @@ static void locate_files(const sph2d_scene_file *file, size_t first, sph2d_repor
             sph2d_scene_file_locate(file, &report->items[k]);
 }
 
-/** Reads the files of particles, motions and gravity that the scene names, or takes what was kept of them. */
+/** Reads the files that the scene names, or takes what was kept of them. */
 static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
 {
     sph2d_scene *scene = &file->scene;
@@ -83,6 +84,7 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
     if (faults->errors > 0)
         return SPH2D_OK;
     if (!file->source->with_files) {
+        sph2d__starts_keep(scene, file->source->kept, file->source->kept_count);
         sph2d_status kept = sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
         return kept != SPH2D_OK ? kept
                                 : sph2d__histories_keep(scene, file->source->kept, file->source->kept_count, pool);
@@ -93,6 +95,8 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
         status = sph2d__histories_read(scene, from, pool, faults->report);
     if (status == SPH2D_OK && scene->particles.file)
         status = sph2d__particles_read(scene, from, pool, faults->report);
+    if (status == SPH2D_OK)
+        status = sph2d__starts_read(scene, from, pool, faults->report);
     locate_files(file, first, faults->report);
     faults->errors += status != SPH2D_OK;
     return status;

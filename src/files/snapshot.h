@@ -15,7 +15,7 @@ struct sph2d_snapshot {
     sph2d_snapshot_info info;
     sph2d_override *overrides;
     size_t override_count;
-    sph2d__kept_path *paths; /**< of /Parameters: gravity and motions in time */
+    sph2d__kept_path *paths; /**< of /Parameters: what files gave over time, and numbers */
     size_t path_count;
     uint64_t state_version;
     sph2d_array *arrays; /**< those of the state in order, then the other fields */
@@ -25,7 +25,7 @@ struct sph2d_snapshot {
 /** Reads /Parameters, except lists, into a default scene. */
 void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene);
 
-/** Reads the paths of gravity and motions in /Parameters, for a scene whose text names files that gave them. */
+/** Reads paths and numbers in /Parameters, for a scene whose text names files that gave them. */
 void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *snapshot);
 
 /** Reads all arrays. */

@@ -30,7 +30,7 @@ static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
     sph2d__h5_put_real(w, at, "Spacing", scene->spacing);
     sph2d__h5_put_real(w, at, SPH2D__AT_SUPPORT, plan->support_radius);
     sph2d__h5_put_real(w, at, "ParticleMass", plan->particle_mass);
-    sph2d__h5_put_real(w, at, "SoundSpeed", plan->sound_speed);
+    sph2d__h5_put_real(w, at, SPH2D__AT_SOUND_SPEED, plan->sound_speed);
     sph2d__h5_put_reals(w, at, "BoxSize", size, 3);
     sph2d__h5_put_ints(w, at, "Dimension", &two, 1);
     sph2d__h5_put_counts(w, at, "NumPart_ThisFile", counts, PARTICLE_TYPES);

@@ -68,7 +68,9 @@ static void read_metadata(sph2d__h5_reader *r, sph2d_snapshot *s)
     sph2d__h5_get_reals(r, SPH2D__GROUP_HEADER, SPH2D__AT_TIME, &info->time, 1);
     sph2d__h5_get_reals(r, SPH2D__GROUP_HEADER, SPH2D__AT_TIME_STEP, &info->time_step, 1);
     sph2d__h5_get_reals(r, SPH2D__GROUP_HEADER, SPH2D__AT_SUPPORT, &info->support_radius, 1);
-    if (!isfinite(info->time) || !isfinite(info->time_step) || !isfinite(info->support_radius))
+    sph2d__h5_get_reals(r, SPH2D__GROUP_HEADER, SPH2D__AT_SOUND_SPEED, &info->sound_speed, 1);
+    if (!isfinite(info->time) || !isfinite(info->time_step) || !isfinite(info->support_radius) ||
+        !isfinite(info->sound_speed))
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has values that are not finite", SPH2D__GROUP_HEADER);
 }
 

@@ -8,8 +8,8 @@
 static const sph2d_flow *flow_of(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->block_count; ++i)
-        if (scene->blocks[i].start.kind != SPH2D_FLOW_NONE)
-            return &scene->blocks[i].start;
+        if (scene->blocks[i].start.flow.kind != SPH2D_FLOW_NONE)
+            return &scene->blocks[i].start.flow;
     return NULL;
 }
 

@@ -13,6 +13,7 @@
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/shape.h"
+#include "scene/start.h"
 #include "sph2d/key.h"
 
 /* Smallest spacing over the largest coordinate: leaves three digits for the distance between neighbours. */
@@ -224,7 +225,7 @@ static void check_contents(checker *c)
 {
     const sph2d_scene *scene = c->scene;
     if (scene->block_count == 0 && scene->source_count == 0 && scene->opening_count == 0 && !scene->particles.file &&
-        scene->particles.count == 0) {
+        scene->particles.count == 0 && !sph2d__starts_from_snapshot(scene)) {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_NO_PARTICLES, "blocks", "the scene has neither liquid nor a source");
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
@@ -266,6 +267,7 @@ static void check_consistency(checker *c)
     const sph2d_scene *scene = c->scene;
     for (size_t i = 0; i < scene->block_count; ++i)
         check_block(c, i);
+    sph2d__check_starts(c);
     sph2d__check_particles(c);
     for (size_t i = 0; i < scene->source_count; ++i)
         check_source(c, i);

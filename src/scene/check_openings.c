@@ -34,7 +34,8 @@ static bool check_one(checker *c, size_t i)
 {
     const sph2d_opening *o = &c->scene->openings[i];
     char path[SPH2D__PATH_SIZE];
-    int numbers = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure) + !isnan(o->level), lists = 0;
+    int numbers = !isnan(o->velocity) + !isnan(o->flow_rate) + !isnan(o->pressure) + !isnan(o->level);
+    int lists = o->history.profile.count > 0;
     for (int kind = 0; kind <= SPH2D__OPENING_LEVEL; ++kind)
         lists += sph2d__opening_history(o, (sph2d__opening_kind)kind)->count > 0;
     if (o->history.file) { /* once it is read, it is a list */
@@ -70,7 +71,7 @@ static void check_surface(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "belongs to velocity or flow_rate, not to pressure");
     else if (!level && !vertical)
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "is for openings in the left and right side");
-    else if (!level && o->profile != SPH2D_OPENING_PROFILE_UNIFORM)
+    else if (!level && (o->profile != SPH2D_OPENING_PROFILE_UNIFORM || o->history.profile.count > 0))
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "goes with a uniform profile only");
     double low = sph2d__opening_mouth(scene, o).start.y;
     if (level && !(sph2d__opening_largest(o) > low)) {
@@ -228,6 +229,8 @@ static void check_balance(checker *c)
         const sph2d_history *h = sph2d__opening_history(o, sph2d__opening_kind_of(o));
         for (size_t k = 0; excess == 0 && k < h->count; ++k)
             excess = excess_at(scene, h->items[k].x);
+        for (size_t k = 0; excess == 0 && k < o->history.profile.count; ++k)
+            excess = excess_at(scene, o->history.profile.items[k].t);
     }
     if (!(excess != 0) || isnan(excess))
         return;
@@ -263,7 +266,8 @@ static void check_opening(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".name"),
                            "another opening has this name");
     check_prescribed(c, i);
-    check_ends(c, i);
+    if (check_ends(c, i) && o->history.profile.count > 0)
+        sph2d__check_profile(c, i);
 }
 
 void sph2d__check_openings(checker *c)

@@ -13,8 +13,8 @@ static void check_particle(sph2d__checker *c, size_t i)
     sph2d__check_path(path, "particles", i, "");
     if (!isfinite(p->x) || !isfinite(p->y) || !isfinite(p->vx) || !isfinite(p->vy) || !isfinite(p->density))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a number that is missing or not finite");
-    else if (!(p->density > 0) && c->scene->fluid.density > 0)
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a density that is not above 0");
+    else if (!(p->density >= 0) && c->scene->fluid.density > 0)
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a density below 0");
     else if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){p->x, p->y}))
         sph2d__check_outside(c, path, (sph2d_vec2){p->x, p->y});
 }

@@ -70,6 +70,8 @@ void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *cour
 
 /** Checks every opening; obstacles are valid. */
 void sph2d__check_openings(sph2d__checker *c);
+/** Checks the velocity over place and time that an opening has; its ends are valid. */
+void sph2d__check_profile(sph2d__checker *c, size_t i);
 void sph2d__check_liquid(sph2d__checker *checker);
 
 /** Checks the mass, freedoms and place of every body. */
@@ -86,6 +88,9 @@ void sph2d__check_method(sph2d__checker *c);
 
 /** Warns of scenes that their method is known to compute badly. */
 void sph2d__check_weak(sph2d__checker *c);
+
+/** Checks what the liquid of blocks and the scene starts with. */
+void sph2d__check_starts(sph2d__checker *c);
 
 /** Checks single particles, up to the first error. */
 void sph2d__check_particles(sph2d__checker *c);

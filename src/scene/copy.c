@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file copy.c
- *  Deep copy of a scene by the key table, which lists all pointers. */
+ *  Deep copy of a scene by the key table, which lists all pointers but those to particles and values at the start. */
 #include "scene/copy.h"
 
+#include <stdint.h>
 #include <string.h>
 
 #include "sph2d/key.h"
@@ -81,11 +82,25 @@ static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
     return true;
 }
 
+/** Copies the values of a start, which no key holds. */
+static bool copy_start(copier *c, sph2d_start *start)
+{
+    sph2d_grid *g = &start->table;
+    size_t places = g->nx * g->ny;
+    return copy_items(c, &g->x, g->nx, sizeof(double)) && copy_items(c, &g->y, g->ny, sizeof(double)) &&
+           copy_items(c, &g->vx, places, sizeof(double)) && copy_items(c, &g->vy, places, sizeof(double)) &&
+           copy_items(c, &g->pressure, places, sizeof(double)) &&
+           copy_items(c, &start->snapshot.items, start->snapshot.count, sizeof(sph2d_cloud_point));
+}
+
 sph2d_status sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
 {
     *to = *from;
     copier c = {arena, memory};
     bool ok = copy_struct(&c, sph2d_scene_keys(), (char *)to) &&
-              copy_items(&c, &to->particles.items, to->particles.count, sizeof(sph2d_particle));
+              copy_items(&c, &to->particles.items, to->particles.count, sizeof(sph2d_particle)) &&
+              copy_start(&c, &to->start);
+    for (size_t i = 0; ok && i < to->block_count; ++i)
+        ok = copy_start(&c, (sph2d_start *)(uintptr_t)&to->blocks[i].start); /* of the fresh list */
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }

@@ -15,6 +15,7 @@
 #include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
+#include "scene/start.h"
 
 /* Liquid released at rest density oscillates up to twice its static compression. */
 static const double OVERSHOOT = 2;
@@ -119,13 +120,14 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     double g = d.gravity = drive.gravity;
     for (size_t i = 0; i < scene->block_count; ++i)
         d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y) +
-                                    fabs(scene->blocks[i].start.speed));
+                                    sph2d__start_speed(&scene->blocks[i].start));
     for (size_t i = 0; i < scene->source_count; ++i)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; i < scene->opening_count; ++i)
         d.speed = fmax(d.speed, sph2d__opening_speed(scene, &scene->openings[i]));
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
+    d.speed = fmax(d.speed, sph2d__start_speed(&scene->start));
     d.speed = fmax(fmax(d.speed, wall_speed(scene)), drive.speed);
     add_springs(scene, &d);
     for (size_t i = 0; i < scene->interaction_count; ++i)
@@ -146,6 +148,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
         d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
+    if (sph2d__starts_from_snapshot(scene)) /* what liquid it is, a resumed run does not know */
+        d.head = fmax(d.head, d.soft_compression * d.sound_speed * d.sound_speed / OVERSHOOT);
     return d;
 }
 
@@ -159,6 +163,8 @@ double sph2d_scene_particles(const sph2d_scene *scene)
         double spacing = scene->blocks[i].spacing > 0 ? scene->blocks[i].spacing : dx;
         count += fmin(sph2d__shape_area(&scene->blocks[i].shape), width * height) / (spacing * spacing);
     }
+    if (sph2d__starts_from_snapshot(scene))
+        count += (double)scene->start.snapshot.count * pow(scene->start.snapshot.spacing / dx, 2);
     const sph2d_boundary *b = &scene->boundary; /* beyond open sides walls go on for the length of the domain */
     double wide = width * (1 + (b->left == SPH2D_SIDE_OPEN) + (b->right == SPH2D_SIDE_OPEN));
     double tall = height * (1 + (b->bottom == SPH2D_SIDE_OPEN) + (b->top == SPH2D_SIDE_OPEN));

@@ -45,7 +45,7 @@ static void swing_set(void *out)
 
 static const char *const side_words[] = {"wall", "open", "periodic", NULL};
 static const char *const side_name_words[] = {"left", "right", "bottom", "top", NULL};
-static const char *const profile_words[] = {"uniform", "parabola", NULL};
+static const char *const profile_words[] = {"uniform", "parabola", "turbulent", NULL};
 static const char *const wall_words[] = {"default", "spring", "heavy", "reflect", "generalised", NULL};
 static const char *const slip_words[] = {"free", "none", "smooth", NULL};
 static const char *const wall_slip_words[] = {"default", "free", "none", "smooth", NULL};
@@ -122,17 +122,25 @@ KEYS(arc, sph2d_arc, NULL);
     }
 
 static const sph2d_key start_items[] = {
-    {"flow", SPH2D_KEY_WORD, true, AT(sph2d_flow, kind), .words = flow_words, .unit = "", .text = "the known flow"},
-    {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, speed), ANY, .unit = "m/s", .default_text = "0",
+    {"flow", SPH2D_KEY_WORD, false, AT(sph2d_start, flow.kind), .words = flow_words, .unit = "", .default_text = "none",
+     .text = "a known flow"},
+    {"speed", SPH2D_KEY_NUMBER, false, AT(sph2d_start, flow.speed), ANY, .unit = "m/s", .default_text = "0",
      .text = "its speed U"},
-    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, length), FROM_0, .unit = "m", .default_text = "0",
+    {"length", SPH2D_KEY_NUMBER, false, AT(sph2d_start, flow.length), FROM_0, .unit = "m", .default_text = "0",
      .text = "its length L: period, radius, side, distance of walls"},
-    {"depth", SPH2D_KEY_NUMBER, false, AT(sph2d_flow, depth), FROM_0, .unit = "m", .default_text = "0",
+    {"depth", SPH2D_KEY_NUMBER, false, AT(sph2d_start, flow.depth), FROM_0, .unit = "m", .default_text = "0",
      .text = "standing_wave: of the liquid at rest"},
-    {"center", SPH2D_KEY_POINT, false, AT(sph2d_flow, center), ANY, .unit = "m", .default_text = "[0, 0]",
+    {"center", SPH2D_KEY_POINT, false, AT(sph2d_start, flow.center), ANY, .unit = "m", .default_text = "[0, 0]",
      .text = "its centre; still: a point of the surface"},
+    {"table", SPH2D_KEY_TEXT, false, AT(sph2d_start, table.file), .unit = "", .default_text = "none",
+     .text = "in place of a flow: a CSV file with columns x, y and any of vx, vy, pressure, on a rectangular grid"},
+    {"snapshot", SPH2D_KEY_TEXT, false, AT(sph2d_start, snapshot.file), .unit = "", .default_text = "none",
+     .text = "in place of a flow: a snapshot of another run, of any spacing"},
+    {"top_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_start, top_speed), FROM_0, .unit = "m/s",
+     .default_text = "the largest there",
+     .text = "of a table or snapshot: the speed that the sound speed is chosen for"},
 };
-KEYS(start, sph2d_flow, NULL);
+KEYS(start, sph2d_start, NULL);
 
 static const sph2d_key perturb_items[] = {
     {"amplitude", SPH2D_KEY_NUMBER, false, AT(sph2d_perturb, amplitude), BETWEEN(0, 0.5), .unit = "spacings",
@@ -151,7 +159,7 @@ static const sph2d_key block_items[] = {
              "compressed, "
              "wcsph by 10 % at most"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .default_text = "none",
-     .text = "a known flow that it starts with"},
+     .text = "a known flow, a table or a snapshot that it starts with"},
     {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
      .default_text = "lattice", .text = "arrangement of the particles; rings, for discs, have a smooth edge"},
     {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "",
@@ -211,8 +219,13 @@ static const sph2d_key opening_history_items[] = {
     HISTORY(flow_rate, "m^2/s"),
     HISTORY(pressure, "Pa"),
     HISTORY(level, "m"),
+    {"profile", SPH2D_KEY_PATH, false, LIST_AT(sph2d_opening_history, profile.items, profile.count), ANY,
+     .unit = "s, m, m/s", .default_text = "none",
+     .text = "[t, s, velocity] points, s the place along the side, y or x: the same places at each time, with cubics "
+             "between, and straight lines between times"},
     {"file", SPH2D_KEY_TEXT, false, AT(sph2d_opening_history, file), .unit = "", .default_text = "none",
-     .text = "a CSV file with columns t and one of velocity, flow_rate, pressure, level: that list"},
+     .text = "a CSV file with columns t and one of velocity, flow_rate, pressure, level, or y (x of bottom and top), "
+             "velocity and perhaps t: that list"},
 };
 KEYS(opening_history, sph2d_opening_history, NULL);
 
@@ -231,7 +244,8 @@ static const sph2d_key opening_items[] = {
      .default_text = "none", .text = "area of liquid per second into the domain, in place of velocity"},
     {"profile", SPH2D_KEY_WORD, false, AT(sph2d_opening, profile), .words = profile_words, .unit = "",
      .default_text = "uniform",
-     .text = "velocity over the width: parabola is 0 at both ends, 1.5 times the mean in the middle"},
+     .text = "velocity over the width: parabola is 0 at both ends, 1.5 times the mean in the middle; turbulent follows "
+             "the 1/7 power law from both"},
     {"ramp", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, ramp), FROM_0, .unit = "s", .default_text = "0",
      .text = "time over which velocity or flow_rate grow smoothly from nothing"},
     {"pressure", SPH2D_KEY_NUMBER, false, AT(sph2d_opening, pressure), ANY, .nan_is_unset = true, .unit = "Pa",
@@ -698,6 +712,8 @@ static const sph2d_key scene_items[] = {
     LIST("blocks", blocks, block, "liquid at the start"),
     {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .default_text = "none",
      .text = "a CSV file of particles: x, y, optionally vx, vy, density"},
+    {"start", SPH2D_KEY_GROUP, false, AT(sph2d_scene, start), .keys = &start_keys, .unit = "", .default_text = "none",
+     .text = "what these particles start with; with a snapshot and no particles: the liquid of the snapshot"},
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
     LIST("absorbers", absorbers, absorber, "ends where waves die out, so that they do not come back"),

@@ -7,6 +7,7 @@
 
 #include "scene/bodies.h"
 #include "scene/derive.h"
+#include "scene/opening_profile.h"
 #include "scene/wall_names.h"
 
 static bool is_vertical(sph2d_side_name side)
@@ -54,7 +55,7 @@ sph2d__opening_kind sph2d__opening_kind_of(const sph2d_opening *opening)
 {
     const double values[] = {opening->velocity, opening->flow_rate, opening->pressure, opening->level};
     int kind = SPH2D__OPENING_VELOCITY;
-    while (kind < SPH2D__OPENING_LEVEL && isnan(values[kind]) &&
+    while (opening->history.profile.count == 0 && kind < SPH2D__OPENING_LEVEL && isnan(values[kind]) &&
            sph2d__opening_history(opening, (sph2d__opening_kind)kind)->count == 0)
         ++kind;
     return (sph2d__opening_kind)kind;
@@ -88,21 +89,40 @@ static double ramp_at(double ramp, double time)
     return z * z * z * (10 - 15 * z + 6 * z * z);
 }
 
-double sph2d__opening_value(const sph2d_opening *opening, double time)
+double sph2d__opening_value(const sph2d_scene *scene, const sph2d_opening *opening, double time)
 {
     sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
     const sph2d_history *history = sph2d__opening_history(opening, kind);
     const double values[] = {opening->velocity, opening->flow_rate, opening->pressure, opening->level};
     double value = history->count > 0 ? history_at(history, time) : values[kind];
+    if (opening->history.profile.count > 0) {
+        sph2d__mouth m = sph2d__opening_mouth(scene, opening);
+        double from = m.along.y > 0 ? m.start.y : m.start.x;
+        value = sph2d__profile_mean(&opening->history.profile, from, from + m.width, time);
+    }
     return sph2d__opening_has_velocity(opening) ? value * ramp_at(opening->ramp, time) : value;
+}
+
+double sph2d__opening_velocity_at(const sph2d__mouth *mouth, const sph2d_opening *opening, double mean, double along,
+                                  double time)
+{
+    const sph2d_path *profile = &opening->history.profile;
+    along = fmin(fmax(along, 0), mouth->width);
+    if (profile->count == 0)
+        return mean * sph2d__profile_shape(opening->profile, along / mouth->width);
+    double place = along + (mouth->along.y > 0 ? mouth->start.y : mouth->start.x);
+    return sph2d__profile_velocity(profile, place, time) * ramp_at(opening->ramp, time);
 }
 
 double sph2d__opening_largest(const sph2d_opening *opening)
 {
     sph2d__opening_kind kind = sph2d__opening_kind_of(opening);
     const sph2d_history *history = sph2d__opening_history(opening, kind);
+    const double values[] = {opening->velocity, opening->flow_rate, opening->pressure, opening->level};
+    if (opening->history.profile.count > 0)
+        return sph2d__profile_largest(&opening->history.profile);
     if (history->count == 0)
-        return kind == SPH2D__OPENING_LEVEL ? opening->level : fabs(sph2d__opening_value(opening, INFINITY));
+        return kind == SPH2D__OPENING_LEVEL ? opening->level : fabs(values[kind]);
     double largest = -INFINITY;
     for (size_t i = 0; i < history->count; ++i)
         largest = fmax(largest, kind == SPH2D__OPENING_LEVEL ? history->items[i].y : fabs(history->items[i].y));
@@ -111,7 +131,7 @@ double sph2d__opening_largest(const sph2d_opening *opening)
 
 double sph2d__opening_velocity(const sph2d_scene *scene, const sph2d_opening *opening, double time)
 {
-    double value = sph2d__opening_value(opening, time);
+    double value = sph2d__opening_value(scene, opening, time);
     bool rate = sph2d__opening_kind_of(opening) == SPH2D__OPENING_FLOW_RATE;
     return rate ? value / sph2d__opening_mouth(scene, opening).width : value;
 }
@@ -125,7 +145,7 @@ static double critical_depth(const sph2d_scene *scene, sph2d__opening_kind kind,
 
 double sph2d__opening_critical_depth(const sph2d_scene *scene, const sph2d_opening *opening, double time)
 {
-    double depth = critical_depth(scene, sph2d__opening_kind_of(opening), sph2d__opening_value(opening, time));
+    double depth = critical_depth(scene, sph2d__opening_kind_of(opening), sph2d__opening_value(scene, opening, time));
     return fmin(depth, sph2d__opening_mouth(scene, opening).width / 2);
 }
 
@@ -148,7 +168,7 @@ double sph2d__opening_speed(const sph2d_scene *scene, const sph2d_opening *openi
     if (sph2d__opening_kind_of(opening) == SPH2D__OPENING_FLOW_RATE)
         largest /= sph2d__opening_has_surface(opening) ? critical_depth(scene, SPH2D__OPENING_FLOW_RATE, largest)
                                                        : sph2d__opening_mouth(scene, opening).width;
-    return largest > 0 ? largest * (opening->profile == SPH2D_OPENING_PROFILE_PARABOLA ? 1.5 : 1) : 0;
+    return largest > 0 ? largest * sph2d__profile_peak(opening->profile) : 0;
 }
 
 /* ---- reservoirs -------------------------------------------------------------------------------------------------- */

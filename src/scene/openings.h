@@ -40,8 +40,13 @@ bool sph2d__opening_has_surface(const sph2d_opening *opening);
 /** The history of a kind. */
 const sph2d_history *sph2d__opening_history(const sph2d_opening *opening, sph2d__opening_kind kind);
 
-/** What it prescribes at a time: velocity [m/s] and flow rate [m^2/s] after their ramp, pressure [Pa] or level [m]. */
-double sph2d__opening_value(const sph2d_opening *opening, double time);
+/** What it prescribes at a time: velocity [m/s] (in the mean over its width) and flow rate [m^2/s] after their ramp,
+ *  pressure [Pa] or level [m]. */
+double sph2d__opening_value(const sph2d_scene *scene, const sph2d_opening *opening, double time);
+
+/** The velocity at a place from its start along it, of an opening whose mean velocity is `mean` now [m/s]. */
+double sph2d__opening_velocity_at(const sph2d__mouth *mouth, const sph2d_opening *opening, double mean, double along,
+                                  double time);
 
 /** The largest size of that at any time; of a level the highest one. */
 double sph2d__opening_largest(const sph2d_opening *opening);

@@ -15,7 +15,7 @@
  *
  *      v = n (U f(t) - (p' - <p'>)/(rho0 c0)),   p = p' + <dp'/dn> x.n + rho0 g.x
  *
- *  with x from the line and f the profile; where a pressure P is given
+ *  with x from the line and f the profile (or U f(t) the velocity given over place and time); where a pressure P is given
  *
  *      v = n u + t w,   p = P - rho0 c0 (u - <u>) + <dp'/dn> x.n + rho0 g.x
  *

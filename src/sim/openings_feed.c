@@ -34,11 +34,11 @@ static size_t lane_at(const sph2d__opening *o, double along)
 }
 
 /** Whether a lane is full at the start: not where liquid will leave but none is before it. */
-static bool is_full(const sph2d__opening *o, size_t k)
+static bool is_full(const sph2d_sim *sim, const sph2d__opening *o, size_t k)
 {
-    double value = sph2d__opening_value(o->given, 0);
+    double value = sph2d__opening_value(&sim->given, o->given, 0);
     if (value == 0)
-        value = sph2d__opening_value(o->given, INFINITY);
+        value = sph2d__opening_value(&sim->given, o->given, INFINITY);
     bool leaves = o->has_velocity && value < 0;
     return is_fed(o, k) && (!leaves || o->lanes[k].wet);
 }
@@ -48,7 +48,7 @@ static bool fill(sph2d_sim *sim, const sph2d__opening *o)
 {
     for (size_t k = 0; k < o->lane_count; ++k)
         for (double beyond = o->stride / 2; beyond <= o->depth + o->duct; beyond += o->stride)
-            if (is_full(o, k) && !add_at(sim, o, (sph2d__spot){((double)k + 0.5) * o->lane_width, beyond}))
+            if (is_full(sim, o, k) && !add_at(sim, o, (sph2d__spot){((double)k + 0.5) * o->lane_width, beyond}))
                 return false;
     return true;
 }

@@ -163,7 +163,7 @@ static double fed_depth(const sph2d_sim *sim, const sph2d__opening *o, double le
  *  pressure rho0 <u>^2/2, or the height <u>^2/(2 g), by Bernoulli's law. */
 static void set_value(const sph2d_sim *sim, sph2d__opening *o)
 {
-    double value = sph2d__opening_value(o->given, sim->record.time);
+    double value = sph2d__opening_value(&sim->given, o->given, sim->record.time);
     double inflow = o->means->age > 0 ? fmax(o->means->velocity, 0) : 0;
     double g = hypot(sim->record.gravity_x, sim->record.gravity_y);
     if (o->kind == SPH2D__OPENING_LEVEL && g > 0) /* a program may take gravity away */

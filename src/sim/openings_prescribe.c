@@ -8,13 +8,6 @@
 #include "sim/openings_parts.h"
 #include "sim/simulation.h"
 
-/** The profile f, 1 in the mean over the lanes' width; z from 0 to 1. */
-static double profile_at(sph2d_opening_profile profile, double z)
-{
-    z = fmin(fmax(z, 0), 1);
-    return profile == SPH2D_OPENING_PROFILE_PARABOLA ? 6 * z * (1 - z) : 1;
-}
-
 /** Sound in liquid with a surface has none of its pressure there: as in the slowest wave of a layer on a floor. */
 static double sound_part(const sph2d__opening *o, size_t k)
 {
@@ -63,7 +56,7 @@ sph2d__prescribed sph2d__prescribed_at(const sph2d_sim *sim, const sph2d__openin
     lane_values(sim, o, k, 1 - part, values);
     lane_values(sim, o, next, part, values);
     if (o->has_velocity)
-        values[0] += o->value * profile_at(o->given->profile, at.along / o->mouth.width);
+        values[0] += sph2d__opening_velocity_at(&o->mouth, o->given, o->value, at.along, sim->record.time);
     double pressure = values[2] - values[3] * (at.beyond + o->duct) + sph2d__rest_pressure(sim, o, x, y);
     double aside = fmax(1 - at.beyond / sim->system.support, 0);
     const sph2d__system *s = &sim->system;

@@ -7,20 +7,27 @@
 #include <unistd.h>
 
 #include "base/random.h"
+#include "scene/liquid_side.h"
+#include "scene/start.h"
 #include "start/start.h"
 
-static bool in_block(const sph2d_scene *scene, sph2d_vec2 p)
+/** Gives single particles, from `first` on, what the scene starts with; densities that were given stay. */
+static sph2d_status start_particles(sph2d_sim *sim, size_t first, sph2d_report *report)
 {
-    for (size_t i = 0; i < scene->block_count; ++i)
-        if (sph2d__shape_contains(&scene->blocks[i].shape, p))
-            return true;
-    return false;
+    const sph2d_particles *particles = &sim->scene.particles;
+    double *density = sim->system.fluid.density;
+    sph2d_status status = sph2d__sim_start(sim, &sim->scene.start, first, "start", false, report);
+    for (size_t k = 0; k < particles->count; ++k)
+        if (particles->items[k].density > 0)
+            density[first + k] = particles->items[k].density;
+    return status;
 }
 
 /** Places the scene's single particles, wrapped at periodic sides; reports those in a block or obstacle. */
 static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d_particles *particles = &sim->scene.particles;
+    const size_t first = sim->system.fluid.count;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     sph2d__store *f = &sim->system.fluid;
     if (sph2d__sim_too_many(sim, (double)f->count + (double)particles->count, "particles", report))
@@ -31,16 +38,16 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
         const sph2d_particle *p = &particles->items[k];
         sph2d_vec2 at = {sph2d__period_wrap(p->x, period->low_x, period->length_x),
                          sph2d__period_wrap(p->y, period->low_y, period->length_y)};
-        if (in_block(&sim->scene, at))
+        if (sph2d__in_block(&sim->scene, at))
             return sph2d__sim_refuse_particle(k, "inside a block", at, report);
         if (sph2d__sim_occupancy(sim, at, 0) != SPH2D__FREE)
             return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
         size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
-        f->density[i] = p->density;
+        f->density[i] = sim->scene.fluid.density;
     }
-    return SPH2D_OK;
+    return particles->items && particles->count > 0 ? start_particles(sim, first, report) : SPH2D_OK;
 }
 
 /** Displaces the particles of a block, from `first` on, at random, wrapping them at periodic sides. */
@@ -72,12 +79,16 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         if (status != SPH2D_OK)
             return status;
         perturb_block(sim, i, first);
-        status = sph2d__sim_start_block(sim, i, first, report);
+        char key[64];
+        snprintf(key, sizeof key, "blocks[%zu].start", i);
+        status = sph2d__sim_start(sim, &scene->blocks[i].start, first, key, true, report);
         if (status != SPH2D_OK)
             return status;
     }
     uint64_t first_single = sim->record.next_id;
     sph2d_status status = place_particles(sim, report);
+    if (status == SPH2D_OK && sph2d__starts_from_snapshot(scene))
+        status = sph2d__sim_place_snapshot(sim, report);
     if (status != SPH2D_OK)
         return status;
     status = sph2d__openings_fill(sim);

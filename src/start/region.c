@@ -4,9 +4,11 @@
 #include "start/region.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
+#include "start/cloud.h"
 
 /* A side that is at most so many cells from a grid line lies on it. */
 static const double ON_LINE = 0.02;
@@ -25,6 +27,8 @@ bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
 {
     const sph2d_scene *scene = &r->sim->scene;
     if (!sph2d__shape_contains(r->shape, p))
+        return false;
+    if (r->cloud && (sph2d__in_block(&r->sim->given, p) || sph2d__cloud_cover_of(r->cloud, r->sim, p) < r->least_cover))
         return false;
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
@@ -198,6 +202,18 @@ static sph2d_box bounds_in_cells(const sph2d__region *r)
     return b;
 }
 
+/** Sets the size of a region whose origin and axis are set, with no cells known. False when memory is short. */
+static bool set_cells(sph2d__region *region, sph2d_sim *sim, int margin)
+{
+    sph2d_box b = bounds_in_cells(region);
+    double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;
+    region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
+    region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
+    region->origin = sph2d__region_position(region, i, j);
+    region->quarters = sph2d__alloc(&sim->memory, region->nx * region->ny, 4);
+    return region->quarters;
+}
+
 bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape, sph2d_vec2 corner, double size,
                         int margin)
 {
@@ -209,17 +225,100 @@ bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape
         region->origin = side.a;
         region->origin = sph2d__region_position(region, best_offset(region, false), best_offset(region, true));
     }
-    sph2d_box b = bounds_in_cells(region);
-    double i = floor(b.min.x + 1e-9) - margin, j = floor(b.min.y + 1e-9) - margin;
-    region->nx = (size_t)(ceil(b.max.x - 1e-9) + margin - i);
-    region->ny = (size_t)(ceil(b.max.y - 1e-9) + margin - j);
-    region->origin = sph2d__region_position(region, i, j);
-    region->quarters = sph2d__alloc(&sim->memory, region->nx * region->ny, 4);
-    if (!region->quarters)
+    if (!set_cells(region, sim, margin))
         return false;
     mark_edges(region);
     fill_rows(region);
     return true;
+}
+
+/* ---- what a snapshot covers -------------------------------------------------------------------------------------- */
+
+/* Cover from which on a cell is inside the liquid, and the places in each direction at which others are looked at. */
+static const double INSIDE = 0.8;
+enum { LOOKS = 4 };
+
+static int decreasing(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p < q) - (p > q);
+}
+
+/** Marks the cells that a surface of the snapshot may cut; lines, too, have liquid on one side only. */
+static size_t mark_surface(sph2d__region *r)
+{
+    const sph2d_scene *scene = &r->sim->scene;
+    size_t marked = 0;
+    mark_edges(r);
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        sph2d_outline edge = edge_of(&scene->blocks[i].shape);
+        mark_outline(r, &edge, 0, 0);
+    }
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+            mark_outline(r, &scene->obstacles[i].outline, 0, 0);
+    for (size_t cell = 0; cell < r->nx * r->ny; ++cell) {
+        sph2d_vec2 p = sph2d__region_position(r, (double)(cell % r->nx) + 0.5, (double)(cell / r->nx) + 0.5);
+        double cover = sph2d__cloud_cover(r->cloud, p);
+        if (cover > 0 && cover < INSIDE)
+            r->quarters[4 * cell] = UNKNOWN;
+        marked += r->quarters[4 * cell] == UNKNOWN;
+    }
+    return marked;
+}
+
+/** The cover of the liquid's places in cell `cell`, of LOOKS x LOOKS; returns their number. */
+static size_t look_at(sph2d__region *r, size_t cell, double *covers)
+{
+    size_t count = 0;
+    for (int k = 0; k < LOOKS * LOOKS; ++k) {
+        double x = (k % LOOKS + 0.5) / LOOKS, y = (k / LOOKS + 0.5) / LOOKS;
+        sph2d_vec2 p = sph2d__region_position(r, (double)(cell % r->nx) + x, (double)(cell / r->nx) + y);
+        covers[count] = sph2d__region_contains(r, p) ? sph2d__cloud_cover(r->cloud, p) : 0;
+        count += covers[count] > 0;
+    }
+    return count;
+}
+
+/** Finds the cover beyond which lies the area of so many cells. False when memory is short. */
+static bool find_least_cover(sph2d__region *r, sph2d__memory *memory, size_t marked, double cells)
+{
+    size_t count = 0, size = marked * LOOKS * LOOKS + 1;
+    double inside = 0;
+    void *block = sph2d__alloc(memory, size, sizeof(double));
+    double *covers = block;
+    if (!covers)
+        return false;
+    for (size_t cell = 0; cell < r->nx * r->ny; ++cell) {
+        if (r->quarters[4 * cell] == UNKNOWN)
+            count += look_at(r, cell, covers + count);
+        else
+            inside += sph2d__region_contains(
+                r, sph2d__region_position(r, (double)(cell % r->nx) + 0.5, (double)(cell / r->nx) + 0.5));
+    }
+    qsort(covers, count, sizeof *covers, decreasing);
+    double wanted = fmax(floor((cells - inside) * LOOKS * LOOKS + 0.5), 1);
+    if (count > 0)
+        r->least_cover = covers[(size_t)fmin(wanted, (double)count) - 1];
+    sph2d__release(memory, &block, size, sizeof(double));
+    return true;
+}
+
+bool sph2d__region_make_covered(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape,
+                                const sph2d__cloud *cloud, sph2d_vec2 corner, double size, int margin, double cells)
+{
+    *region =
+        (sph2d__region){.sim = sim, .shape = shape, .cloud = cloud, .axis = {1, 0}, .origin = corner, .size = size};
+    region->least_cover = SPH2D__LEAST_COVER;
+    if (!set_cells(region, sim, margin))
+        return false;
+    size_t marked = mark_surface(region);
+    bool ok = find_least_cover(region, &sim->memory, marked, cells);
+    if (ok)
+        fill_rows(region);
+    else
+        sph2d__region_free(region, &sim->memory);
+    return ok;
 }
 
 void sph2d__region_free(sph2d__region *region, sph2d__memory *memory)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file region.h
- *  The area of a block's liquid: its shape without the solids in it, as the covered part of each cell of a grid. */
+ *  The area of a block's liquid: its shape without the solids in it, as the covered part of each cell of a grid; or that
+ *  of a snapshot's. */
 #ifndef SPH2D_START_REGION_H
 #define SPH2D_START_REGION_H
 
@@ -10,12 +11,16 @@
 /** Sample points of a cell, and of a quarter of it. */
 enum { SPH2D__REGION_POINTS = 256, SPH2D__QUARTER_POINTS = SPH2D__REGION_POINTS / 4 };
 
+struct sph2d__cloud;
+
 typedef struct sph2d__region {
     const sph2d_sim *sim;
     const sph2d_shape *shape;
-    sph2d_vec2 axis;   /**< direction of the rows, of length 1 */
-    sph2d_vec2 origin; /**< corner of the first cell */
-    double size;       /**< of a cell [m] */
+    const struct sph2d__cloud *cloud; /**< if not NULL: only what this covers, in no block and behind no wall ... */
+    double least_cover;               /**< ... by as much */
+    sph2d_vec2 axis;                  /**< direction of the rows, of length 1 */
+    sph2d_vec2 origin;                /**< corner of the first cell */
+    double size;                      /**< of a cell [m] */
     size_t nx, ny;
     unsigned char
         *quarters; /**< covered points of each cell's lower left, lower right, upper left and upper right quarter */
@@ -26,6 +31,12 @@ typedef struct sph2d__region {
  *  grid lines. The caller frees it. False when memory is short. */
 bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape, sph2d_vec2 corner, double size,
                         int margin);
+
+/** Samples the part of a shape, a box, that a snapshot covers; the area is that of `cells` cells, if it covers as much.
+ *  Cells and the rest are as above. */
+bool sph2d__region_make_covered(sph2d__region *region, sph2d_sim *sim, const sph2d_shape *shape,
+                                const struct sph2d__cloud *cloud, sph2d_vec2 corner, double size, int margin,
+                                double cells);
 
 /** Conversion of a position to cells from the first cell's corner, and back. */
 static inline sph2d_vec2 sph2d__region_in_cells(const sph2d__region *r, sph2d_vec2 p)

@@ -46,8 +46,16 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
 sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report);
 sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report);
 
-/** Sets velocity and pressure of a block's particles, from `first` on, to those of its initial flow. Errors:
- *  SPH2D_SCENE. */
-sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report);
+/** Adds the velocity that liquid has at the start, and sets its pressure, to the particles from `first` on; `key` is that
+ *  of `start` in the scene. Those of a lattice, whose spacing is that at rest density, are moved to where their density is
+ *  that of still liquid. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_start(sph2d_sim *sim, const sph2d_start *start, size_t first, const char *key, bool lattice,
+                              sph2d_report *report);
+/** The same by a known flow. */
+sph2d_status sph2d__sim_start_flow(sph2d_sim *sim, const sph2d_flow *flow, size_t first, bool lattice,
+                                   sph2d_report *report);
+
+/** Places the liquid of the snapshot that the scene starts from. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
+sph2d_status sph2d__sim_place_snapshot(sph2d_sim *sim, sph2d_report *report);
 
 #endif

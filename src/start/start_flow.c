@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file start_flow.c
- *  Blocks that start with a known flow. */
+ *  Liquid that starts with a known flow. */
 #include <math.h>
 
 #include "methods/common/state_equation.h"
@@ -14,7 +14,7 @@ static double height_of(const sph2d_scene *scene, double x, double y)
     return g > 0 ? -(scene->gravity.x * x + scene->gravity.y * y) / g : 0;
 }
 
-/** Height of the bottom: half a spacing at_bottom the lowest particle from `first` on. */
+/** Height of the bottom: half a spacing below the lowest particle from `first` on. */
 static double bottom_of(const sph2d_sim *sim, size_t first)
 {
     const sph2d__store *f = &sim->system.fluid;
@@ -46,12 +46,10 @@ static void settle(sph2d_sim *sim, size_t i, double pressure, double bottom)
     f->y[i] -= scene->gravity.y / g * (y - s);
 }
 
-sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, sph2d_report *report)
+sph2d_status sph2d__sim_start_flow(sph2d_sim *sim, const sph2d_flow *flow, size_t first, bool lattice,
+                                   sph2d_report *report)
 {
-    const sph2d_flow *flow = &sim->scene.blocks[index].start;
     sph2d__store *f = &sim->system.fluid;
-    if (flow->kind == SPH2D_FLOW_NONE)
-        return SPH2D_OK;
     double bottom = bottom_of(sim, first);
     sph2d_flow_context context = sph2d__sim_flow_context(sim);
     for (size_t i = first; i < f->count; ++i) {
@@ -64,7 +62,7 @@ sph2d_status sph2d__sim_start_block(sph2d_sim *sim, size_t index, size_t first, 
         if (sph2d__method_row_of(&sim->scene.method)->summed_density)
             continue;
         f->density[i] = sph2d__density_of(&sim->system, pressure);
-        if (flow->kind == SPH2D_FLOW_STILL || flow->kind == SPH2D_FLOW_STANDING_WAVE)
+        if (lattice && (flow->kind == SPH2D_FLOW_STILL || flow->kind == SPH2D_FLOW_STANDING_WAVE))
             settle(sim, i, pressure, bottom);
     }
     return SPH2D_OK;

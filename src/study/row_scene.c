@@ -69,8 +69,8 @@ char *sph2d__scene_text(const sph2d_scene *scene)
     return text;
 }
 
-/** The file of particles is named from the scene's folder. */
-static char *particles_path(const char *scene, const char *file)
+/** A file that the scene names from its own folder, by its whole path; NULL if there is none. The caller frees it. */
+static char *whole_path(const char *scene, const char *file)
 {
     const char *slash = strrchr(scene, '/');
     size_t folder = slash && file[0] != '/' ? (size_t)(slash - scene) + 1 : 0;
@@ -84,6 +84,47 @@ static char *particles_path(const char *scene, const char *file)
     return path;
 }
 
+/** The files that a scene still names once it is read: of particles, and of the starts of blocks and the scene. */
+static size_t files_of(sph2d_scene *scene, sph2d_block *blocks, const char **files[])
+{
+    size_t count = 0;
+    files[count++] = &scene->particles.file;
+    files[count++] = &scene->start.table.file;
+    files[count++] = &scene->start.snapshot.file;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        files[count++] = &blocks[i].start.table.file;
+        files[count++] = &blocks[i].start.snapshot.file;
+    }
+    return count;
+}
+
+/** The text of a scene that is moved to another folder: it names files by their whole paths. NULL when memory is short. */
+static char *text_elsewhere(const char *from, const sph2d_scene *scene)
+{
+    sph2d_scene moved = *scene;
+    sph2d_block *blocks = malloc((scene->block_count + 1) * sizeof *blocks);
+    const char ***files = malloc((2 * scene->block_count + 3) * sizeof *files);
+    char **paths = calloc(2 * scene->block_count + 3, sizeof *paths), *text = NULL;
+    size_t count = 0;
+    if (blocks && files && paths) {
+        if (scene->block_count > 0)
+            memcpy(blocks, scene->blocks, scene->block_count * sizeof *blocks);
+        moved.blocks = blocks;
+        count = files_of(&moved, blocks, files);
+        for (size_t k = 0; k < count; ++k) {
+            paths[k] = *files[k] ? whole_path(from, *files[k]) : NULL;
+            *files[k] = paths[k] ? paths[k] : *files[k];
+        }
+        text = sph2d__scene_text(&moved);
+    }
+    for (size_t k = 0; k < count; ++k)
+        free(paths[k]);
+    free(paths);
+    free(files);
+    free(blocks);
+    return text;
+}
+
 sph2d_status sph2d_study_run_scene_text(const sph2d_study_results *results, const sph2d_study_run *run, char **text,
                                         sph2d_report *report)
 {
@@ -94,12 +135,7 @@ sph2d_status sph2d_study_run_scene_text(const sph2d_study_results *results, cons
     sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
     if (status != SPH2D_OK)
         return status;
-    sph2d_scene moved = *sph2d_scene_file_scene(file);
-    char *particles = moved.particles.file ? particles_path(results->study->scene, moved.particles.file) : NULL;
-    if (particles)
-        moved.particles.file = particles;
-    *text = sph2d__scene_text(&moved);
-    free(particles);
+    *text = text_elsewhere(results->study->scene, sph2d_scene_file_scene(file));
     sph2d_scene_file_destroy(file);
     return *text ? SPH2D_OK : SPH2D_NOMEM;
 }

@@ -77,8 +77,8 @@ static void vortices(sph2d_scene *scene, sph2d_block *block, double particles)
     block->shape.kind = SPH2D_SHAPE_BOX;
     block->shape.box = scene->domain;
     block->perturb.amplitude = 0.1;
-    block->start.kind = SPH2D_FLOW_TAYLOR_GREEN;
-    block->start.speed = block->start.length = 1;
+    block->start.flow.kind = SPH2D_FLOW_TAYLOR_GREEN;
+    block->start.flow.speed = block->start.flow.length = 1;
 }
 
 /* Of a pair, Wendland's C2: distance 7, slope 4. Rate of density: flux 7, diffusion 11. Force: pressure 12, Morris'

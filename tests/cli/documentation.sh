@@ -44,7 +44,7 @@ sed '1,/^<!-- keys -->$/d; /^<!-- end of keys -->$/,$d' "$scenes" >scenes.md
 "$SPH2D" help scene.md | diff scenes.md - >&2 || fail "docs/scenes.md: the keys have changed; make scene-docs"
 sed '1,/^\.\\" keys$/d; /^\.\\" end of keys$/,$d' "$scene_page" >scene.5
 "$SPH2D" help scene.5 | diff scene.5 - >&2 || fail "sph2d-scene.5: the keys have changed; make scene-docs"
-"$SPH2D" help scene | sed -n 's/.*the known flow; one of none, \(.*\); must be given$/\1/p' | tr -d , | tr ' ' '\n' >flows
+"$SPH2D" help scene | sed -n 's/^ *flow  *a known flow; one of none, \(.*\); default none$/\1/p' | tr -d , | tr ' ' '\n' >flows
 [ "$(wc -l <flows)" -gt 5 ] || fail 'no flows'
 while read -r flow; do
     grep -q "^| \`$flow\` |" "$scenes" || fail "docs/scenes.md has no flow $flow"

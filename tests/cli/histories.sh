@@ -48,3 +48,43 @@ table 't,velocity [m]' '0,0' && scene 65 && says "'velocity' must be in m/s"
 table 't,velocity' '0,0' '1,1'
 scene 65 --set 'openings[0].history.level=[[0, 0.2]]' && says 'history.file: is a list, which is given, too'
 scene 65 --set 'openings[0].level=0.2' && says 'openings\[0\]: prescribes more than one thing'
+
+# Velocity over place and time, rows in any order: 0.4 m^2/s in the mean over the first 0.2 s, then 0.8; not needed to resume.
+cat >scenes/pipe.yaml <<'EOS'
+domain: {min: [0, 0], max: [0.5, 0.4]}
+spacing: 0.05
+boundary: {top: wall}
+gravity: [0, 0]
+blocks: [{box: {min: [0, 0], max: [0.5, 0.4]}}]
+openings:
+  - {name: in, side: left, history: {file: inflow.csv}, ramp: 0.1}
+  - {name: out, side: right, pressure: 0}
+probes: [{name: in, kind: opening, on: in, every: 0.1}]
+run: {until: 0.6, snapshots: {every: 0.3}}
+EOS
+inflow() { # inflow ROW...: writes scenes/inflow.csv
+    printf '%s\n' "$@" >scenes/inflow.csv
+}
+pipe() { # pipe CODE [SET...]: checks it
+    wanted=$1
+    shift
+    expect "$wanted" "$SPH2D" check scenes/pipe.yaml "$@"
+}
+inflow 't,y [m],velocity [m/s]' '0.4,0.4,4' '0.4,0,0' '0,0,0' '0.2,0.4,2' '0.2,0,0' '0,0.4,2'
+pipe 0
+expect 0 "$SPH2D" run scenes/pipe.yaml -o whole -q
+tail -n 1 whole/in.csv | awk -F, '{ exit !($2 > 1.9 && $2 < 2.1) }' || fail "velocity: $(tail -n 1 whole/in.csv)"
+code=0
+"$SPH2D" run scenes/pipe.yaml -o pieces -q --max-wall 0.001s >out 2>err || code=$?
+[ $code = 75 ] || fail "stopped run ended with $code"
+rm scenes/inflow.csv
+expect 0 "$SPH2D" resume pieces -q && same whole pieces
+
+inflow 'y,velocity' '0,0' '0.2,1' '0.4,0' && pipe 0
+inflow 'y,velocity' '0,0' '0.2,1' '0.2,2' '0.4,0' && pipe 65 && says 'inflow.csv:4:1: .*the place 0.2 is given twice at t = 0'
+inflow 't,y,velocity' '0,0,0' '0,0.4,0' '1,0,1' '1,0.3,1' && pipe 65 && says 'inflow.csv:5:1: .*the places at t = 1 are not those'
+inflow 't,y,velocity' '0,0,0' '0,0.4,0' '1,0,1' && pipe 65 && says 'inflow.csv:4:1: .*the places at t = 1 are not those'
+inflow 'x,velocity' '0,0' '0.4,1' && pipe 65 && says "inflow.csv:2:1: .*there is no column 't', nor 'y' with a velocity over places"
+inflow 'y,velocity' '0,0' '0.4,' && pipe 65 && says "inflow.csv:3:1: .*lacks a number: its column 'velocity'"
+inflow 'y,velocity' '0,0' '0.3,1' && pipe 65
+says 'openings\[0\].history.profile: has places from 0 to 0.3, but the opening reaches from 0 to 0.4'
