@@ -159,6 +159,20 @@ static void add_pull(sph2d__pull *to, sph2d_vec2 arm, double x, double y)
     to->torque += arm.x * y - arm.y * x;
 }
 
+/** Where the friction of boundary particle b acts: on the surface before it, but for forces along the lines between
+ *  particles, which keep angular momentum where they are. Those of Morris' form do not: counted where the boundary
+ *  particles are, torque on a shaft 20 spacings across was 6 to 8 % too small. */
+static sph2d_vec2 rubbed_at(const sph2d_sim *sim, size_t b)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *w = &s->walls;
+    bool across = !sim->method->project && s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS &&
+                  sph2d__slip_of(s, b) == SPH2D_SLIP_NONE;
+    double depth = across && w->depth && w->normal_x && w->depth[b] < INFINITY ? w->depth[b] : 0;
+    return depth > 0 ? (sph2d_vec2){w->x[b] + depth * w->normal_x[b], w->y[b] + depth * w->normal_y[b]}
+                     : (sph2d_vec2){w->x[b], w->y[b]};
+}
+
 /** Sums over the boundary particles of a load's wall; each force along x and y counts for its own wall. */
 static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
 {
@@ -172,13 +186,13 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
         double in_x = matches(load->wall, walls[0]), in_y = matches(load->wall, walls[1]);
         if (in_x + in_y == 0)
             continue;
-        sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]);
+        sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]), rubbed = rubbed_at(sim, b);
         sph2d_vec2 press = {in_x * kept * l->forces[b].pressure.x, in_y * kept * l->forces[b].pressure.y};
         if (l->tensions)
             press = (sph2d_vec2){press.x + in_x * l->tensions[b].x, press.y + in_y * l->tensions[b].y};
         sph2d_vec2 rub = {in_x * l->forces[b].friction.x, in_y * l->forces[b].friction.y};
         add_pull(&sum->pressure, arm, -press.x, -press.y);
-        add_pull(&sum->friction, arm, -rub.x, -rub.y);
+        add_pull(&sum->friction, arm_to(sim, point, rubbed.x, rubbed.y), -rub.x, -rub.y);
         sum->power += w->vx[b] * (press.x + rub.x) + w->vy[b] * (press.y + rub.y);
     }
 }

@@ -14,7 +14,7 @@
 
 /** Sums over the liquid around a boundary particle, weighted by the kernel. */
 typedef struct wall_sums {
-    sph2d__lanes weight, filling, pressure, weight_x, weight_y, vx, vy, flux;
+    sph2d__lanes weight, filling, pressure, weight_x, weight_y, behind, vx, vy, flux;
     sph2d__lanes along; /* the part along the wall of the flux, or of p V^2 grad W */
 } wall_sums;
 
@@ -58,15 +58,38 @@ SPH2D__INLINE void finish_pressure(sph2d__system *s, size_t b, const wall_sums *
     w->slide[b] = share * w->mass[b] / s->mass * length * (double)sums->along[l];
 }
 
-/** Sets the image velocity for no slip at the surface: that of the liquid in front, mirrored. */
+/* Largest ratio of the distances of a boundary particle and of the liquid that it sees from the surface, and of those
+ * the other way round: the last layer sees little liquid, all of it near. */
+static const double MAX_IMAGE = 4;
+/* Least distance of the liquid from the surface, over the spacing. */
+static const double MIN_IMAGE_DISTANCE = 0.1;
+
+/** Distance of boundary particle b from the surface over that of the liquid in front, in the mean by weight. In
+ *  Monaghan's form it is 1: what that brakes too little on a lattice the plain mirror makes good. With the ratio liquid
+ *  between a shaft and a drum (examples/annulus) was 3 % too fast in it, 0.8 % without; in Morris' form 0.16 %, 0.45 %
+ *  without. */
+SPH2D__INLINE double image_ratio(const sph2d__system *s, size_t b, const wall_sums *sums, int l, double share)
+{
+    if (s->method.viscosity_form != SPH2D_VISCOSITY_MORRIS || !(s->walls.depth[b] < INFINITY)) /* in corners */
+        return 1;
+    double depth = s->walls.depth[b];
+    double liquid = fmax(-share * (double)sums->behind[l] - depth, MIN_IMAGE_DISTANCE * s->spacing);
+    return fmin(fmax(depth / liquid, 1 / MAX_IMAGE), MAX_IMAGE);
+}
+
+/** Sets the image velocity for no slip at the surface: that of the liquid in front, mirrored, and in proportion to the
+ *  distances from the surface, so that it is exact for a linear profile. */
 SPH2D__INLINE void finish_image(const sph2d__system *s, sph2d__store *w, size_t b, const wall_sums *sums, int l,
                                 double share)
 {
     bool wet = share > 0; /* of dry walls their own velocity */
     /* A wall that turns: what is mirrored is the velocity of the liquid relative to the wall's at the same place. */
     double turn = s->wall_spin ? s->wall_spin[w->id[b]] * share / s->rest_density : 0;
-    w->image_vx[b] = wet ? 2 * w->vx[b] - share * (double)sums->vx[l] + turn * (double)sums->weight_y[l] : w->vx[b];
-    w->image_vy[b] = wet ? 2 * w->vy[b] - share * (double)sums->vy[l] - turn * (double)sums->weight_x[l] : w->vy[b];
+    double ratio = wet ? image_ratio(s, b, sums, l, share) : 0;
+    double slip_x = w->vx[b] - share * (double)sums->vx[l] + turn * (double)sums->weight_y[l];
+    double slip_y = w->vy[b] - share * (double)sums->vy[l] - turn * (double)sums->weight_x[l];
+    w->image_vx[b] = w->vx[b] + (wet ? ratio * slip_x : 0);
+    w->image_vy[b] = w->vy[b] + (wet ? ratio * slip_y : 0);
 }
 
 /** Sets wall_rate, and the velocity of the wall in the rate of density: its own plus the slip along it. */
@@ -133,6 +156,7 @@ SPH2D__INLINE void add_candidate(wall_sums *sums, const sph2d__system *s, const 
     sums->pressure += weight * f->pressure[j];
     sums->weight_x += rho_weight * p->dx;
     sums->weight_y += rho_weight * p->dy;
+    sums->behind += weight * (own->along_y * p->dx - own->along_x * p->dy);
     sums->along +=
         p->g * (f->pressure[j] * f->volume[j] * f->volume[j]) * (own->along_x * p->dx + own->along_y * p->dy);
 }

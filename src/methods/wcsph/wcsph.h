@@ -43,7 +43,8 @@
  *  degrees (0.3 with weight given back pair by pair), 0.07 too low without. There is no slip under a cover of liquid,
  *  nor where another wall is in front, as in corners: where a wall ends the liquid the last sum would push it. A side
  *  that slides along itself has v_b = 0 here: it drags liquid by friction alone. A rough wall has viscosity with
- *  v_b = 2 v_wall - sum v_j W / sum W, a smooth one the friction of friction.h. Of a wall that turns at omega the
+ *  v_b = v_wall - d_b/d (sum v_j W / sum W - v_wall), d_b and d the distances of b and, in the mean by W, of the liquid
+ *  from the surface (in Monaghan's form as if these were equal), a smooth one the friction of friction.h. Of a wall that turns at omega the
  *  velocity relative to the wall at the place of each j is mirrored, so that liquid that turns along feels nothing:
  *  v_b gets omega z x sum (x_j - x_b) W / sum W more. Walls may differ in their slip, a boundary particle from another.
  *
