@@ -37,8 +37,8 @@ blocks: [{box: {min: [0, 0], max: [0.5, 0.5]}}]
 END
     expect 0 "$SPH2D" check material.yaml --quiet && empty
 done <named
-# one without a single viscosity is for wcsph, or is given one
-echo 'method: pcisph' >>material.yaml
+# one without a single viscosity is not for muller, unless it is given one
+echo 'method: muller' >>material.yaml
 expect 65 "$SPH2D" check material.yaml
 says '^material.yaml:3:8: error\[S111\]: fluid.material: mud is herschel_bulkley'
 # shellcheck disable=SC2016 # the backquotes are what it says
