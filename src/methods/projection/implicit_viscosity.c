@@ -209,7 +209,10 @@ static void solve(sph2d__system *s, double dt)
     sph2d__slab_sum now = sph2d__over_fluid(s, residual_slab, &w);
     for (int k = 0; k < MOST && now.second > TOLERANCE * TOLERANCE * now.third + floor; ++k) {
         m->direction[s->fluid.count] = 0;
-        w.share = now.first / sph2d__over_fluid(s, multiply_slab, &w).first;
+        double along = sph2d__over_fluid(s, multiply_slab, &w).first;
+        if (!(along > 0)) /* what is left is too small for floats */
+            break;
+        w.share = now.first / along;
         sph2d__slab_sum next = sph2d__over_fluid(s, advance_slab, &w);
         w.share = next.first / now.first;
         sph2d__over_fluid(s, turn_slab, &w);
@@ -234,23 +237,13 @@ static void add_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
     }
 }
 
-static void keep_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    sph2d__store *f = slab->rows;
-    (void)s;
-    (void)with;
-    (void)sum;
-    memcpy(f->old_ax + slab->first, f->ax + slab->first, (slab->last - slab->first) * sizeof(double));
-    memcpy(f->old_ay + slab->first, f->ay + slab->first, (slab->last - slab->first) * sizeof(double));
-}
-
 bool sph2d__implicit_viscosity_add(sph2d__system *s, double dt)
 {
     if (!s->implicit.on || s->fluid.count == 0)
         return true;
     if (!reserve(s))
         return false;
-    sph2d__over_fluid(s, keep_slab, NULL);
+    sph2d__projection_keep(s);
     sph2d__projection_press(s);
     solve(s, dt);
     sph2d__over_fluid(s, add_slab, NULL);

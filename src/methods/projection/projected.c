@@ -48,7 +48,6 @@
  *  Position corrections without velocities are known as split impulses; here they are split only where energy asks for
  *  it. */
 #include <math.h>
-#include <string.h>
 
 #include "methods/common/slabs.h"
 #include "methods/projection/implicit_viscosity.h"
@@ -81,18 +80,6 @@ static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
         f->ax[i] = f->old_ax[i];
         f->ay[i] = f->old_ay[i];
     }
-}
-
-/** Keeps the acceleration without pressure beside. */
-static void keep_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    sph2d__store *f = slab->rows;
-    size_t bytes = (slab->last - slab->first) * sizeof(double);
-    (void)s;
-    (void)with;
-    (void)sum;
-    memcpy(f->old_ax + slab->first, f->ax + slab->first, bytes);
-    memcpy(f->old_ay + slab->first, f->ay + slab->first, bytes);
 }
 
 /** W, A' and C of a slab. */
@@ -173,7 +160,7 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
     sim->record.energy_viscous += sph2d__limited_viscosity_apply(&sim->system, dt);
     if (!sph2d__implicit_viscosity_add(&sim->system, dt))
         return SPH2D_NOMEM;
-    sph2d__over_fluid(&sim->system, keep_slab, NULL);
+    sph2d__projection_keep(&sim->system);
     sim->method->project(&sim->system);
     sph2d__projection_average(&sim->system);
     sph2d__bodies_press(sim);

@@ -6,6 +6,7 @@
 #include "methods/projection/body_rows.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "kernels/kernel.h"
 #include "methods/projection/implicit_viscosity.h"
@@ -200,6 +201,23 @@ void sph2d__projection_end(sph2d__system *s)
     sph2d__over_rows(s, end_slab, NULL);
     sph2d__over_fluid(s, press_slab, &share);
     sph2d__body_rows_end(s);
+}
+
+/** Keeps the acceleration without pressure beside. */
+static void keep_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    sph2d__store *f = slab->rows;
+    size_t bytes = (slab->last - slab->first) * sizeof(double);
+    (void)s;
+    (void)with;
+    (void)sum;
+    memcpy(f->old_ax + slab->first, f->ax + slab->first, bytes);
+    memcpy(f->old_ay + slab->first, f->ay + slab->first, bytes);
+}
+
+void sph2d__projection_keep(sph2d__system *s)
+{
+    sph2d__over_fluid(s, keep_slab, NULL);
 }
 
 void sph2d__projection_press(sph2d__system *s)

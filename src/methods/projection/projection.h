@@ -67,6 +67,9 @@ void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
+/** Keeps the accelerations without pressure in old_ax and old_ay. */
+void sph2d__projection_keep(sph2d__system *system);
+
 /** Adds the acceleration by the pressures of the step before. */
 void sph2d__projection_press(sph2d__system *system);
 
