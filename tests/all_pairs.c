@@ -157,6 +157,18 @@ static double rough_part(const sph2d__store *f, size_t i, size_t j, const other 
     return copysign(fmin(fabs(jump), 4 * fabs(jump - linear)), jump);
 }
 
+/** The integral of W r^2 over the plane. */
+static double mean_square(const sph2d__system *s)
+{
+    enum { RINGS = 2000 };
+    double sum = 0, width = s->support / RINGS;
+    for (int k = 0; k < RINGS; ++k) {
+        double r = (k + 0.5) * width;
+        sum += 2 * TEST_PI * width * r * r * r * weight(s->method.kernel, s->support, r);
+    }
+    return sum;
+}
+
 /** Pair by pair: pressure, the three viscosities, and the eddies'. */
 static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from, double a[2], double *size)
 {
@@ -164,6 +176,7 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
     bool morris = s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS;
     double h = s->support / 2, mu = s->viscosity, rho = f->density[i];
     double artificial = RHO0 * s->method.artificial_viscosity * C0 * h / 8, filter = 0.15 * 4 * h;
+    const double spread = 2 * mean_square(s);
     bool eddies = s->method.turbulence == SPH2D_TURBULENCE_SMAGORINSKY && from == f;
     for (size_t j = 0; j < from->count; ++j) {
         other o = other_of(s, i, from, j);
@@ -174,9 +187,9 @@ static void force_of(const sph2d__system *s, size_t i, const sph2d__store *from,
         double small =
             eddies ? RHO0 * filter * filter * (hypot(f->stretch[i], f->shear[i]) + hypot(f->stretch[j], f->shear[j]))
                    : 0;
-        double mu_pair = artificial + (morris ? 0 : mu);
-        double damped = mu_pair * (o.vx * o.dx + o.vy * o.dy) + (eddies ? small * rough_part(f, i, j, &o) : 0);
-        double damp = 8 * damped / rho * o.mass / o.density / (o.r * o.r) * o.slope;
+        double jump = o.vx * o.dx + o.vy * o.dy, damped = (morris ? 0 : mu) * jump / spread;
+        damped += (artificial * jump + (eddies ? small * rough_part(f, i, j, &o) : 0)) / (o.r * o.r);
+        double damp = 8 * damped / rho * o.mass / o.density * o.slope;
         if (from != f && s->wall_slip == SPH2D_SLIP_FREE)
             drag = damp = 0;
         a[0] += push * o.dx + drag * o.vx + damp * o.dx;

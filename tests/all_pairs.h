@@ -5,8 +5,8 @@
  *
  *      a_i        = -sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W + viscosity                       h = H/2
  *      morris     = sum m_j (mu + mu)/(rho_i rho_j) (r_ij . grad W)/r^2 v_ij                   Morris 1997, eq. 22
- *      monaghan   = sum V_j 8 mu/rho_i (v_ij . r_ij)/r^2 grad W                                Monaghan & Gingold 1983
- *      artificial = -sum m_j Pi_ij grad W,  Pi_ij = -alpha c0 h/rho0 (v_ij . r_ij)/r^2 V-weighted  (nu = alpha c0 h/8)
+ *      monaghan   = sum V_j 8 mu/rho_i (v_ij . r_ij)/(2 <r^2>) grad W                  weights of terms/viscosity.h
+ *      artificial = the same with mu = alpha rho0 c0 h/8 and 1/r^2 in place of 1/(2 <r^2>),    <r^2> the integral of W r^2 over the plane
  */
 #ifndef SPH2D_TESTS_ALL_PAIRS_H
 #define SPH2D_TESTS_ALL_PAIRS_H

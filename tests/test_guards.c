@@ -303,7 +303,7 @@ START_TEST(a_hint_on_energy_names_what_helps)
         {0.001, 0, SPH2D_VISCOSITY_DEFAULT, "try a smaller method.cfl, method.artificial_viscosity: 0.05, or"},
         {200, 0, SPH2D_VISCOSITY_DEFAULT, "try shorter steps, by a method.time_step of "},
         {1000, 0, SPH2D_VISCOSITY_MORRIS, "try method.viscosity_form: monaghan, whose steps are shorter, or"},
-        {200, 1e-3, SPH2D_VISCOSITY_DEFAULT, "try leaving method.time_step out, for an adaptive step, or"},
+        {300, 1e-3, SPH2D_VISCOSITY_DEFAULT, "try leaving method.time_step out, for an adaptive step, or"},
     };
     sph2d_block block;
     sph2d_scene scene = dam(&block);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_viscosity_form.c
- *  Which form of viscosity a scene gets by itself: Morris' where liquid fills its room, Monaghan's at a free surface,
- *  and eddies there alone. */
+ *  Which form of viscosity a scene gets by itself: Morris' where liquid of one viscosity fills its room and no wall turns,
+ *  else Monaghan's; and eddies at free surfaces alone. */
 #include "hand_made.h"
+#include "scene/resolve.h"
 
 /** The form that a scene ends with, whose block goes from (0, 0) to (x, y) of a square. */
 static sph2d_viscosity_form form_of(sph2d_boundary boundary, double x, double y, sph2d_operators operators)
@@ -43,11 +44,37 @@ START_TEST(a_filled_room_has_morris_a_free_surface_monaghan)
 }
 END_TEST
 
+/* Morris' form lacks mu (grad v)^T, which counts where mu varies, and in the torque on what turns. */
+START_TEST(viscosities_that_vary_and_walls_that_turn_have_monaghan)
+{
+    sph2d_scene scene = test_scene(0.1, 0, 0, 2, 2);
+    scene.boundary = closed;
+    scene.wall_slip = SPH2D_SLIP_NONE;
+    scene.method = sph2d_scene_default().method;
+    sph2d_block block = test_block(0, 0, 2, 2);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    sph2d_obstacle bar = sph2d_obstacle_default();
+    bar.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{1, 1}, 0.5}};
+    scene.obstacles = &bar;
+    scene.obstacle_count = 1;
+    ck_assert_int_eq(sph2d__viscosity_form(&scene), SPH2D_VISCOSITY_MORRIS);
+    ck_assert_int_eq(sph2d__turbulence(&scene), SPH2D_TURBULENCE_NONE);
+    bar.motion.rate = 1;
+    ck_assert_int_eq(sph2d__viscosity_form(&scene), SPH2D_VISCOSITY_MONAGHAN);
+    ck_assert_int_eq(sph2d__turbulence(&scene), SPH2D_TURBULENCE_NONE);
+    bar.motion.rate = 0;
+    scene.fluid.model = SPH2D_RHEOLOGY_POWER_LAW;
+    ck_assert_int_eq(sph2d__viscosity_form(&scene), SPH2D_VISCOSITY_MONAGHAN);
+}
+END_TEST
+
 Suite *suite_viscosity_form(void)
 {
     Suite *suite = suite_create("viscosity_form");
     TCase *tests = tcase_create("viscosity_form");
     tcase_add_test(tests, a_filled_room_has_morris_a_free_surface_monaghan);
+    tcase_add_test(tests, viscosities_that_vary_and_walls_that_turn_have_monaghan);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -182,16 +182,18 @@ typedef enum sph2d_state_equation {
 
 /** The pair form of viscosity of the symmetric operators. */
 typedef enum sph2d_viscosity_form {
-    /** SPH2D_VISCOSITY_MORRIS if a block fills the whole domain and no side is open, else SPH2D_VISCOSITY_MONAGHAN. */
+    /** SPH2D_VISCOSITY_MORRIS if a block fills the whole domain, no side is open, no wall turns and the liquid has one
+     *  viscosity; else SPH2D_VISCOSITY_MONAGHAN. */
     SPH2D_VISCOSITY_DEFAULT = 0,
 
-    /** Morris, Fox & Zhu 1997: conserves linear momentum; has the given shear viscosity on a lattice, too. The stress
-     *  at a free surface is wrong: waves decay half as fast as they should, and a rotating drop is slowed down. */
+    /** Morris, Fox & Zhu 1997: conserves linear momentum; its steps are twice as long where viscosity limits them. The
+     *  stress at a free surface is wrong: waves decay half as fast as they should, and a rotating drop is slowed down. So
+     *  is the torque on a wall that turns, and the force where viscosity varies. */
     SPH2D_VISCOSITY_MORRIS = 1,
 
-    /** Monaghan & Gingold 1983: conserves angular momentum too, and has no stress at a free surface (Colagrossi et al.
-     *  2011). For shear along the rows of a lattice the viscosity is 0.89 of the given one (wendland_c2, H/dx = 3), in
-     *  disordered liquid all of it. */
+    /** Monaghan & Gingold 1983, with weights W' r in place of W'/r: forces along the line between two particles. Conserves
+     *  angular momentum too, and has no stress at a free surface (Colagrossi et al. 2011). For shear along the rows of a
+     *  lattice the viscosity is 0.996 of the given one (wendland_c2, H/dx = 3; 0.89 with W'/r). */
     SPH2D_VISCOSITY_MONAGHAN = 2
 } sph2d_viscosity_form;
 

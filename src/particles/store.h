@@ -58,7 +58,7 @@ enum { SPH2D__PADDING = 16 };
     X(density_grad_y)                                                                                                      \
     X(excess)          /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3] */         \
     X(push)            /* D' times the pressures or the search direction: two floats, lanes.h */                           \
-    X(acting_pressure) /* by which pairs act, where another one is reported [Pa]: muller.h, projection.h */                \
+    X(acting_pressure) /* by which pairs act, where another one is reported [Pa]: muller.h, projection.h, wcsph.h */       \
     X(next_x)          /* position predicted by a pressure solver */                                                       \
     X(next_y)                                                                                                              \
     X(filled)       /* density over rest density at a boundary particle from liquid that fills all in front of it */       \

@@ -96,8 +96,7 @@ static void warn_of_torque(checker *c, int obstacle, const char *path)
     sph2d_diagnostic *d = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, path,
         "this wall turns: with viscosity_form morris its torque and work contain 2 viscosity omega area more");
-    sph2d_diagnostic_hint(d,
-                          "use `method: {viscosity_form: monaghan, support_ratio: 4}`; velocities are right by both");
+    sph2d_diagnostic_hint(d, "use `method: {viscosity_form: monaghan}`; velocities are right by both");
 }
 
 /** Checks that a probe of kind body names one. */

@@ -603,10 +603,12 @@ static const sph2d_key method_items[] = {
      .unit = "", .default_text = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
      .text = "p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
-     .unit = "", .default_text = "morris where a block fills a domain without open sides, else monaghan",
+     .unit = "",
+     .default_text =
+         "morris where a block of one viscosity fills a domain without open sides and no wall turns, else monaghan",
      .feature = SPH2D_FEATURE_VISCOSITY_FORM,
-     .text = "morris is exact in shear; monaghan at free surfaces, and conserves angular "
-             "momentum"},
+     .text = "monaghan is right at free surfaces, too, and conserves angular momentum; morris has longer steps in "
+             "thick liquid"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
      .text = "delta; the diffusivity of density is delta c0 H/2"},

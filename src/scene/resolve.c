@@ -3,6 +3,7 @@
  *  Defaults that depend on the method. */
 #include "scene/resolve.h"
 
+#include "scene/bodies.h"
 #include "scene/method_table.h"
 #include "scene/wall_names.h"
 
@@ -47,7 +48,10 @@ sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene)
     if (m->viscosity_form != SPH2D_VISCOSITY_DEFAULT ||
         !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_VISCOSITY_FORM))
         return m->viscosity_form;
-    return sph2d__has_no_surface(scene) ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
+    bool simple = sph2d__has_no_surface(scene) && scene->fluid.model == SPH2D_RHEOLOGY_NEWTONIAN;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        simple = simple && !sph2d__obstacle_turns(&scene->obstacles[i]);
+    return simple ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
 }
 
 sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)

@@ -107,6 +107,7 @@ typedef struct sph2d__system {
     double tension; /**< wcsph: bound of negative pressures; infinite without tensile control [Pa] */
     double background;     /**< wcsph: pressure on voids of liquid that fills its domain, 0 in other scenes [Pa] */
     bool viscosity_limits; /**< wcsph: the step can follow from viscous_rate (terms/viscosity.h) */
+    double central_weight; /**< wcsph: the weight of the central form of viscosity, methods/terms/viscosity.h [1/m^2] */
     double viscous_rate;   /**< wcsph: the largest of a particle by the last evaluation of the forces [1/s] */
     double max_density; /**< largest density of a particle at the start of the step, at least rest density [kg/m^3] */
 

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/pi.h"
 #include "kernels/kernel.h"
 #include "methods/common/slabs.h"
 #include "methods/projection/implicit_viscosity_pair.h"
@@ -30,23 +29,10 @@ bool sph2d__viscosity_is_implicit(const sph2d__system *s)
     return nu * dt > sph2d__viscosity_step(s->method.kernel) * s->support * s->support;
 }
 
-/** The integral of -q^4 g(q) over the support, as a sum over rings. */
-static double fourth_moment(sph2d_kernel kernel)
-{
-    enum { RINGS = 1000 };
-    double sum = 0;
-    for (int k = 0; k < RINGS; ++k) {
-        double q = (k + 0.5) / RINGS;
-        sum -= 2 * SPH2D__PI / RINGS * pow(q, 5) * sph2d__kernel_slope_at(kernel, q);
-    }
-    return sum;
-}
-
 void sph2d__implicit_viscosity_prepare(sph2d__system *s)
 {
-    double sum = s->calibration * sph2d__kernel_constant(s->method.kernel) * fourth_moment(s->method.kernel);
     s->implicit.on = sph2d__viscosity_is_implicit(s);
-    s->implicit.brake = 16 / (s->rest_density * sum * s->support * s->support);
+    s->implicit.brake = sph2d__central_weight(s->method.kernel, s->support) / (s->rest_density * s->calibration);
 }
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */

@@ -8,10 +8,10 @@
  *      b   = 16 H^2/(rho0 I)     I the integral of c |W'| r^3 over the support
  *
  *  with g_ij = (c m/rho0) W'/r of projection.h, and mu_ij the mean of two viscosities. Forces along the line between two
- *  particles keep both momenta, and leave free surfaces without stress. They have the viscosity mu for any weight w(r)
- *  in place of |g|, as the mean of x^2 y^2/r^2 over directions is r^2/8. Monaghan 2005 (terms/viscosity.h) has W'/r,
- *  with which a square lattice of H/dx = 2.4 that slides along its rows has 0.8 of the viscosity; with W' r it has
- *  0.97, a lattice of hexagons, too, liquid that has been sheared for a while 0.99 to 1.
+ *  particles keep both momenta, and leave free surfaces without stress. They have the
+ *  weights W' r of terms/viscosity.h: with those of Monaghan 2005, W'/r, a square lattice of H/dx = 2.4 that slides
+ *  along its rows has 0.8 of the viscosity, with these 0.97, a lattice of hexagons, too, and liquid that has been sheared
+ *  for a while 0.99 to 1.
  *
  *  Implicit as by Weiler, Koschier, Brand & Bender 2018 (Computer Graphics Forum 37), who solve for v* by conjugate
  *  gradients, too. They leave out a_p: then liquid that pressure holds seems to fall for a step, and a steady flow

@@ -21,26 +21,17 @@ SPH2D__INLINE void sph2d__drag_add(sph2d__drag *sum, sph2d__lanes share, sph2d__
     sum->y += share * dvy;
 }
 
-/** The stress along the line to a neighbour by the central form: `damping` is -8 mu V_i V_j v_ij . r_ij, `tiny` the
- *  least r^2. */
-SPH2D__INLINE sph2d__lanes sph2d__central_stress(sph2d__lanes damping, sph2d__lanes r2, sph2d__lanes tiny)
-{
-    return damping / sph2d__lanes_max(r2, tiny);
-}
-
 /** Sums for the largest eigenvalue of a particle's block (viscosity.h), without the common factors; negative. */
 typedef struct sph2d__block {
     sph2d__lanes xx, xy, yy;
 } sph2d__block;
 
-/** Adds a neighbour: `share` is V_j (W'/r), `tiny` the least r^2. */
-SPH2D__INLINE void sph2d__block_add(sph2d__block *sum, sph2d__lanes share, sph2d__lanes dx, sph2d__lanes dy,
-                                    sph2d__lanes r2, sph2d__lanes tiny)
+/** Adds a neighbour: `share` is V_j (W'/r) k_ij. */
+SPH2D__INLINE void sph2d__block_add(sph2d__block *sum, sph2d__lanes share, sph2d__lanes dx, sph2d__lanes dy)
 {
-    sph2d__lanes inverse = 1 / sph2d__lanes_max(r2, tiny), x = inverse * dx, y = inverse * dy;
-    sum->xx += share * (x * dx);
-    sum->xy += share * (x * dy);
-    sum->yy += share * (y * dy);
+    sum->xx += share * dx * dx;
+    sum->xy += share * dx * dy;
+    sum->yy += share * dy * dy;
 }
 
 /** The larger eigenvalue of minus a sum. */

@@ -46,6 +46,7 @@ typedef struct constants {
     sph2d__viscosity
         viscosity; /**< in the sums: where it differs among particles, 1 for the drag, of the rest artificial */
     sph2d__viscosity limiting; /**< for the step */
+    sph2d__real weight;        /**< of the central form [1/m^2] */
     double eddies;             /**< subgrid viscosity over the strain rate [Pa s^2] */
     sph2d__real no_slip;       /**< 1 if walls are rough, else 0 */
     const unsigned char *slips;
@@ -59,10 +60,10 @@ typedef struct constants {
 #define TINY 1e-300
 #endif
 
-/** The particles of a group. `pv2` is p V^2, `strain` half the strain rate, `damping` -8 mu V of the central viscosity
- *  and `eddies` that of the subgrid viscosity over the strain rate. `viscosity` is the particle's own. */
+/** The particles of a group. `pv2` is p V^2, `strain` half the strain rate; `liquid`, `artificial` and `eddies`, the last
+ *  over the strain rate, are minus V times the factors of central viscosities. `viscosity` is the particle's own. */
 typedef struct group_state {
-    sph2d__lanes vx, vy, density, pv2, damping, strain, stretch, shear, eddies, viscosity, volume;
+    sph2d__lanes vx, vy, density, pv2, liquid, artificial, strain, stretch, shear, eddies, viscosity, volume;
 } group_state;
 
 /** Adds a neighbour to the neighbourhood sums: `vg` is V_j g, `ratio` its mass over that of a fluid particle. */
@@ -84,11 +85,16 @@ SPH2D__INLINE void add_neighbourhood(force_sums *sums, terms with, const constan
     sums->yy += vg * p->dy * p->dy;
 }
 
+/** v_ij . r_ij times the factors of viscosity: the liquid's, and of what divides by r^2, artificial and subgrid viscosity. */
+typedef struct damped {
+    sph2d__lanes liquid, near;
+} damped;
+
 /** Adds the central forces of a candidate: pressure, and the central form of viscosity. The candidate's mass is `ratio`
- *  times that of a fluid particle, `theirs` its p V^2 over that, `damped` v_ij . r_ij times the factors of viscosity.
+ *  times that of a fluid particle, `theirs` its p V^2 over that, `by` v_ij . r_ij times the factors of viscosity.
  *  The particle's own pressure is included here unless tensile control may change its sign (add_sums). */
 SPH2D__INLINE void add_central(force_sums *sums, terms with, const group_state *own, const pair *p, sph2d__real ratio,
-                               sph2d__real theirs, sph2d__lanes damped)
+                               sph2d__real theirs, const damped *by)
 {
     sph2d__lanes stress = sph2d__lanes_all(theirs);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE) {
@@ -99,7 +105,7 @@ SPH2D__INLINE void add_central(force_sums *sums, terms with, const group_state *
         stress += own->pv2 * ratio;
     }
     if (with.central)
-        stress += sph2d__central_stress(damped, p->r2, sph2d__lanes_all(TINY));
+        stress += by->liquid + by->near / sph2d__lanes_max(p->r2, sph2d__lanes_all(TINY));
     sph2d__lanes press = p->g * stress;
     sums->press_x += press * p->dx;
     sums->press_y += press * p->dy;
@@ -118,14 +124,20 @@ SPH2D__INLINE sph2d__lanes limited_jump(const group_state *own, const pair *p, c
 }
 
 /** The viscosity between a particle and a candidate, where it differs: to the factor of the drag, or of the jump. */
-SPH2D__INLINE void add_viscosity(terms with, const group_state *own, sph2d__lanes viscosity, sph2d__real volume,
-                                 sph2d__lanes jump, sph2d__lanes *damped, sph2d__lanes *share)
+SPH2D__INLINE void add_viscosity(terms with, const constants *k, const group_state *own, sph2d__lanes viscosity,
+                                 sph2d__real volume, sph2d__lanes jump, damped *by, sph2d__lanes *share)
 {
-    const sph2d__real form = -8;
     if (with.laplacian)
         *share *= viscosity;
     else
-        *damped += form * viscosity * own->volume * volume * jump;
+        by->liquid -= k->weight * viscosity * own->volume * volume * jump;
+}
+
+/** The largest central viscosity between a particle and a candidate. */
+SPH2D__INLINE sph2d__lanes limiting_of(const constants *k, const pair *p)
+{
+    sph2d__lanes r2 = sph2d__lanes_max(p->r2, sph2d__lanes_all(TINY));
+    return (sph2d__real)k->limiting.central + (sph2d__real)k->limiting.artificial / r2;
 }
 
 /** Adds a fluid particle. */
@@ -134,22 +146,23 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
 {
     const sph2d__real volume = f->volume[j];
     sph2d__lanes dvx = own->vx - f->vx[j], dvy = own->vy - f->vy[j];
-    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = own->damping * volume * jump;
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy;
+    damped by = {own->liquid * volume * jump, own->artificial * volume * jump};
     if (with.eddies) {
         const double stretch = f->stretch[j], shear = f->shear[j];
         const sph2d__real theirs = (sph2d__real)sqrt(stretch * stretch + shear * shear);
-        damped += own->eddies * (own->strain + theirs) * volume * limited_jump(own, p, f, j, jump);
+        by.near += own->eddies * (own->strain + theirs) * volume * limited_jump(own, p, f, j, jump);
     }
     sph2d__lanes share = p->g * volume;
     if (with.variable) {
         const sph2d__real half = 0.5;
-        add_viscosity(with, own, (own->viscosity + f->viscosity[j]) * half, volume, jump, &damped, &share);
+        add_viscosity(with, k, own, (own->viscosity + f->viscosity[j]) * half, volume, jump, &by, &share);
     }
-    add_central(sums, with, own, p, 1, (f->pressure[j] + k->background) * volume * volume, damped);
+    add_central(sums, with, own, p, 1, (f->pressure[j] + k->background) * volume * volume, &by);
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, share, dvx, dvy);
     if (with.blocks)
-        sph2d__block_add(&sums->block, p->g * volume, p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
+        sph2d__block_add(&sums->block, p->g * volume * limiting_of(k, p), p->dx, p->dy);
     if (with.detail >= SPH2D__DETAIL_GRADIENT) {
         sph2d__lanes vg = p->g * volume, drho = f->density[j] - own->density;
         add_neighbourhood(sums, with, k, p, vg, 1);
@@ -170,11 +183,12 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
     const sph2d__real no_slip = k->slips ? k->slips[k->ids[j]] == SPH2D_SLIP_NONE : k->no_slip;
     const sph2d__real theirs = ratio > 0 ? (w->pressure[j] + k->background) * volume * volume / ratio : 0;
     sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
-    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, damped = own->damping * (volume * no_slip) * jump;
+    sph2d__lanes jump = dvx * p->dx + dvy * p->dy, felt = volume * no_slip * jump;
+    damped by = {own->liquid * felt, own->artificial * felt};
     sph2d__lanes share = p->g * (volume * no_slip);
     if (with.variable)
-        add_viscosity(with, own, own->viscosity, volume * no_slip, jump, &damped, &share);
-    add_central(sums, with, own, p, ratio, theirs, damped);
+        add_viscosity(with, k, own, own->viscosity, volume * no_slip, jump, &by, &share);
+    add_central(sums, with, own, p, ratio, theirs, &by);
     const sph2d__real along_x = w->along_x[j], along_y = w->along_y[j];
     sph2d__lanes along =
         sph2d__kernel_value(with.kernel, p->q) * w->slide[j] - theirs * p->g * (along_x * p->dx + along_y * p->dy);
@@ -183,7 +197,7 @@ SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, co
     if (with.laplacian)
         sph2d__drag_add(&sums->drag, share, dvx, dvy);
     if (with.blocks)
-        sph2d__block_add(&sums->block, p->g * (volume * no_slip), p->dx, p->dy, p->r2, sph2d__lanes_all(TINY));
+        sph2d__block_add(&sums->block, p->g * (volume * no_slip) * limiting_of(k, p), p->dx, p->dy);
     if (with.detail >= SPH2D__DETAIL_EIGENVALUE)
         add_neighbourhood(sums, with, k, p, p->g * volume, ratio);
 }
@@ -261,11 +275,10 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
 }
 
 /** The rate of viscosity at particle i, by its block: viscosity.h [1/s]. */
-SPH2D__INLINE double viscous_rate_of(const sph2d__system *s, size_t i, const force_sums *sums, int l,
-                                     const constants *k)
+SPH2D__INLINE double viscous_rate_of(const sph2d__system *s, size_t i, const force_sums *sums, int l)
 {
     double most = sph2d__block_most((double)sums->block.xx[l], (double)sums->block.xy[l], (double)sums->block.yy[l]);
-    return sph2d__viscous_rate(k->limiting, slope_scale(s) * most / s->fluid.density[i]);
+    return SPH2D__RATE_OF_BLOCK * slope_scale(s) * most / s->fluid.density[i];
 }
 
 static constants constants_of(const sph2d__system *s)
@@ -278,6 +291,7 @@ static constants constants_of(const sph2d__system *s)
                        .background = (sph2d__real)s->background,
                        .viscosity = s->viscosities ? sph2d__viscosity_apart(s, 1, 0) : sph2d__viscosity_of(s),
                        .limiting = sph2d__viscosity_of(s),
+                       .weight = (sph2d__real)s->central_weight,
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                        .no_slip = s->walls_rough,
                        .slips = s->wall_slips,
@@ -319,6 +333,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         bool controlled = s->method.tensile_control == SPH2D_SWITCH_ON && pv2 < 0 && inside && !pulled;
         if (controlled && uses_absolute_pressure(s, i, sums, liquid, l, with))
             pv2 = -pv2;
+        f->acting_pressure[i] = pv2 / (volume * volume);
         if (with.detail >= SPH2D__DETAIL_SHIFT)
             finish_concentration(s, i, sums, l, min_eigenvalue, scale, wall_packing / s->lattice_values);
     }

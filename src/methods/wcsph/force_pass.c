@@ -39,7 +39,8 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
         group_state own = {.vx = sph2d__lanes_load(liquid.vx + g.first),
                            .vy = sph2d__lanes_load(liquid.vy + g.first),
                            .pv2 = (sph2d__lanes_load(liquid.pressure + g.first) + k.background) * volume * volume,
-                           .damping = -8 * (sph2d__real)k.viscosity.central * volume};
+                           .liquid = -(sph2d__real)k.viscosity.central * volume,
+                           .artificial = -(sph2d__real)k.viscosity.artificial * volume};
         if (with.detail >= SPH2D__DETAIL_GRADIENT)
             own.density = sph2d__lanes_load(liquid.density + g.first);
         if (with.eddies) {
@@ -72,7 +73,7 @@ SPH2D__INLINE void force_with(sph2d__system *s, size_t first, size_t last, terms
             finish(s, g.first + (size_t)l, &all, &liquid_sums, l, with, &k);
         if (with.blocks)
             SPH2D__FOR_LANES (g, l)
-                rate = fmax(rate, viscous_rate_of(s, g.first + (size_t)l, &all, l, &k));
+                rate = fmax(rate, viscous_rate_of(s, g.first + (size_t)l, &all, l));
     }
     if (with.blocks)
         sph2d__viscous_rate_raise(s, rate);
@@ -92,7 +93,8 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
 #ifndef SPH2D__BARE
     with.laplacian = k.viscosity.laplacian > 0;
 #endif
-    with.central = k.viscosity.central > 0 || with.eddies || (with.variable && !with.laplacian);
+    with.central =
+        k.viscosity.central + k.viscosity.artificial > 0 || with.eddies || (with.variable && !with.laplacian);
     return with;
 }
 

@@ -67,7 +67,8 @@ static void prepare(sph2d__system *s)
                 s->lattice_slopes += sph2d__kernel_slope_at(s->method.kernel, r);
         }
     walls_placed(s);
-    bool varies = s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN && sph2d__viscosity_apart(s, 0, 1).central > 0;
+    s->central_weight = sph2d__central_weight(s->method.kernel, s->support);
+    bool varies = s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN && s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN;
     s->viscosity_limits = varies || sph2d__viscosity_limits(s);
 }
 
@@ -180,9 +181,6 @@ static bool evaluate(sph2d__system *s)
     return true;
 }
 
-/* Particles with a larger eigenvalue, and farther than H from the surface, are inside: as in force_pair.h. */
-static const double BULK = 0.75;
-
 /** Where the wall slips, the part of the force along (along_x, along_y) is exerted by liquid, not by the wall. */
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
@@ -192,9 +190,9 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
                sph2d__kernel_slope_at(s->method.kernel, sqrt(r2) / s->support);
     double vi = s->mass / f->density[i], vb = w->mass[b] / w->density[b], mass = w->mass[b];
     double own = f->pressure[i] + s->background, theirs = w->pressure[b] + s->background;
-    bool absolute = s->rigid_count == 0 && own < 0 && s->method.tensile_control == SPH2D_SWITCH_ON &&
-                    f->min_eigenvalue[i] > BULK && f->surface_distance[i] >= s->support;
-    own = absolute ? -own : own;
+    if (s->rigid_count == 0 &&
+        f->acting_pressure) /* with bodies walls feel the pressure itself, and before the liquid does */
+        own = f->acting_pressure[i];
     double press = mass > 0 ? own * vi * vi * mass / s->mass + theirs * vb * vb * s->mass / mass : 0;
     double push = -g * press, slip = push * (dx * w->along_x[b] + dy * w->along_y[b]);
     sph2d__wall_force force = {.pressure = {push * dx - slip * w->along_x[b], push * dy - slip * w->along_y[b]}};
@@ -225,7 +223,8 @@ static sph2d__set unused(const sph2d_method_options *m)
 {
     sph2d__detail detail = sph2d__wcsph_detail(m);
     sph2d__set gradients = SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y), excess = SPH2D__BIT(excess);
-    sph2d__set surface = SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing);
+    sph2d__set surface =
+        SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing) | SPH2D__BIT(acting_pressure);
     sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
     sph2d__set concentration = SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | shifts | STRAINS;
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
@@ -241,7 +240,7 @@ const sph2d__method sph2d__wcsph = {
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) |
              SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) |
-             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | STRAINS,
+             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | SPH2D__BIT(acting_pressure) | STRAINS,
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(density_grad_x) |
                SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | SPH2D__BIT(min_eigenvalue) |

@@ -9,13 +9,14 @@
  *      or          2 [(rho_i - rho_j) - (rho_i - rho_j of a liquid at rest)] r_ij/r^2        (Fourtakas et al. 2019)
  *      dv_i/dt   = -sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W + viscosity + body force        (Monaghan 1994, eq. 2.2)
  *      morris    = 2 mu/rho_i sum V_j (r_ij . grad W)/r^2 v_ij                       (Morris et al. 1997, eq. 22)
- *      monaghan  = 8 mu/rho_i sum V_j (v_ij . r_ij)/r^2 grad W,  8 = 2 (2 + d)         (Monaghan & Gingold 1983)
+ *      monaghan  = 8 mu/rho_i sum V_j (v_ij . r_ij)/(2 <r^2>) grad W,  8 = 2 (2 + d)   (Monaghan & Gingold 1983, whose
+ *                  1/r^2 is 1/(2 <r^2>) here: terms/viscosity.h)
  *
  *  The stress of Morris' form is mu grad v; the missing part, mu (grad v)^T, has no divergence inside the liquid and
  *  matters only at a free surface: waves decay at half their rate, and rotation is slowed down. Monaghan's form has no
  *  stress at a free surface in the mean (Colagrossi et al. 2011, Phys. Rev. E 84, 026705, where the factor 2 (2 + d) is
- *  derived), but along the rows of a lattice its viscosity is 0.89 of mu in shear and 1.11 in stretching (Wendland C2,
- *  H/dx = 3; 0.94 and 1.06 for C4, H/dx = 4). It is the default of scenes with a free surface.
+ *  derived). Along the rows of a lattice its viscosity is 0.996 of mu in shear and 1.04 in stretching (Wendland C2,
+ *  H/dx = 3; with 1/r^2 0.89 and 1.11). It is the default of scenes with a free surface.
  *
  *  Boundary particles b of walls in layers enter all sums except the diffusion, with (Adami, Hu & Adams 2012, eq. 27;
  *  a_b the wall's acceleration, g the body force, j over the liquid around b)
@@ -44,9 +45,9 @@
  *  nor where another wall is in front, as in corners: where a wall ends the liquid the last sum would push it. A side
  *  that slides along itself has v_b = 0 here: it drags liquid by friction alone. A rough wall has viscosity with
  *  v_b = v_wall - d_b/d (sum v_j W / sum W - v_wall), d_b and d the distances of b and, in the mean by W, of the liquid
- *  from the surface (in Monaghan's form as if these were equal), a smooth one the friction of friction.h. Of a wall that turns at omega the
- *  velocity relative to the wall at the place of each j is mirrored, so that liquid that turns along feels nothing:
- *  v_b gets omega z x sum (x_j - x_b) W / sum W more. Walls may differ in their slip, a boundary particle from another.
+ *  from the surface, a smooth one the friction of friction.h. Of a wall that turns at omega the velocity relative to the
+ *  wall at the place of each j is mirrored, so that liquid that turns along feels nothing: v_b gets
+ *  omega z x sum (x_j - x_b) W / sum W more. Walls may differ in their slip, a boundary particle from another.
  *
  *  Isolated particles have the rest density, and no pressure of their own: a density kept from the liquid that they
  *  left would make them stick to walls.
@@ -57,8 +58,8 @@
  *
  *  After splashes particles move in a disordered way, with eddies that the kernel does not resolve. The liquid is then
  *  less dense than it should be and comes to rest slowly. Smagorinsky's subgrid viscosity (1963) with the whole width
- *  of the kernel as the filter (SPH as a filter: Di Mascio et al. 2017, Phys. Fluids 29, 035102) damps in monaghan form
- *  with
+ *  of the kernel as the filter (SPH as a filter: Di Mascio et al. 2017, Phys. Fluids 29, 035102) damps in monaghan form,
+ *  of weight W'/r, with
  *
  *      mu_ij = rho0 (2 C H)^2 (|S_i| + |S_j|)/2,   |S| = sqrt(2 S:S) without the rate of volume,   C = 0.15
  *
