@@ -6,6 +6,8 @@
 
 #include "common.h"
 #include "methods/terms/rheology.h"
+#include "methods/terms/stick.h"
+#include "sim/simulation.h"
 
 /* ---- laws -------------------------------------------------------------------------------------------------------- */
 
@@ -157,6 +159,65 @@ START_TEST(carreau_is_between_its_viscosities)
     f.index = 0.3;
     lay_plates(1.0 / 24, f);
     ck_assert_double_le(error_of_plates(2), 0.022);
+}
+END_TEST
+
+/* ---- walls that move --------------------------------------------------------------------------------------------- */
+
+/** Liquid with n = 1.5 has no viscosity at rest: it follows a lid because the shear rate includes the lid's speed. */
+START_TEST(a_lid_drags_what_only_shear_makes_thick)
+{
+    static const sph2d_method methods[] = {SPH2D_METHOD_CONSTRAINT, SPH2D_METHOD_PCISPH};
+    sph2d_fluid f = fluid_of(SPH2D_RHEOLOGY_POWER_LAW);
+    f.consistency = 1;
+    f.index = 1.5;
+    lay_plates(1.0 / 16, f);
+    scene.gravity.x = 0;
+    scene.wall_speeds.top = 1;
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = methods[_i];
+    sph2d_sim *sim = test_create(&scene, NULL);
+    while (sph2d_sim_time(sim) < 2)
+        test_steps(sim, 1);
+    sph2d_view p = sph2d_sim_fluid(sim);
+    for (size_t i = 0; i < p.count; ++i)
+        ck_assert_double_eq_tol(p.vx[i], p.y[i], 0.01);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** Liquid that turns with a drum has the velocity of a rigid body behind the wall, too. */
+START_TEST(images_turn_with_their_wall)
+{
+    const double rate = -2, dx = 0.025;
+    sph2d_obstacle drum = sph2d_obstacle_default();
+    scene = test_open_scene(dx, -0.62, -0.62, 0.62, 0.62);
+    scene.method = sph2d_scene_default().method;
+    scene.method.name = SPH2D_METHOD_CONSTRAINT;
+    scene.wall_slip = SPH2D_SLIP_NONE;
+    block = sph2d_block_default();
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0, 0}, 0.5}};
+    drum.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0, 0}, 0.5}};
+    drum.liquid = SPH2D_LIQUID_INSIDE;
+    drum.motion.rate = rate;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.obstacles = &drum;
+    scene.obstacle_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *w = &s->walls;
+    ck_assert_uint_gt(w->count, 100);
+    for (size_t b = 0; b < w->count; ++b) {
+        double deeper = w->depth[b] + 0.7 * dx, dx_b = deeper * w->normal_x[b], dy_b = deeper * w->normal_y[b];
+        double vx = -rate * (w->y[b] + dy_b), vy = rate * (w->x[b] + dx_b);
+        double stick = sph2d__stick(s, b, dx_b, dy_b);
+        ck_assert_double_eq_tol(stick, 1 + w->depth[b] / (0.7 * dx), 1e-9);
+        sph2d_vec2 jump = sph2d__stick_jump(s, b, stick, dx_b, dy_b, vx - w->vx[b], vy - w->vy[b]);
+        ck_assert_double_eq_tol(jump.x, -rate * dy_b, 1e-9);
+        ck_assert_double_eq_tol(jump.y, rate * dx_b, 1e-9);
+    }
+    sph2d_sim_destroy(sim);
 }
 END_TEST
 
@@ -343,6 +404,8 @@ Suite *suite_rheology(void)
     tcase_add_loop_test(test, a_power_law_has_its_profile, 0, 2);
     tcase_add_test(test, bingham_has_a_plug);
     tcase_add_test(test, carreau_is_between_its_viscosities);
+    tcase_add_loop_test(test, a_lid_drags_what_only_shear_makes_thick, 0, 2);
+    tcase_add_test(test, images_turn_with_their_wall);
     tcase_add_test(test, stiffer_mud_goes_less_far);
     tcase_add_loop_test(test, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     tcase_add_test(test, floats_are_as_good);

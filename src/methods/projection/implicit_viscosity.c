@@ -8,8 +8,8 @@
 
 #include "kernels/kernel.h"
 #include "methods/common/slabs.h"
-#include "methods/projection/implicit_viscosity_pair.h"
 #include "methods/projection/projection.h"
+#include "methods/terms/stick.h"
 #include "methods/terms/viscosity.h"
 #include "simd/lanes.h"
 

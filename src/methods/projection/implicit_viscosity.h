@@ -21,9 +21,10 @@
  *  c = sqrt(b mu |g|) r/H, so that a product loads as much as one with D (projection.h). The acceleration a_v is summed
  *  over pairs in doubles from the solution: opposite in both particles of a pair, whatever the tolerance.
  *
- *  A boundary particle b of a wall without slip has the velocity v_b - (d_b/d_i) (v_i - v_b) that makes the liquid's
- *  equal to the wall's at the surface, d_b behind which it is, and d_i before which is particle i (Takeda, Miyama &
- *  Sekiya 1994; Morris, Fox & Zhu 1997, whose bound of 1 + d_b/d_i = 1.5 is for explicit steps). Bodies slip freely. */
+ *  Boundary particles of a wall without slip have the velocities of terms/stick.h, without the bound of 1 + d_b/d_i =
+ *  1.5 that Morris, Fox & Zhu 1997 need for explicit steps; so they have in the shear rate on which a viscosity depends.
+ *  By liquid alone that of a wall was that of half a spacing and more before it, and a lid did not set in motion what
+ *  has no viscosity at rest. Bodies slip freely. */
 #ifndef SPH2D_METHODS_PROJECTION_IMPLICIT_VISCOSITY_H
 #define SPH2D_METHODS_PROJECTION_IMPLICIT_VISCOSITY_H
 

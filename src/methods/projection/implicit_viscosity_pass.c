@@ -4,7 +4,7 @@
  *  named by SPH2D__ISA. Every lane is a particle. */
 #include "methods/common/shortest.h"
 #include "methods/projection/implicit_viscosity.h"
-#include "methods/projection/implicit_viscosity_pair.h"
+#include "methods/terms/stick.h"
 #include "simd/lanes.h"
 
 /* ---- the matrix -------------------------------------------------------------------------------------------------- */

@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/** @file implicit_viscosity_pair.h
- *  Pair terms of implicit_viscosity.h. No loops. */
-#ifndef SPH2D_METHODS_PROJECTION_IMPLICIT_VISCOSITY_PAIR_H
-#define SPH2D_METHODS_PROJECTION_IMPLICIT_VISCOSITY_PAIR_H
+/** @file stick.h
+ *  Velocities behind walls to which liquid sticks, pair by pair: boundary particle b has for particle i of the liquid
+ *  the velocity that makes the liquid's equal to the wall's at the surface,
+ *
+ *      v_w - (d_b/d_i) (v_i - v_w),     d_b behind the surface, d_i before it
+ *
+ *  (Takeda, Miyama & Sekiya 1994; Morris, Fox & Zhu 1997), exact for a linear profile. */
+#ifndef SPH2D_METHODS_TERMS_STICK_H
+#define SPH2D_METHODS_TERMS_STICK_H
 
 #include <math.h>
 
@@ -23,6 +28,15 @@ static inline double sph2d__stick(const sph2d__system *s, size_t b, double dx, d
         return SPH2D__IN_CORNERS;
     double before = dx * w->normal_x[b] + dy * w->normal_y[b] - depth, least = SPH2D__NEAREST * s->spacing;
     return 1 + depth / (before > least ? before : least);
+}
+
+/** The velocity (ux, uy) of that particle relative to b, plus what it has relative to the image: v_w of a wall that
+ *  turns is that at the particle. */
+static inline sph2d_vec2 sph2d__stick_jump(const sph2d__system *s, size_t b, double stick, double dx, double dy,
+                                           double ux, double uy)
+{
+    double spin = (stick - 1) * (s->wall_spin ? s->wall_spin[s->walls.id[b]] : 0);
+    return (sph2d_vec2){stick * ux + spin * dy, stick * uy - spin * dx};
 }
 
 #endif
