@@ -181,6 +181,67 @@ START_TEST(a_level_without_gravity_is_no_pressure)
 }
 END_TEST
 
+/** Mean over particles far beyond the right opening, of the pressure above that of liquid at rest with a level [Pa]. */
+static double excess_beyond(double level)
+{
+    sph2d_view f = sph2d_sim_fluid(c.sim);
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < f.count; ++i) {
+        if (f.x[i] < c.scene.domain.max.x + 4 * DX || f.y[i] > level / 2)
+            continue;
+        sum += f.pressure[i] - 1000 * G * (level - f.y[i]);
+        ++count;
+    }
+    return sum / count;
+}
+
+START_TEST(beyond_a_level_pressure_is_that_of_liquid_at_rest)
+{
+    /* A slope of the surface before it, as of waves that break over a sill, does not go on outside. */
+    lay_channel(1.5, 0.6, 0.25);
+    sph2d_obstacle sill = sph2d_obstacle_default();
+    sill.outline.kind = SPH2D_OUTLINE_BOX;
+    sill.outline.box = (sph2d_box){{1.1, 0}, {1.3, 0.1}};
+    c.scene.obstacles = &sill;
+    c.scene.obstacle_count = 1;
+    c.block.velocity.x = 0.6;
+    c.openings[0].flow_rate = 0.15;
+    c.openings[0].free_surface = SPH2D_SWITCH_ON;
+    c.openings[1].level = 0.2;
+    c.scene.opening_count = c.scene.probe_count = 2;
+    start();
+    run_until(2);
+    double mean = 0, count = 0;
+    while (sph2d_sim_time(c.sim) < 5) {
+        test_steps(c.sim, 10);
+        mean += excess_beyond(0.2);
+        ++count;
+    }
+    ck_assert_double_le(fabs(mean / count), 20); /* 2 mm of water; 32 Pa with the slope */
+    finish();
+}
+END_TEST
+
+START_TEST(a_wave_leaves_nothing_above_the_level)
+{
+    /* Four spacings too much at the start; what stays in the reservoir would lie on the stream, and dam it up. */
+    lay_channel(1.5, 0.6, 0.34);
+    c.block.velocity.x = 0.6;
+    c.openings[0].flow_rate = 0.2;
+    c.openings[0].free_surface = SPH2D_SWITCH_ON;
+    c.openings[1].level = 0.26;
+    c.scene.opening_count = c.scene.probe_count = 2;
+    start();
+    run_until(4);
+    sph2d_view f = sph2d_sim_fluid(c.sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert(f.x[i] < 1.5 || f.y[i] < 0.26 + DX);
+    ck_assert_double_le(fabs(mean_until(1, 5).wet - 0.26), 0.5 * DX);
+    check_energy(0.01);
+    finish();
+}
+END_TEST
+
 /* ---- flow rates -------------------------------------------------------------------------------------------------- */
 
 START_TEST(a_flow_rate_has_the_depth_of_the_liquid_before_it)
@@ -393,6 +454,8 @@ Suite *suite_open_channels(void)
     tcase_add_test(test, a_level_lets_in_critical_flow);
     tcase_add_test(test, an_opening_in_the_floor_has_the_pressure_of_its_level);
     tcase_add_test(test, a_level_without_gravity_is_no_pressure);
+    tcase_add_test(test, beyond_a_level_pressure_is_that_of_liquid_at_rest);
+    tcase_add_test(test, a_wave_leaves_nothing_above_the_level);
     tcase_add_test(test, a_flow_rate_has_the_depth_of_the_liquid_before_it);
     tcase_add_test(test, onto_a_dry_bed_a_flow_is_critical);
     tcase_add_test(test, a_history_is_straight_lines);

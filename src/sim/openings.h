@@ -25,11 +25,11 @@
  *  (Lastiwka, Basa & Quinlan 2009, eq. 14 to 16). A wave of frequency omega is reflected by
  *  1/sqrt(1 + (2 omega T)^2).
  *
- *  Outside, liquid is at rest: where it flows in, rho0 <u>^2/2 is taken from P (Bernoulli), without which it would gain
- *  speed without end. A level L is the pressure rho0 g (L - y), where u - <u> counts less towards the surface, whose
- *  pressure is that of air. In an opening with a surface some lanes are *fed*, from the bottom up: those below L, or as
- *  many as the liquid before the line is deep, in the mean over T; a flow rate is divided by their width, in the same
- *  mean.
+ *  Outside, liquid is at rest: where it flows in, rho0 <u>^2/2 is taken from P (Bernoulli), without which it would
+ *  gain speed without end. A level L is the pressure rho0 g (L - y), without a slope dp'/dn, as the surface outside is
+ *  level, where u - <u> counts less towards the surface, whose pressure is that of air. In an opening with a surface
+ *  some lanes are *fed*, from the bottom up: those below L, or as many as the liquid before the line is deep, in the
+ *  mean over T; a flow rate is divided by their width, in the same mean.
  *
  *  The particles take part in all sums, but their velocity and density are overwritten; what that does to the liquid is
  *  booked as energy fed. */

@@ -17,14 +17,15 @@ static double sound_part(const sph2d__opening *o, size_t k)
     return depth > height ? sin(SPH2D__PI / 2 * (1 - height / depth)) : 0;
 }
 
-/** The velocity of a lane with a pressure: that before it. One that is dry below the level goes as the others, or, where
- *  all are dry, as much liquid comes as when a dam breaks, 8/27 sqrt(g d) d (Ritter 1892). */
+/** The velocity of a lane with a pressure: that before it. One that is dry beside a level goes as the others, in or out:
+ *  liquid that a wave has brought above the level would stay in the reservoir for ever, and dam up what follows. Where all
+ *  are dry, as much liquid comes as when a dam breaks, 8/27 sqrt(g d) d (Ritter 1892). */
 static double lane_velocity(const sph2d_sim *sim, const sph2d__opening *o, size_t k)
 {
     if (o->lanes[k].wet || o->kind != SPH2D__OPENING_LEVEL)
         return o->lanes[k].inward;
     if (o->wet)
-        return fmax(o->now.velocity, 0);
+        return o->now.velocity;
     return 8.0 / 27 * sqrt(hypot(sim->record.gravity_x, sim->record.gravity_y) * o->now.fed);
 }
 
@@ -43,7 +44,8 @@ static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k,
         values[0] += part * (known ? -(o->now.pressure - o->means->pressure) / impedance : 0);
         values[2] += part * lane->pressure;
     }
-    values[3] += part * o->means->slope;
+    if (o->kind != SPH2D__OPENING_LEVEL) /* of a surface the slope before the line is that of waves: outside is none */
+        values[3] += part * o->means->slope;
 }
 
 /* Between the middles of two lanes all changes linearly. */
