@@ -9,6 +9,7 @@
 
 #include "kernels/kernel.h"
 #include "methods/terms/shift.h"
+#include "methods/terms/stick.h"
 #include "methods/terms/viscosity.h"
 #include "methods/wcsph/pair.h"
 #include "methods/wcsph/wcsph.h"
@@ -79,6 +80,28 @@ SPH2D__INLINE void add_strain(rate_sums *sums, const pair *p, const group_state 
     sums->vy += gy * dvy;
     sums->grad_c_x += p->g * f->grad_c_x[j];
     sums->grad_c_y += p->g * f->grad_c_y[j];
+}
+
+/** Adds boundary particle b to the sums of the velocity gradient where liquid sticks to it. Without them the shear rate
+ *  at a wall is that farther inside: liquid that is thick by shear alone never began to follow a lid. */
+SPH2D__INLINE void add_wall_strain(rate_sums *sums, const sph2d__system *s, const sph2d__group *g, const pair *p,
+                                   size_t b)
+{
+    const sph2d__store *f = &s->fluid, *w = &s->walls;
+    double volume = w->mass[b] / s->rest_density;
+    SPH2D__FOR_LANES (*g, l) {
+        const size_t i = g->first + (size_t)l;
+        double dx = (double)p->dx[l], dy = (double)p->dy[l], stick = sph2d__stick(s, b, dx, dy);
+        double vg = stick > 0 ? (double)p->g[l] * volume : 0, gx = vg * dx, gy = vg * dy;
+        sph2d_vec2 jump = sph2d__stick_jump(s, b, stick, dx, dy, f->vx[i] - w->vx[b], f->vy[i] - w->vy[b]);
+        sums->xx[l] += (sph2d__real)(gx * dx);
+        sums->xy[l] += (sph2d__real)(gx * dy);
+        sums->yy[l] += (sph2d__real)(gy * dy);
+        sums->ux[l] += (sph2d__real)(gx * jump.x);
+        sums->uy[l] += (sph2d__real)(gy * jump.x);
+        sums->vx[l] += (sph2d__real)(gx * jump.y);
+        sums->vy[l] += (sph2d__real)(gy * jump.y);
+    }
 }
 
 /** Updates the distance to the free surface by a candidate. */

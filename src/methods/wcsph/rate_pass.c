@@ -26,6 +26,25 @@ SPH2D__INLINE wall_sums sum_walls(const sph2d__system *s, sph2d_kernel kernel, c
     return sums;
 }
 
+/** Adds walls without slip to the velocity gradient, of liquids whose viscosity depends on it. */
+SPH2D__INLINE void strain_by_walls(const sph2d__system *s, sph2d_kernel kernel, const sph2d__grouping *by,
+                                   const sph2d__group *g, const sph2d__packed *walls, rate_sums *sums)
+{
+    const sph2d__real inverse_support = (sph2d__real)(1 / s->support);
+    sph2d__ranges ranges;
+    if (!sph2d__group_others(by, g, &ranges))
+        return;
+    sph2d__sieve sieve;
+    sph2d__sieve_start(&sieve, &ranges, s->support);
+    while (sph2d__sift(&sieve, g, &ranges, walls->x, walls->y)) {
+        positions at = positions_of(&s->fluid, g, sieve.offset_x, sieve.offset_y);
+        SPH2D__FOR_FOUND (sieve, b) {
+            pair p = pair_with(kernel, inverse_support, &at, walls, b);
+            add_wall_strain(sums, s, g, &p, b);
+        }
+    }
+}
+
 SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last, sph2d_kernel kernel, diffusion form,
                                      sph2d__detail detail)
 {
@@ -57,7 +76,9 @@ SPH2D__INLINE void density_rate_with(sph2d__system *s, size_t first, size_t last
                     update_surface_distance(&sums, &p, &liquid, j);
             }
         }
-        const rate_sums liquid_sums = sums; /* a copy, so that the sums can stay in registers */
+        rate_sums liquid_sums = sums; /* a copy, so that the sums can stay in registers */
+        if (detail >= SPH2D__DETAIL_SHIFT && s->walls_rough && s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN)
+            strain_by_walls(s, kernel, &by, &g, &walls, &liquid_sums);
         const wall_sums of_walls = sum_walls(s, kernel, &by, &g, &own, &walls);
         SPH2D__FOR_LANES (g, l) {
             const size_t i = g.first + (size_t)l;
