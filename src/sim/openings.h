@@ -28,8 +28,8 @@
  *  Outside, liquid is at rest: where it flows in, rho0 <u>^2/2 is taken from P (Bernoulli), without which it would
  *  gain speed without end. A level L is the pressure rho0 g (L - y), without a slope dp'/dn, as the surface outside is
  *  level, where u - <u> counts less towards the surface, whose pressure is that of air. In an opening with a surface
- *  some lanes are *fed*, from the bottom up: those below L, or as many as the liquid before the line is deep, in the
- *  mean over T; a flow rate is divided by their width, in the same mean.
+ *  some lanes are *fed*, from the bottom up: those below L, or those of a stream that meets the liquid inside
+ *  (openings_measure.c), in the mean over T; a flow rate is divided by their width, in the same mean.
  *
  *  The particles take part in all sums, but their velocity and density are overwritten; what that does to the liquid is
  *  booked as energy fed. */
@@ -40,8 +40,8 @@
 #include "scene/openings.h"
 #include "sph2d/sim.h"
 
-/** What an opening keeps from step to step: <u>, <p'>, <dp'/dn>, the depth of liquid before the line and the width of
- *  lanes that are fed, and the time that these means cover, 0 where it was dry; and how many particles came and left at
+/** What an opening keeps from step to step: <u>, <p'>, <dp'/dn>, the depth with which a stream enters and the width
+ *  of lanes that are fed, and the time that these means cover, 0 where it was dry; and how many particles came and left at
  *  the end of its reservoir, and were in it at the start. */
 typedef struct sph2d__opening_means {
     double velocity, pressure, slope, depth, fed, age;
@@ -72,6 +72,7 @@ typedef struct sph2d__opening {
     double lane_width;           /**< [m] */
     double stride;               /**< between particles of a lane, so that each has its area [m] */
     double depth;                /**< of the reservoir [m] */
+    double entering;             /**< depth with which a stream enters now [m] */
     bool wet;                    /**< some lanes are */
     size_t wet_lanes;            /**< their number */
     size_t fed_lanes;            /**< number of those that get particles where liquid flows in, from the first on */

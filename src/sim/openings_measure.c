@@ -131,21 +131,59 @@ static void average_lanes(sph2d__opening *o)
     o->now.slope /= count;
 }
 
-/* Distance from the line at which depth is measured, with weights that fall linearly to 0 in as much [spacings]: a whole
- * number, so that a lattice has the same depth wherever it is. */
-static const double DEPTH_AT = 2;
+/* Distances from the line at which depth is measured, with weights that fall linearly to 0 in `half` [spacings]: whole
+ * numbers, so that a lattice has the same depth wherever it is. Near it is what is fed; what comes from the domain is
+ * seen farther away. */
+typedef struct place {
+    double at, half;
+} place;
+static const place NEAR = {2, 2}, INSIDE = {8, 4};
 
-/** Sets the depth of liquid before the line: its area, in the mean with weights. */
-static void measure_depth(const sph2d_sim *sim, sph2d__opening *o)
+/** Depth of liquid before the line: its area, in the mean with weights; and its velocity inwards there. */
+static double depth_at(const sph2d_sim *sim, const sph2d__opening *o, place where, double *velocity)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double dx = sim->scene.spacing, weight = 0;
+    double dx = sim->scene.spacing, weights = 0, flow = 0;
     for (size_t i = 0; i < f->count; ++i) {
         sph2d__spot at = sph2d__spot_of(o, f->x[i], f->y[i]);
         bool beside = at.along < -o->lane_width || at.along > o->mouth.width + o->lane_width;
-        weight += beside ? 0 : hat((-at.beyond / dx - DEPTH_AT) / DEPTH_AT);
+        double weight = beside ? 0 : hat((-at.beyond / dx - where.at) / where.half);
+        weights += weight;
+        flow += weight * (f->vx[i] * o->mouth.inward.x + f->vy[i] * o->mouth.inward.y);
     }
-    o->now.depth = fmin(weight / DEPTH_AT * dx, o->mouth.width);
+    *velocity = weights > 0 ? flow / weights : 0;
+    return fmin(weights / where.half * dx, o->mouth.width);
+}
+
+/** u - 2 sqrt(g h) of a stream of depth h that enters with the given flow rate or velocity. */
+static double outgoing(const sph2d__opening *o, double value, double g, double h)
+{
+    return (o->kind == SPH2D__OPENING_FLOW_RATE ? value / h : value) - 2 * sqrt(g * h);
+}
+
+/** The depth with which a stream enters: that at which its u - 2 sqrt(g h) is that of the liquid inside, which waves of
+ *  shallow water bring out unchanged (method of characteristics; Chaudhry 2008, Open-Channel Flow, ch. 14). By the depth
+ *  before the line itself any depth that is fed would stay. Of a stream that leaves it is what comes. */
+static double entering_depth(const sph2d_sim *sim, const sph2d__opening *o)
+{
+    double value = sph2d__opening_value(&sim->given, o->given, sim->record.time), u;
+    double inside = depth_at(sim, o, INSIDE, &u), g = hypot(sim->record.gravity_x, sim->record.gravity_y);
+    if (!(g > 0) || !(value > 0) || inside <= 0)
+        return inside;
+    double wanted = u - 2 * sqrt(g * inside);
+    double low = sph2d__opening_critical_depth(&sim->given, o->given, sim->record.time), high = o->mouth.width;
+    for (int k = 0; k < 40; ++k) { /* it falls with h */
+        double h = (low + high) / 2;
+        *(outgoing(o, value, g, h) > wanted ? &low : &high) = h;
+    }
+    return low;
+}
+
+static void measure_depth(const sph2d_sim *sim, sph2d__opening *o)
+{
+    double u;
+    o->now.depth = depth_at(sim, o, NEAR, &u);
+    o->entering = o->has_velocity ? entering_depth(sim, o) : o->now.depth;
 }
 
 /** Depth of the lanes that are fed, with a level at its height; of an opening without a surface all [m]. */
@@ -155,7 +193,7 @@ static double fed_depth(const sph2d_sim *sim, const sph2d__opening *o, double le
         return o->mouth.width;
     if (o->kind == SPH2D__OPENING_LEVEL)
         return o->mouth.along.y > 0 ? fmin(fmax(level - o->mouth.start.y, 0), o->mouth.width) : o->mouth.width;
-    double depth = o->means->age > 0 ? o->means->depth : o->now.depth;
+    double depth = o->means->age > 0 ? o->means->depth : o->entering;
     return fmax(depth, sph2d__opening_critical_depth(&sim->given, o->given, sim->record.time));
 }
 
@@ -213,7 +251,7 @@ void sph2d__openings_average(const sph2d_sim *sim, double dt)
         m->velocity += new_part(dt, m->age, PERIODS_OF_PRESSURE * period) * (o->now.velocity - m->velocity);
         m->pressure += part * (o->now.pressure - m->pressure);
         m->slope += part * (o->now.slope - m->slope);
-        m->depth += part * (o->now.depth - m->depth);
+        m->depth += part * (o->entering - m->depth);
         m->fed += part * (o->now.fed - m->fed);
         m->age = o->wet ? fmin(m->age + dt, PERIODS * period) : 0;
     }
