@@ -22,8 +22,8 @@
  *  transports too little momentum, by a part that does not shrink with the spacing: with a support of 3 spacings a film
  *  on a floor was 7 % too fast, the torque between two cylinders 8 % too low; with W' r they are 0.8 and 0.3 % off.
  *  Artificial viscosity, mu = alpha rho0 c0 H/16 (H/16 = h/8, h half the support radius H), and subgrid viscosity
- *  (wcsph.h) are there for differences between nearest neighbours and keep W'/r: with W' r water at rest moved 1.3 times
- *  as fast (examples/hydrostatic). */
+ *  (wcsph.h) are there for differences between nearest neighbours and keep W'/r: with W' r water at rest moved twice
+ *  as fast (tests/cases/hydrostatic.yaml). */
 #ifndef SPH2D_METHODS_TERMS_VISCOSITY_H
 #define SPH2D_METHODS_TERMS_VISCOSITY_H
 
