@@ -205,7 +205,7 @@ static const double SPRING = 0.3, DAMPER = 0.5;
 static const double LAYERS = 0.5;
 /* Part of the time in which friction along its outline would stop a body that is lighter than the liquid around it, and of
  * its period on surface tension. Slabs of 0.08 times the density of water, 2 spacings across, in liquid of which steps are
- * limited by viscosity: one 14 spacings long is stable with 0.5, not with 1; one 6 long with 4, not with 8. */
+ * limited by viscosity: one 14 spacings long is stable with 0.3, not with 0.4. */
 static const double FRICTION = 0.2, TENSION = 1;
 
 /** The longest step that is stable with friction and surface tension along a body [s]. `mass`: the least that a point of
