@@ -4,7 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/pi.h"
 #include "common.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.01;
@@ -125,6 +127,32 @@ START_TEST(a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness
     }
     ck_assert_double_eq_tol(area_of(sim), t * 0.4, 1.001 * DX * DX); /* mitres round off the ends of the plate */
     ck_assert_double_eq_tol(moment, 0, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/** A wedge with its tip at (0.2, 0.3): the layers of its two long sides meet on its midline, as far as the tip. */
+START_TEST(a_sharp_corner_is_filled_once_up_to_its_tip)
+{
+    static const double angles[] = {4, 14, 30, 45, 60, 75, 86}; /* degrees; with the length thin enough to be filled */
+    double angle = angles[_i] * SPH2D__PI / 180, length = 4.9 * DX / (2 * sin(angle / 2));
+    sph2d_vec2 corners[] = {{0.2, 0.3},
+                            {0.2 + length * cos(angle / 2), 0.3 - length * sin(angle / 2)},
+                            {0.2 + length * cos(angle / 2), 0.3 + length * sin(angle / 2)}};
+    obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
+    obstacle.outline.polygon = (sph2d_points){corners, 3};
+    sph2d_sim *sim = test_create(&scene, NULL);
+    const sph2d__store *w = &sim->system.walls;
+    double whole = length * length * sin(angle) / 2, along = 0, skin = 0;
+    for (size_t i = 0; i < w->count; ++i) {
+        ck_assert(sph2d__outline_encloses(&obstacle.outline, (sph2d_vec2){w->x[i], w->y[i]}));
+        along += w->mass[i] / scene.fluid.density * (w->x[i] - 0.2);
+        skin += w->skin ? w->skin[i] : 0;
+    }
+    ck_assert_msg(fabs(area_of(sim) / whole - 1) < 0.02, "%g of %g", area_of(sim), whole);
+    along /= whole * length * cos(angle / 2) * 2 / 3;
+    ck_assert_msg(fabs(along - 1) < 0.02, "its centroid is at %g of its distance from the tip", along);
+    ck_assert_double_eq_tol(skin, w->skin ? 2 * length * (1 + sin(angle / 2)) : 0, 1e-3 * length);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -296,6 +324,7 @@ Suite *suite_layers(void)
     tcase_add_test(tests, a_solid_box_has_layers_inside);
     tcase_add_test(tests, a_thin_solid_is_filled_once);
     tcase_add_loop_test(tests, a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness, 0, 10);
+    tcase_add_loop_test(tests, a_sharp_corner_is_filled_once_up_to_its_tip, 0, 7);
     tcase_add_test(tests, a_trough_has_layers_on_all_its_faces);
     tcase_add_test(tests, a_circle_has_rings_of_its_area);
     tcase_add_test(tests, a_polyline_has_mitred_layers_on_its_right);

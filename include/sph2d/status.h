@@ -118,7 +118,7 @@ typedef struct sph2d_diagnostic {
     char message[320];
 
     /** What to do about it. */
-    char hint[240];
+    char hint[480];
 } sph2d_diagnostic;
 
 /** The largest number of diagnostics in a report. */

@@ -49,7 +49,7 @@ static bool set_positions(sph2d__packing_state *p)
     for (size_t cell = 0; cell < cells; ++cell) {
         int cover = sph2d__region_covered(p->region, cell);
         if (p->chosen[cell]) {
-            p->at[n] = sph2d__region_centroid(p->region, cell);
+            p->at[n] = sph2d__region_place(p->region, cell);
             moving[cell] = sph2d__sim_occupancy(p->sim, p->at[n++], 1) != SPH2D__FREE;
         }
         moving[cell] |= cover > 0 && cover < SPH2D__REGION_POINTS;

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "start/packing_state.h"
+#include "start/start.h"
 
 /* A boundary particle represents the area within COVERED spacings on its side of the wall's surface. This can be part
  * of a quarter cell whose centre is within COVERED_IN_PART; such quarters are sampled at POINTS x POINTS points. */
@@ -155,4 +156,26 @@ void sph2d__packing_add_walls(const sph2d__packing_state *p, sph2d_vec2 at, sph2
         if (has_area(w, j))
             sph2d__packing_add_area(p, at.x + ranges.x[r] - w->x[j], at.y + ranges.y[r] - w->y[j], w->mass[j] / area,
                                     sum);
+}
+
+sph2d_vec2 sph2d__packing_clear_of_walls(const sph2d__packing_state *p, sph2d_vec2 at)
+{
+    const sph2d__system *s = &p->sim->system;
+    const sph2d__store *w = &s->walls;
+    uint32_t cell = w->count > 0 ? sph2d__cells_find(&s->wall_cells, at.x, at.y) : UINT32_MAX;
+    sph2d_vec2 clear = at;
+    double deepest = 0;
+    if (cell == UINT32_MAX)
+        return at;
+    sph2d__ranges ranges;
+    sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+        double x = at.x + ranges.x[r] - w->x[j], y = at.y + ranges.y[r] - w->y[j], distance = hypot(x, y);
+        double wanted = has_area(w, j) ? sph2d__sim_clear_distance(p->sim, j) : 0;
+        if (wanted - distance > deepest && distance > 0) {
+            deepest = wanted - distance;
+            clear = (sph2d_vec2){at.x + deepest * x / distance, at.y + deepest * y / distance};
+        }
+    }
+    return clear;
 }

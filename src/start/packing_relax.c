@@ -140,6 +140,21 @@ static bool may_move(const sph2d__packing_state *p, sph2d_vec2 from, sph2d_vec2 
     return !sph2d__sim_crosses_wall(p->sim, from, to);
 }
 
+/** Moves the particles that are too near to boundary particles off them. True if there were any. */
+static bool clear_walls(sph2d__packing_state *p)
+{
+    bool any = false;
+    for (size_t m = 0; m < p->movers; ++m) {
+        sph2d_vec2 *at = &p->at[p->mover[m]], clear = sph2d__packing_clear_of_walls(p, *at);
+        if (clear.x == at->x && clear.y == at->y)
+            continue;
+        any = true;
+        if (may_move(p, *at, clear))
+            *at = clear;
+    }
+    return any;
+}
+
 /** Makes one step of the descent. Momentum is dropped when it leads uphill. */
 static void descend(sph2d__packing_state *p)
 {
@@ -161,11 +176,9 @@ static void descend(sph2d__packing_state *p)
     }
 }
 
-bool sph2d__packing_relax(sph2d__packing_state *p, double *residual)
+/** Descends; with `clear` only to places that are clear of walls. False when memory is short. */
+static bool descend_all(sph2d__packing_state *p, bool clear, double *residual)
 {
-    *residual = 0;
-    if (p->movers == 0)
-        return true;
     for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
         if ((iteration == 0 || neighbours_are_stale(p)) && !find_neighbours(p))
             return false;
@@ -173,6 +186,17 @@ bool sph2d__packing_relax(sph2d__packing_state *p, double *residual)
         if (*residual < TOLERANCE)
             break;
         descend(p);
+        if (clear)
+            clear_walls(p);
     }
     return true;
+}
+
+bool sph2d__packing_relax(sph2d__packing_state *p, double *residual)
+{
+    *residual = 0;
+    if (p->movers == 0)
+        return true;
+    /* what thin solids represent is little, and does not keep all particles off them */
+    return descend_all(p, false, residual) && (!clear_walls(p) || descend_all(p, true, residual));
 }

@@ -79,6 +79,10 @@ void sph2d__packing_find_missing(sph2d__packing_state *p);
 void sph2d__packing_add_missing(const sph2d__packing_state *p, sph2d_vec2 at, sph2d_vec2 *sum);
 void sph2d__packing_add_walls(const sph2d__packing_state *p, sph2d_vec2 at, sph2d_vec2 *sum);
 
+/** Where the boundary particle that is too near to a position by the largest distance leaves it; the position itself if
+ *  none is. */
+sph2d_vec2 sph2d__packing_clear_of_walls(const sph2d__packing_state *p, sph2d_vec2 at);
+
 /** Moves the particles until the gradients vanish; `residual` is the largest remaining gradient times the spacing.
  *  False when memory is short. */
 bool sph2d__packing_relax(sph2d__packing_state *state, double *residual);

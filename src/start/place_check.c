@@ -34,9 +34,16 @@ bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report)
     return sph2d__sim_too_many(sim, sph2d_scene_particles(&sim->scene), "spacing", report);
 }
 
-/* Liquid begins half a spacing in front of a wall, the layers half a spacing behind. Liquid that is nearer to a
- * boundary particle [spacings] is in the wall or starts compressed against it. */
-static const double MIN_DISTANCE = 0.6;
+/* Liquid begins half a spacing in front of a wall, the layers half a spacing behind, or less in thin solids and sharp
+ * corners. Liquid that is nearer to a boundary particle, or to the surface in front of it [spacings], is in the wall or
+ * starts compressed against it. */
+static const double MIN_DISTANCE = 0.6, MIN_GAP = 0.1;
+
+double sph2d__sim_clear_distance(const sph2d_sim *sim, size_t wall)
+{
+    const double *depth = sim->system.walls.depth;
+    return fmin(MIN_DISTANCE * sim->scene.spacing, MIN_GAP * sim->scene.spacing + (depth ? depth[wall] : INFINITY));
+}
 
 /** The first block before block `index` that contains a position; `index` for none. */
 static size_t block_around(const sph2d_sim *sim, size_t index, sph2d_vec2 position)
@@ -124,7 +131,7 @@ static size_t layers_around(const sph2d_sim *sim, size_t i)
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         double x = f->x[i] + ranges.x[r] - w->x[j], y = f->y[i] + ranges.y[r] - w->y[j];
-        size_t k = hypot(x, y) < MIN_DISTANCE * sim->scene.spacing ? obstacle_of(sim, w->id[j]) : count;
+        size_t k = hypot(x, y) < sph2d__sim_clear_distance(sim, j) ? obstacle_of(sim, w->id[j]) : count;
         if (k < found && sph2d__obstacle_form(&sim->scene, &sim->scene.obstacles[k]) == SPH2D_WALL_GENERALISED)
             found = k;
     }

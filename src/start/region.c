@@ -336,7 +336,24 @@ double sph2d__region_area(const sph2d__region *r)
     return points / SPH2D__REGION_POINTS * r->size * r->size;
 }
 
-sph2d_vec2 sph2d__region_centroid(const sph2d__region *r, size_t cell)
+/** The covered point of a cell that is nearest to a position. */
+static sph2d_vec2 nearest_covered(const sph2d__region *r, size_t cell, sph2d_vec2 to)
+{
+    sph2d_vec2 nearest = to;
+    double least = INFINITY;
+    for (unsigned k = 0; k < SPH2D__REGION_POINTS; ++k) {
+        sph2d_vec2 p = point_of(k);
+        p = sph2d__region_position(r, (double)(cell % r->nx) + p.x, (double)(cell / r->nx) + p.y);
+        double distance = hypot(p.x - to.x, p.y - to.y);
+        if (distance < least && sph2d__region_contains(r, p)) {
+            least = distance;
+            nearest = p;
+        }
+    }
+    return nearest;
+}
+
+sph2d_vec2 sph2d__region_place(const sph2d__region *r, size_t cell)
 {
     double x = 0, y = 0, count = 0, i = (double)(cell % r->nx), j = (double)(cell / r->nx);
     if (sph2d__region_covered(r, cell) == SPH2D__REGION_POINTS)
@@ -349,5 +366,6 @@ sph2d_vec2 sph2d__region_centroid(const sph2d__region *r, size_t cell)
         y += at.y;
         ++count;
     }
-    return (sph2d_vec2){x / count, y / count};
+    sph2d_vec2 centroid = {x / count, y / count};
+    return sph2d__region_contains(r, centroid) ? centroid : nearest_covered(r, cell, centroid);
 }

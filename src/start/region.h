@@ -64,7 +64,8 @@ double sph2d__region_area(const sph2d__region *region);
 /** Whether a position is in the area: in the shape and in no solid. */
 bool sph2d__region_contains(const sph2d__region *region, sph2d_vec2 p);
 
-/** Centroid of the covered part of a cell. */
-sph2d_vec2 sph2d__region_centroid(const sph2d__region *region, size_t cell);
+/** A place in the covered part of a cell: its centroid, or the point nearest to it where a thin solid or a corner takes
+ *  that. */
+sph2d_vec2 sph2d__region_place(const sph2d__region *region, size_t cell);
 
 #endif

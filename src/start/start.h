@@ -46,6 +46,9 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
 sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report);
 sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p, sph2d_report *report);
 
+/** The distance from a boundary particle in layers within which no liquid may start [m]. */
+double sph2d__sim_clear_distance(const sph2d_sim *sim, size_t wall);
+
 /** Adds the velocity that liquid has at the start, and sets its pressure, to the particles from `first` on; `key` is that
  *  of `start` in the scene. Those of a lattice, whose spacing is that at rest density, are moved to where their density is
  *  that of still liquid. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
