@@ -59,6 +59,7 @@
     X(tunnelling)                                                                                                      \
     X(absorb)                                                                                                          \
     X(implicit_viscosity)                                                                                              \
+    X(closed_flow)                                                                                                     \
     X(openings)                                                                                                        \
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \

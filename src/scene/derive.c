@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "scene/basin.h"
 #include "scene/bodies.h"
+#include "scene/closed_flow.h"
 #include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
@@ -125,6 +126,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; i < scene->opening_count; ++i)
         d.speed = fmax(d.speed, sph2d__opening_speed(scene, &scene->openings[i]));
+    d.speed = fmax(d.speed, sph2d__throat_speed(scene));
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
     d.speed = fmax(d.speed, sph2d__start_speed(&scene->start));
@@ -138,6 +140,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     for (size_t i = 0; i < scene->opening_count; ++i)
         if (sph2d__opening_kind_of(&scene->openings[i]) == SPH2D__OPENING_PRESSURE)
             pressed = fmax(pressed, sph2d__opening_largest(&scene->openings[i]) / scene->fluid.density);
+    d.pull += sph2d__slowing_head(scene);
     d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.pull += fmax(pressed - g * d.height, 0);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;

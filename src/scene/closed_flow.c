@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/** @file closed_flow.c */
+#include "scene/closed_flow.h"
+
+#include <math.h>
+
+#include "scene/bodies.h"
+#include "scene/openings.h"
+#include "scene/shape.h"
+
+/* Places across the channel at which a section is sampled, and corners of an outline at which there is one, at most. */
+enum { PLACES = 400, CORNERS = 100 };
+
+/* What the jet round the inner corner of a bend takes of its width (Lichtarowicz & Markland 1963, J. Fluid Mech. 17, 596). */
+static const double BEND = 0.53;
+/* The steepest slope of an opening's ramp, z^3 (10 - 15 z + 6 z^2), at z = 1/2. */
+static const double RAMP_SLOPE = 1.875;
+
+/** A channel along x, or along y. */
+typedef struct channel {
+    const sph2d_scene *scene;
+    bool along_x;
+    double low, width; /**< across it [m] */
+} channel;
+
+static sph2d_vec2 place(const channel *c, double along, double across)
+{
+    return c->along_x ? (sph2d_vec2){along, across} : (sph2d_vec2){across, along};
+}
+
+/** Whether an obstacle is in the way at a place: lines are as thick as a spacing. */
+static bool blocks(const channel *c, const sph2d_obstacle *obstacle, sph2d_vec2 p)
+{
+    const sph2d_outline *outline = &obstacle->outline;
+    double dx = c->scene->spacing;
+    if (sph2d__outline_is_open(outline))
+        return sph2d__outline_nearest(outline, dx, p) < dx / 2;
+    return sph2d__outline_encloses(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
+}
+
+/** The free part of the width of the section at `along`. */
+static double free_part(const channel *c, double along)
+{
+    size_t count = sph2d__obstacles_without_bodies(c->scene);
+    int open = 0;
+    for (int k = 0; k < PLACES; ++k) {
+        sph2d_vec2 p = place(c, along, c->low + (k + 0.5) / PLACES * c->width);
+        bool taken = false;
+        for (size_t i = 0; i < count && !taken; ++i)
+            taken = blocks(c, &c->scene->obstacles[i], p);
+        open += !taken;
+    }
+    return (double)open / PLACES;
+}
+
+/** The least free part beside an obstacle: at its corners, on both sides of each, and in its middle. 0 is no section but
+ *  a wall, which the flow does not pass. */
+static double least_beside(const channel *c, const sph2d_outline *outline)
+{
+    double dx = c->scene->spacing, least = 1;
+    sph2d_box b = sph2d__outline_bounds(outline, dx);
+    size_t pieces = sph2d__outline_pieces(outline, dx), step = 1 + pieces / CORNERS;
+    double middle = free_part(c, c->along_x ? (b.min.x + b.max.x) / 2 : (b.min.y + b.max.y) / 2);
+    if (middle > 0)
+        least = middle;
+    for (size_t k = 0; k < pieces; k += step) {
+        sph2d_vec2 corner = sph2d__outline_piece(outline, dx, k).a;
+        double at = c->along_x ? corner.x : corner.y;
+        for (int side = -1; side <= 1; side += 2) {
+            double part = free_part(c, at + side * 1e-6 * dx);
+            if (part > 0 && part < least)
+                least = part;
+        }
+    }
+    return least;
+}
+
+/** The largest flow that openings prescribe on a side [m^2/s], and over which width [m]. */
+typedef struct inflow {
+    double flow, width;
+    sph2d_side_name side;
+} inflow;
+
+static inflow largest_flow(const sph2d_scene *scene, sph2d_side_name side)
+{
+    inflow sum = {0, 0, side};
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        if (o->side != side || !sph2d__opening_has_velocity(o))
+            continue;
+        double width = sph2d__opening_mouth(scene, o).width;
+        bool rate = sph2d__opening_kind_of(o) == SPH2D__OPENING_FLOW_RATE;
+        sum.flow += sph2d__opening_largest(o) * (rate ? 1 : width);
+        sum.width += width;
+    }
+    return sum;
+}
+
+static inflow larger(inflow a, inflow b)
+{
+    return a.flow > b.flow ? a : b;
+}
+
+/** Whether liquid that enters on a side leaves elsewhere than on the opposite one. */
+static bool turns(const sph2d_scene *scene, sph2d_side_name from)
+{
+    static const sph2d_side_name opposite[] = {[SPH2D_SIDE_NAME_LEFT] = SPH2D_SIDE_NAME_RIGHT,
+                                               [SPH2D_SIDE_NAME_RIGHT] = SPH2D_SIDE_NAME_LEFT,
+                                               [SPH2D_SIDE_NAME_BOTTOM] = SPH2D_SIDE_NAME_TOP,
+                                               [SPH2D_SIDE_NAME_TOP] = SPH2D_SIDE_NAME_BOTTOM};
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if (!sph2d__opening_has_velocity(&scene->openings[i]) && scene->openings[i].side != opposite[from])
+            return true;
+    return false;
+}
+
+static bool has_surface(const sph2d_scene *scene)
+{
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if (sph2d__opening_has_surface(&scene->openings[i]))
+            return true;
+    return false;
+}
+
+double sph2d__throat_speed(const sph2d_scene *scene)
+{
+    inflow x = larger(largest_flow(scene, SPH2D_SIDE_NAME_LEFT), largest_flow(scene, SPH2D_SIDE_NAME_RIGHT));
+    inflow y = larger(largest_flow(scene, SPH2D_SIDE_NAME_BOTTOM), largest_flow(scene, SPH2D_SIDE_NAME_TOP));
+    if (has_surface(scene) || (x.flow > 0) == (y.flow > 0))
+        return 0;
+    const sph2d_box *d = &scene->domain;
+    bool along_x = x.flow > 0;
+    channel c = {scene, along_x, along_x ? d->min.y : d->min.x, along_x ? d->max.y - d->min.y : d->max.x - d->min.x};
+    inflow in = along_x ? x : y;
+    double least = 1;
+    for (size_t i = 0; i < sph2d__obstacles_without_bodies(scene); ++i)
+        least = fmin(least, least_beside(&c, &scene->obstacles[i].outline));
+    double width = least * c.width, m = fmin(width / in.width, 1);
+    double jet = 0.63 + 0.37 * m * m * m;
+    return in.flow / (width * (turns(scene, in.side) ? fmin(jet, BEND) : jet));
+}
+
+/** The largest rate at which what an opening prescribes falls, in its own unit over seconds. */
+static double fall_rate(const sph2d_opening *o)
+{
+    sph2d__opening_kind kind = sph2d__opening_kind_of(o);
+    const sph2d_history *h = sph2d__opening_history(o, kind);
+    double rate = 0, last = kind == SPH2D__OPENING_FLOW_RATE ? o->flow_rate : o->velocity;
+    for (size_t i = 1; i < h->count; ++i)
+        if (h->items[i].x > h->items[i - 1].x)
+            rate = fmax(rate, (h->items[i - 1].y - h->items[i].y) / (h->items[i].x - h->items[i - 1].x));
+    if (o->ramp > 0 && h->count == 0 && last < 0)
+        rate = -last * RAMP_SLOPE / o->ramp;
+    return rate;
+}
+
+double sph2d__slowing_head(const sph2d_scene *scene)
+{
+    const sph2d_box *d = &scene->domain;
+    double most = 0;
+    if (has_surface(scene))
+        return 0;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        if (!sph2d__opening_has_velocity(o))
+            continue;
+        sph2d__mouth m = sph2d__opening_mouth(scene, o);
+        bool rate = sph2d__opening_kind_of(o) == SPH2D__OPENING_FLOW_RATE;
+        double length = m.inward.x != 0 ? d->max.x - d->min.x : d->max.y - d->min.y;
+        most = fmax(most, length * fall_rate(o) / (rate ? m.width : 1));
+    }
+    return most;
+}
