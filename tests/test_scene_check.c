@@ -273,6 +273,51 @@ START_TEST(what_a_method_computes_badly_is_warned_of)
 }
 END_TEST
 
+/** 0.5 m deep it falls at U = 3.13 m/s, and walls slow a layer of sqrt(nu L/U) = 5 spacings from 195.8 Pa s on. */
+START_TEST(thick_liquid_that_slides_is_warned_of)
+{
+    static const struct {
+        sph2d_rheology model;
+        double viscosity, yield_stress; /* the first also the consistency, for an index of 1 */
+        sph2d_slip slip;
+        sph2d_wall_slip bottom;
+        sph2d_method method;
+        size_t warnings;
+    } liquids[] = {
+        {SPH2D_RHEOLOGY_NEWTONIAN, 190, 0, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_WCSPH, 0},
+        {SPH2D_RHEOLOGY_NEWTONIAN, 200, 0, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_WCSPH, 1},
+        {SPH2D_RHEOLOGY_NEWTONIAN, 200, 0, SPH2D_SLIP_NONE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_WCSPH, 0},
+        {SPH2D_RHEOLOGY_NEWTONIAN, 200, 0, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_FREE, SPH2D_METHOD_WCSPH, 0},
+        {SPH2D_RHEOLOGY_NEWTONIAN, 200, 0, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_MULLER, 0},
+        {SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, 0, 590, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_WCSPH, 0},
+        {SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, 50, 590, SPH2D_SLIP_FREE, SPH2D_WALL_SLIP_DEFAULT, SPH2D_METHOD_WCSPH, 1},
+    };
+    sph2d_scene thick = sph2d_scene_default();
+    sph2d_block block = test_block(0, 0, 1, 0.5);
+    thick.domain = (sph2d_box){{0, 0}, {1, 1}};
+    thick.spacing = 0.05;
+    thick.blocks = &block;
+    thick.block_count = 1;
+    for (size_t k = 0; k < sizeof liquids / sizeof *liquids; ++k) {
+        thick.fluid.model = liquids[k].model;
+        bool newtonian = liquids[k].model == SPH2D_RHEOLOGY_NEWTONIAN;
+        thick.fluid.dynamic_viscosity =
+            newtonian ? liquids[k].viscosity : sph2d_scene_default().fluid.dynamic_viscosity;
+        thick.fluid.consistency = newtonian ? 0 : liquids[k].viscosity;
+        thick.fluid.yield_stress = liquids[k].yield_stress;
+        thick.wall_slip = liquids[k].slip;
+        thick.side_slip.bottom = liquids[k].bottom;
+        thick.method.name = liquids[k].method;
+        sph2d_report_clear(&report);
+        sph2d_scene_check(&thick, &report);
+        size_t warnings = 0;
+        for (size_t i = 0; i < report.count; ++i)
+            warnings += strstr(report.items[i].message, "slides") != NULL;
+        ck_assert_msg(warnings == liquids[k].warnings, "%zu: %s", k, test_report_text(&report));
+    }
+}
+END_TEST
+
 /** Liquid as deep as 1 m compresses itself by 16 % where sound has 8 m/s, by less than 10 % where it has 12; without a
  *  sound speed there is nothing to warn of. */
 START_TEST(a_sound_speed_too_low_for_the_depth_is_warned_of)
@@ -645,6 +690,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_sound_speed_too_low_for_the_depth_is_warned_of);
     tcase_add_test(tests, a_driven_flow_has_no_depth);
     tcase_add_test(tests, what_a_method_computes_badly_is_warned_of);
+    tcase_add_test(tests, thick_liquid_that_slides_is_warned_of);
     tcase_add_test(tests, a_blow_of_a_wall_is_warned_of);
     tcase_add_test(tests, a_bow_tie_is_told_that_it_crosses_itself);
     tcase_add_test(tests, what_does_nothing_is_warned_of);

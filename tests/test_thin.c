@@ -32,6 +32,7 @@ static void start_with(double thick)
     scene.obstacle_count = 1;
     scene.blocks = blocks;
     scene.block_count = 2;
+    scene.side_slip.bottom = SPH2D_WALL_SLIP_FREE; /* on purpose, also where the liquid is thick */
 }
 
 /** Whether the scene is warned of, and is sound apart from that. */

@@ -55,7 +55,7 @@ static void update_best(candidate *best, const char *written, const char *known)
 {
     unsigned changes = distance(written, known);
     /* up to a third of the letters may differ, but words of one or two letters must not match everything */
-    unsigned limit = (unsigned)(strlen(known) < 3 ? 1 : (strlen(known) + 2) / 3);
+    unsigned limit = (unsigned)(strlen(known) < 3 ? 1 : (strlen(known) + 1) / 3);
     if (changes <= limit && changes < strlen(known) && (!best->text || changes < best->distance))
         *best = (candidate){known, changes};
 }
