@@ -74,6 +74,14 @@ START_TEST(a_step_behind_the_inlet_is_no_throat)
 }
 END_TEST
 
+START_TEST(an_outlet_is_a_throat)
+{
+    openings[1].from = 0.2;
+    openings[1].to = 0.35;
+    ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / (0.25 * (0.63 + 0.37 * 0.015625)), 1e-9);
+}
+END_TEST
+
 START_TEST(the_jet_round_a_corner_is_half_as_wide)
 {
     openings[1].side = SPH2D_SIDE_NAME_TOP;
@@ -141,6 +149,7 @@ Suite *suite_closed_flow(void)
     tcase_add_test(tests, the_jet_behind_plates_is_narrower_than_their_gap);
     tcase_add_test(tests, corners_and_lines_are_throats_and_walls_are_none);
     tcase_add_test(tests, a_step_behind_the_inlet_is_no_throat);
+    tcase_add_test(tests, an_outlet_is_a_throat);
     tcase_add_test(tests, the_jet_round_a_corner_is_half_as_wide);
     tcase_add_test(tests, other_scenes_have_no_throat);
     tcase_add_test(tests, slowing_liquid_is_pulled_by_its_length);

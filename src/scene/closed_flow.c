@@ -114,6 +114,16 @@ static bool turns(const sph2d_scene *scene, sph2d_side_name from)
     return false;
 }
 
+/** Width of all openings through which liquid flows as it will [m]; INFINITY without any. */
+static double free_width(const sph2d_scene *scene)
+{
+    double sum = 0;
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if (!sph2d__opening_has_velocity(&scene->openings[i]))
+            sum += sph2d__opening_mouth(scene, &scene->openings[i]).width;
+    return sum > 0 ? sum : INFINITY;
+}
+
 static bool has_surface(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->opening_count; ++i)
@@ -135,7 +145,7 @@ double sph2d__throat_speed(const sph2d_scene *scene)
     double least = 1;
     for (size_t i = 0; i < sph2d__obstacles_without_bodies(scene); ++i)
         least = fmin(least, least_beside(&c, &scene->obstacles[i].outline));
-    double width = least * c.width, m = fmin(width / in.width, 1);
+    double width = fmin(least * c.width, free_width(scene)), m = fmin(width / in.width, 1);
     double jet = 0.63 + 0.37 * m * m * m;
     return in.flow / (width * (turns(scene, in.side) ? fmin(jet, BEND) : jet));
 }
