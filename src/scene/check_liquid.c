@@ -64,6 +64,8 @@ static void check_parameters(checker *c)
         {PARAMETER(dynamic_viscosity), OF(NEWTONIAN) | OF(CARREAU), false},
     };
 #undef PARAMETER
+    if ((size_t)f->model >= sizeof words / sizeof *words) /* no word of it: told by the checks of ranges */
+        return;
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         check_parameter(c, &all[k]);
 }
