@@ -13,6 +13,8 @@ enum { PLACES = 400, CORNERS = 100 };
 
 /* What the jet round the inner corner of a bend takes of its width (Lichtarowicz & Markland 1963, J. Fluid Mech. 17, 596). */
 static const double BEND = 0.53;
+/* Gaps that are narrower pass hardly any liquid [spacings]. */
+static const double LEAST_GAP = 2;
 /* The steepest slope of an opening's ramp, z^3 (10 - 15 z + 6 z^2), at z = 1/2. */
 static const double RAMP_SLOPE = 1.875;
 
@@ -38,7 +40,7 @@ static bool blocks(const channel *c, const sph2d_obstacle *obstacle, sph2d_vec2 
     return sph2d__outline_encloses(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
 }
 
-/** The free part of the width of the section at `along`. */
+/** The free part of the width of the section at `along`; 0 where less is free than liquid passes. */
 static double free_part(const channel *c, double along)
 {
     size_t count = sph2d__obstacles_without_bodies(c->scene);
@@ -50,7 +52,7 @@ static double free_part(const channel *c, double along)
             taken = blocks(c, &c->scene->obstacles[i], p);
         open += !taken;
     }
-    return (double)open / PLACES;
+    return open * c->width < LEAST_GAP * c->scene->spacing * PLACES ? 0 : (double)open / PLACES;
 }
 
 /** The least free part beside an obstacle: at its corners, on both sides of each, and in its middle. 0 is no section but
