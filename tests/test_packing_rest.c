@@ -54,6 +54,17 @@ START_TEST(equal_pressure_pushes_no_packed_particle)
 }
 END_TEST
 
+/** The smallest distance between two particles, 1 at most [spacings]. */
+static double nearest_pair(const sph2d_sim *sim)
+{
+    sph2d_view f = sph2d_sim_fluid(sim);
+    double nearest = 1;
+    for (size_t i = 0; i < f.count; ++i)
+        for (size_t j = 0; j < i; ++j)
+            nearest = fmin(nearest, hypot(f.x[i] - f.x[j], f.y[i] - f.y[j]) / DX);
+    return nearest;
+}
+
 START_TEST(no_kernel_packs_particles_in_pairs)
 {
     /* A lattice as dense has 1; by the cubic spline itself places came within 2e-7. */
@@ -61,12 +72,7 @@ START_TEST(no_kernel_packs_particles_in_pairs)
     packed.scene.method.support_ratio = 4;
     packed.block = test_block(0.1, 0.1, 0.2893, 0.3451);
     sph2d_sim *sim = test_create(&packed.scene, NULL);
-    sph2d_view f = sph2d_sim_fluid(sim);
-    double nearest = 1;
-    for (size_t i = 0; i < f.count; ++i)
-        for (size_t j = 0; j < i; ++j)
-            nearest = fmin(nearest, hypot(f.x[i] - f.x[j], f.y[i] - f.y[j]) / DX);
-    ck_assert_double_gt(nearest, 0.75);
+    ck_assert_double_gt(nearest_pair(sim), 0.75);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -184,12 +190,7 @@ START_TEST(liquid_around_sharp_corners_comes_to_rest)
     packed.scene.obstacles = &packed.obstacle;
     packed.scene.obstacle_count = 1;
     sph2d_sim *sim = test_create(&packed.scene, NULL);
-    sph2d_view f = sph2d_sim_fluid(sim);
-    double nearest = 1;
-    for (size_t i = 0; i < f.count; ++i)
-        for (size_t j = 0; j < i; ++j)
-            nearest = fmin(nearest, hypot(f.x[i] - f.x[j], f.y[i] - f.y[j]) / DX);
-    ck_assert_double_gt(nearest, 0.6);
+    ck_assert_double_gt(nearest_pair(sim), 0.6);
     while (sph2d_sim_time(sim) < 1)
         test_steps(sim, 1);
     double speed = sph2d_sim_summary(sim).speed_max / sqrt(g * depth);
