@@ -394,6 +394,39 @@ START_TEST(liquid_that_starts_against_a_wall_makes_no_energy)
 }
 END_TEST
 
+/* ---- samples ----------------------------------------------------------------------------------------------------- */
+
+/** Steps until dissipation is looked at again. */
+static int steps_to_sample(sph2d_sim *sim)
+{
+    double last = sim->record.booked_time;
+    int steps = 0;
+    for (; sim->record.booked_time == last && steps < 100; ++steps)
+        test_steps(sim, 1);
+    return steps;
+}
+
+/** Thick liquid that is struck loses its energy within a few steps: its friction is looked at more often until then. */
+START_TEST(samples_follow_what_friction_does)
+{
+    plain_liquid(0.05);
+    close_periods();
+    scene.fluid.dynamic_viscosity = 100;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 160);
+    ck_assert_int_eq(steps_to_sample(sim), 40);
+    test_steps(sim, 39);
+    for (size_t i = 0; i < sim->system.fluid.count; ++i)
+        sim->system.fluid.vx[i] = sim->system.fluid.y[i] < 0.5 ? 0.1 : -0.1;
+    ck_assert_int_eq(steps_to_sample(sim), 1);
+    ck_assert_int_lt(steps_to_sample(sim), 16);
+    test_steps(sim, 1000);
+    steps_to_sample(sim);
+    ck_assert_int_eq(steps_to_sample(sim), 40);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* ---- the guard --------------------------------------------------------------------------------------------------- */
 
 /** Energy that somebody puts in unseen stops a run by any method, while a wall moves too; a key lets it pass. */
@@ -453,6 +486,7 @@ Suite *suite_ledger(void)
     tcase_add_test(cases, drains_take_elastic_energy_along);
     tcase_add_test(cases, springs_hold_what_they_stop);
     tcase_add_test(cases, liquid_that_starts_against_a_wall_makes_no_energy);
+    tcase_add_test(cases, samples_follow_what_friction_does);
     tcase_add_loop_test(cases, energy_from_nothing_stops_every_method, 0, 8);
     suite_add_tcase(suite, cases);
     return suite;

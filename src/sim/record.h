@@ -45,6 +45,7 @@
     X(power_openings, "PowerOpenings", 1, 1, -3, "power of what holds particles in reservoirs, per metre")             \
     X(power_viscous, "PowerViscous", 1, 1, -3, "power of viscosity on the liquid at the last sample, per metre")       \
     X(power_diffusion, "PowerDiffusion", 1, 1, -3, "power of density diffusion at the last sample, per metre")         \
+    X(power_dissipated, "PowerDissipated", 1, 1, -3, "power of both at the last sample, per metre")                    \
     X(booked_time, "BookedTime", 0, 0, 1, "time of the last sample of dissipation")                                    \
     X(energy_low, "EnergyLow", 1, 1, -2, "smallest energy so far, less energy and work added, per metre")              \
     X(energy_rise, "EnergyRise", 1, 1, -2,                                                                             \
@@ -65,6 +66,7 @@
 #define SPH2D__RECORD_COUNTS(X)                                                                                        \
     X(steps, "Step", "steps taken")                                                                                    \
     X(particle_steps, "ParticleSteps", "particles advanced, summed over the steps")                                    \
+    X(sample_step, "SampleStep", "step of an early sample of dissipation")                                             \
     X(next_id, "NextParticleID", "id of the next particle")                                                            \
     X(isa, "InstructionSet", "1 baseline, 2 avx2, 3 avx512")                                                           \
     X(next_limit, "NextLimit", "what limits the next step: acoustic, force, viscous, fixed")                           \
