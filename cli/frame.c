@@ -13,13 +13,13 @@
 
 frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
-    return (frame_style){scene->run.frames, scene->domain, scene->boundary, scene->spacing};
+    return (frame_style){scene->run.frames, scene->name, scene->domain, scene->boundary, scene->spacing};
 }
 
 frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 {
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
-    return (frame_style){info.frames, info.domain, info.boundary, info.spacing};
+    return (frame_style){info.frames, info.scene_name, info.domain, info.boundary, info.spacing};
 }
 
 /* ---- fields ------------------------------------------------------------------------------------------------------ */
@@ -82,7 +82,7 @@ char *frame_colors(char *out, size_t size)
 sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 {
     const char *color = style->frames.color;
-    if (style->frames.style != SPH2D_STYLE_POINTS || !color || frame_color_known(color))
+    if (!color || frame_color_known(color))
         return SPH2D_OK;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, "run.frames.color",
                                            "'%s' is not a field to colour by", color);
@@ -145,22 +145,29 @@ static sph2d_status make_values(const particle_source *source, const frame_style
 
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
-/** The domain and a spacing around it, so that the first layer of every wall is in the image. */
+/* The thickness of walls in pictures, of the larger side of the domain; at least a spacing. */
+static const double WALL_PART = 0.008;
+
+static double wall_thickness(const frame_style *style)
+{
+    const sph2d_box *d = &style->domain;
+    return fmax(style->spacing, WALL_PART * fmax(d->max.x - d->min.x, d->max.y - d->min.y));
+}
+
+/** The domain and its walls. */
 static sph2d_box view_of(const frame_style *style)
 {
     sph2d_box d = style->domain;
-    double dx = style->spacing;
-    return (sph2d_box){{d.min.x - dx, d.min.y - dx}, {d.max.x + dx, d.max.y + dx}};
+    double beyond = wall_thickness(style);
+    return (sph2d_box){{d.min.x - beyond, d.min.y - beyond}, {d.max.x + beyond, d.max.y + beyond}};
 }
 
-/* Layers of walls that are drawn, and a spacing more: behind them are the reservoirs of openings. */
-static const double BEHIND_WALLS = 4;
-
+/* What is in front of walls; behind them are the reservoirs of openings. */
 static sph2d_box shown_of(const frame_style *style)
 {
     const sph2d_boundary *b = &style->boundary;
     sph2d_box d = style->domain;
-    double beyond = BEHIND_WALLS * style->spacing;
+    double beyond = 4 * style->spacing;
     return (sph2d_box){{b->left == SPH2D_SIDE_WALL ? d.min.x - beyond : -INFINITY,
                         b->bottom == SPH2D_SIDE_WALL ? d.min.y - beyond : -INFINITY},
                        {b->right == SPH2D_SIDE_WALL ? d.max.x + beyond : INFINITY,
@@ -188,43 +195,83 @@ static size_t keep_within(const sph2d_box *box, const double *x, const double *y
 static sph2d_status cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph2d_picture *picture)
 {
     const sph2d_box box = shown_of(style);
-    const size_t fluid = picture->count, walls = picture->wall_count;
-    if (!reserve(&buffers->places, &buffers->place_capacity, 2 * (fluid + walls)))
+    if (!reserve(&buffers->places, &buffers->place_capacity, 2 * picture->count))
         return SPH2D_NOMEM;
-    double *x = buffers->places, *y = x + fluid, *wall_x = y + fluid, *wall_y = wall_x + walls;
+    double *x = buffers->places, *y = x + picture->count;
     double *values = picture->values ? buffers->values : NULL;
-    picture->count = keep_within(&box, picture->x, picture->y, fluid, x, y, values);
-    picture->wall_count = keep_within(&box, picture->wall_x, picture->wall_y, walls, wall_x, wall_y, NULL);
+    picture->count = keep_within(&box, picture->x, picture->y, picture->count, x, y, values);
     picture->x = x;
     picture->y = y;
-    picture->wall_x = wall_x;
-    picture->wall_y = wall_y;
     return SPH2D_OK;
+}
+
+static sph2d_status set_outlines(const particle_source *source, sph2d_picture *picture, sph2d_report *report)
+{
+    sph2d_array corners = find_vectors(source, SPH2D_GROUP_OUTLINE, "Coordinates");
+    sph2d_array ids = find_field(source, SPH2D_GROUP_OUTLINE, "OutlineIDs");
+    sph2d_array liquid = find_field(source, SPH2D_GROUP_OUTLINE, "LiquidSides");
+    if (!corners.name || !ids.name || !liquid.name)
+        return missing_field(report, "Outlines");
+    picture->outline_count = corners.count;
+    picture->outline_x = corners.data[0];
+    picture->outline_y = corners.data[1];
+    picture->outline_id = ids.data[0];
+    picture->outline_liquid = liquid.data[0];
+    return SPH2D_OK;
+}
+
+/* "dam_break   t = 0.250 s", with as many decimals as time in which sound crosses some spacings. */
+static void set_caption(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                        sph2d_picture *picture)
+{
+    double time, speed;
+    if (source->snapshot) {
+        sph2d_snapshot_info info = sph2d_snapshot_get_info(source->snapshot);
+        time = info.time;
+        speed = info.sound_speed;
+    } else {
+        time = sph2d_sim_time(source->sim);
+        speed = sph2d_sim_plan(source->sim)->sound_speed;
+    }
+    double digits = speed > 0 ? ceil(-log10(10 * style->spacing / speed)) : 3;
+    snprintf(buffers->caption, sizeof buffers->caption, "%.80s%st = %.*f s", style->name ? style->name : "",
+             style->name ? "   " : "", (int)fmin(fmax(digits, 0), 9), time);
+    picture->caption = buffers->caption;
 }
 
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report)
 {
     sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
-    sph2d_array walls = find_vectors(source, SPH2D_GROUP_WALL, "Coordinates");
-    if (!fluid.name || !walls.name)
+    if (!fluid.name)
         return missing_field(report, "Coordinates");
-    bool points = style->frames.style == SPH2D_STYLE_POINTS;
-    double default_radius = (points ? 0.5 : 2) * style->spacing;
+    double default_radius = (style->frames.style == SPH2D_STYLE_POINTS ? 0.5 : 2) * style->spacing;
     *picture = (sph2d_picture){
         .view = view_of(style),
         .radius = style->frames.radius > 0 ? style->frames.radius : default_radius,
         .count = fluid.count,
         .x = fluid.data[0],
         .y = fluid.data[1],
-        .wall_count = walls.count,
-        .wall_x = walls.data[0],
-        .wall_y = walls.data[1],
-        .wall_radius = 0.5 * style->spacing,
+        .wall_thickness = wall_thickness(style),
     };
-    sph2d_status status =
-        points && style->frames.color ? make_values(source, style, buffers, picture, report) : SPH2D_OK;
+    if (style->frames.caption != SPH2D_SWITCH_OFF)
+        set_caption(source, style, buffers, picture);
+    sph2d_status status = set_outlines(source, picture, report);
+    if (status == SPH2D_OK && style->frames.color)
+        status = make_values(source, style, buffers, picture, report);
     return status == SPH2D_OK ? cut_reservoirs(style, buffers, picture) : status;
+}
+
+sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                               sph2d_vec2 *range, sph2d_report *report)
+{
+    sph2d_picture picture;
+    sph2d_status status = frame_make(source, style, buffers, &picture, report);
+    for (size_t i = 0; status == SPH2D_OK && picture.values && i < picture.count; ++i) {
+        range->x = fmin(range->x, picture.values[i]); /* NaN is left out */
+        range->y = fmax(range->y, picture.values[i]);
+    }
+    return status;
 }
 
 void frame_free(frame_buffers *buffers)

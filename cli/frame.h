@@ -8,9 +8,10 @@
 #include <sph2d/io.h>
 #include <sph2d/render.h>
 
-/** The style of frames: the scene's settings, domain and spacing. */
+/** The style of frames: the scene's settings, name, domain and spacing. */
 typedef struct frame_style {
     sph2d_frames frames;
+    const char *name; /**< borrowed; NULL: none */
     sph2d_box domain; /**< [m] */
     sph2d_boundary boundary;
     double spacing; /**< [m] */
@@ -32,12 +33,15 @@ typedef struct particle_source {
 typedef struct frame_buffers {
     double *values, *places;
     size_t capacity, place_capacity;
-    char label[96];
+    char label[96], caption[160];
 } frame_buffers;
 
 /** Makes a picture of the particles. Errors: SPH2D_FORMAT if a field is missing, SPH2D_NOMEM. */
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report);
+/** Widens a range by the values that colour the particles; (INFINITY, -INFINITY) is empty. Errors: as frame_make. */
+sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                               sph2d_vec2 *range, sph2d_report *report);
 void frame_free(frame_buffers *buffers);
 
 /** Whether points can be coloured by this field. */

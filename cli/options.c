@@ -74,7 +74,7 @@ static const option_row rows[] = {
     {OPTION_SIZE, "size", "WxH", CLI_RENDER, "size of the frames in pixels"},
     {OPTION_STYLE, "style", "NAME", CLI_RENDER, "metaballs or points"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
-    {OPTION_COLOR, "color", "FIELD", CLI_RENDER, "colour points by a field: speed, Pressures, Densities"},
+    {OPTION_COLOR, "color", "FIELD", CLI_RENDER, "colour by a field: speed, Pressures, Densities"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
     {OPTION_PREVIEW, "preview", "FILE", CLI_CHECK, "draw the first frame into a PNG file"},
     {OPTION_GL, "gl", "NAME", DRAWS, "OpenGL context: osmesa or egl"},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.c
  *  `sph2d render SNAPSHOT... -o DIR`: draws snapshots as a sequence of PNG files. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,8 +15,9 @@
 #include "snapshot.h"
 #include "threads.h"
 
-/* The frame style of a snapshot, with the options of the command line. */
-static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *options)
+/* The frame style of a snapshot, with the options of the command line, and a range of colours where neither has one;
+ * (0, 0) for none. */
+static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *options, sph2d_vec2 range)
 {
     frame_style style = frame_style_of_snapshot(snapshot);
     sph2d_frames *frames = &style.frames;
@@ -26,18 +28,18 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
     sph2d_style scene_style = frames->style;
     if (options->style_given)
         frames->style = options->style;
-    else if (options->color)
-        frames->style = SPH2D_STYLE_POINTS; /* only points have colours */
     if (options->radius > 0)
         frames->radius = options->radius;
     else if (frames->style != scene_style)
         frames->radius = 0; /* the radius of another style does not apply */
-    if (options->color) {
+    if (options->color && (!frames->color || strcmp(options->color, frames->color) != 0))
+        frames->color_range = (sph2d_vec2){0, 0}; /* that of another field does not apply */
+    if (options->color)
         frames->color = options->color;
-        frames->color_range = (sph2d_vec2){0, 0};
-    }
     if (options->range[0] < options->range[1])
         frames->color_range = (sph2d_vec2){options->range[0], options->range[1]};
+    else if (frames->color_range.x == 0 && frames->color_range.y == 0)
+        frames->color_range = range;
     return style;
 }
 
@@ -47,8 +49,6 @@ static int check_usage(const cli_options *options)
         message_usage("render", "a snapshot must be given");
     else if (!options->output)
         message_usage("render", "a folder for the frames must be given: -o DIR");
-    else if (options->color && options->style_given && options->style != SPH2D_STYLE_POINTS)
-        message_usage("render", "--color needs --style points");
     else
         return CLI_EXIT_SUCCESS;
     return CLI_EXIT_USAGE;
@@ -61,9 +61,10 @@ typedef struct sequence {
     cli_progress progress;
     size_t next, drawn; /* the snapshot to read next; frames that are done */
     frame_times times;
-    double time; /* of the last snapshot [s] */
-    bool warned; /* of decreasing times */
-    int code;    /* exit code of the first failure, after which nothing more is read */
+    sph2d_vec2 range; /* of the colours over all frames, where no range is given */
+    double time;      /* of the last snapshot [s] */
+    bool warned;      /* of decreasing times */
+    int code;         /* exit code of the first failure, after which nothing more is read */
 } sequence;
 
 /* A drawing thread, with a frame writer, which is replaced for frames of another size or style. */
@@ -145,7 +146,7 @@ static sph2d_status make_writer(worker *w, const frame_style *style)
 
 static sph2d_status draw(worker *w, const frame_job *f)
 {
-    frame_style style = style_of(f->snapshot, w->sequence->options);
+    frame_style style = style_of(f->snapshot, w->sequence->options, w->sequence->range);
     particle_source source = {.snapshot = f->snapshot};
     sph2d_status status = make_writer(w, &style);
     return status == SPH2D_OK ? frame_writer_write(w->writer, &source, &style, f->path, &w->times, &w->report) : status;
@@ -162,6 +163,31 @@ static void count_frame(worker *w, sph2d_status status)
     progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->options->operand_count);
 }
 
+/* Finds one range of colours for all frames, by reading the snapshots once more, so that a colour means the same in each.
+ * What cannot be read is reported when it is drawn. */
+static void find_range(sequence *s)
+{
+    const cli_options *options = s->options;
+    frame_buffers buffers = {0};
+    sph2d_vec2 range = {INFINITY, -INFINITY};
+    bool wanted = options->operand_count > 1 && !(options->range[0] < options->range[1]);
+    for (size_t i = 0; wanted && i < options->operand_count && signals_caught() == 0; ++i) {
+        sph2d_report report = {0};
+        sph2d_snapshot *snapshot = NULL;
+        if (snapshot_read(options, options->operands[i], &snapshot, &report) == SPH2D_OK) {
+            const frame_style style = style_of(snapshot, options, (sph2d_vec2){0, 0});
+            const particle_source source = {.snapshot = snapshot};
+            wanted = style.frames.color && style.frames.color_range.x == 0 && style.frames.color_range.y == 0 &&
+                     frame_widen_range(&source, &style, &buffers, &range, &report) == SPH2D_OK;
+        }
+        sph2d_snapshot_destroy(snapshot);
+        sph2d_report_clear(&report);
+    }
+    frame_free(&buffers);
+    if (wanted && range.x < range.y)
+        s->range = range;
+}
+
 static int clear_folder(sequence *s)
 {
     signals_note();
@@ -175,7 +201,7 @@ static void draw_first(worker *w)
     const cli_options *options = s->options;
     frame_job f;
     if (read_next(w, &f)) {
-        frame_style style = style_of(f.snapshot, options);
+        frame_style style = style_of(f.snapshot, options, s->range);
         sph2d_status status = make_writer(w, &style);
         if (status == SPH2D_OK)
             s->code = clear_folder(s);
@@ -235,6 +261,7 @@ int command_render(const cli_options *options)
         return s.code;
     snapshot_note(options);
     int workers = threads_for_frames(options, options->operand_count - 1);
+    find_range(&s);
     s.progress = progress_begin(options, 0, (double)options->operand_count);
     draw_all(&s, workers);
     progress_end(&s.progress);

@@ -3,12 +3,13 @@
 // beyond; blending sums it up over the particles.
 in vec2 place;
 flat in float share;
+flat in vec3 tint;
 
-layout(location = 0) out float field;
+layout(location = 0) out vec4 field; // and the colour times the field, where the target has room for it
 
 void main()
 {
     float s = dot(place, place);
     float fall = min(s - 0.5, 0.0);
-    field = share * fall * fall;
+    field = share * fall * fall * vec4(1.0, tint);
 }

@@ -11,6 +11,7 @@ uniform float threshold;    // of the field: water
 uniform float texel;        // side of a square of the depth's grid [px]
 uniform float margin;       // how many of them lie beside the image
 uniform float depth_inside; // the depth of a large body of water
+uniform bool colored;       // by the particles' colours, which the field has, too
 
 layout(location = 0) out vec4 color;
 
@@ -76,6 +77,11 @@ void main()
 
     float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
+    if (colored) { // little light, so that colours are those of the colour bar
+        vec3 mean = texelFetch(field, here, 0).gba / f;
+        color = vec4(mean * (0.74 + 0.3 * diffuse) + 0.12 * gloss, cover(here, f));
+        return;
+    }
     vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
     color = vec4(lit, cover(here, f));
 }

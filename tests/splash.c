@@ -68,9 +68,11 @@ splash *make_splash(double offset)
     s->x[FLUID - 1] = offset + 0.8;
     s->y[FLUID - 1] = offset + 0.5;
     s->values[FLUID - 1] = -3.0;
-    for (int i = 0; i < WALLS; ++i) {
-        s->wall_x[i] = offset + 0.7 + i * 0.5 * spacing;
-        s->wall_y[i] = offset + 0.2;
+    static const double corners[CORNERS][2] = {{0.7, 0.2}, {0.85, 0.2}, {0.9, 0.1}, {0.95, 0.6}};
+    for (uint64_t i = 0; i < CORNERS; ++i) {
+        s->wall_x[i] = offset + corners[i][0];
+        s->wall_y[i] = offset + corners[i][1];
+        s->outline[i] = i / 2;
     }
     s->picture = (sph2d_picture){.view = {{offset, offset}, {offset + 1.28, offset + 0.72}},
                                  .radius = 2.0 * spacing,
@@ -79,10 +81,12 @@ splash *make_splash(double offset)
                                  .y = s->y,
                                  .values = s->values,
                                  .value_label = "speed [m/s]",
-                                 .wall_count = WALLS,
-                                 .wall_x = s->wall_x,
-                                 .wall_y = s->wall_y,
-                                 .wall_radius = 0.5 * spacing};
+                                 .outline_count = CORNERS,
+                                 .outline_x = s->wall_x,
+                                 .outline_y = s->wall_y,
+                                 .outline_id = s->outline,
+                                 .outline_liquid = s->liquid,
+                                 .wall_thickness = spacing};
     return s;
 }
 

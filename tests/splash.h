@@ -26,11 +26,12 @@ unsigned char *draw_alone(const char *gl, unsigned width, unsigned height, sph2d
 /** Whether all tests share this process. */
 bool not_forked(void);
 
-enum { SIDE = 40, FLUID = SIDE * SIDE + 1, WALLS = 30 };
+enum { SIDE = 40, FLUID = SIDE * SIDE + 1, CORNERS = 4 };
 
-/** Some water in a box of 1.28 m x 0.72 m: a disordered block, a drop, a line of boundary particles. */
+/** Some water in a box of 1.28 m x 0.72 m: a disordered block, a drop, two lines. */
 typedef struct splash {
-    double x[FLUID], y[FLUID], values[FLUID], wall_x[WALLS], wall_y[WALLS];
+    double x[FLUID], y[FLUID], values[FLUID], wall_x[CORNERS], wall_y[CORNERS];
+    uint64_t outline[CORNERS], liquid[CORNERS];
     sph2d_picture picture;
 } splash;
 

@@ -9,7 +9,7 @@
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
-#define RENDER_SUITES(X) X(render) X(drawing) X(lumps) X(frame_times) X(null_render)
+#define RENDER_SUITES(X) X(render) X(drawing) X(shapes) X(lumps) X(frame_times) X(null_render)
 #endif
 
 #define SUITES(X)                                                                                                      \
@@ -64,6 +64,7 @@
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \
     X(sources)                                                                                                         \
+    X(edit)                                                                                                            \
     X(steering)                                                                                                        \
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
@@ -98,6 +99,7 @@
     X(gaps)                                                                                                            \
     X(viscosity_form)                                                                                                  \
     X(viscous_step)                                                                                                    \
+    X(outlines)                                                                                                        \
     X(coverage)                                                                                                        \
     X(contacts)                                                                                                        \
     X(contacts_pile)                                                                                                   \

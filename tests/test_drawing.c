@@ -63,7 +63,9 @@ END_TEST
 START_TEST(water_covers_its_area)
 {
     splash *s = make_splash(0.0);
-    s->picture.wall_count = 0;
+    s->picture.outline_count = 0;
+    s->picture.values = NULL;
+    s->picture.value_label = NULL;
     sph2d_renderer *renderer = make_renderer(NULL, 1280, 720, SPH2D_STYLE_METABALLS);
     const unsigned char *pixels = draw(renderer, &s->picture);
     const double area = FLUID * spacing * spacing * 1.0e6; /* [px] at 1000 px/m */
@@ -130,13 +132,10 @@ END_TEST
 /* A wall that reaches under the colour bar is cut off there. */
 START_TEST(nothing_is_behind_the_color_bar)
 {
-    enum { WIDTH = 640, HEIGHT = 360, WALL = 200 };
+    enum { WIDTH = 640, HEIGHT = 360 };
     const double x[] = {0.25, 0.75}, y[] = {0.5, 0.5}, values[] = {1.0, 2.0};
-    double wall_x[WALL], wall_y[WALL];
-    for (size_t i = 0; i < WALL; ++i) {
-        wall_x[i] = 0.02 * (double)i; /* beyond the right edge of the image */
-        wall_y[i] = 0.9;
-    }
+    const double wall_x[] = {0.0, 4.0}, wall_y[] = {0.9, 0.9}; /* beyond the right edge of the image */
+    const uint64_t outline[2] = {0}, liquid[2] = {SPH2D_OUTLINE_LIQUID_BOTH};
     sph2d_picture picture = {.view = {{0.0, 0.0}, {1.6, 1.0}},
                              .radius = 0.01,
                              .count = 2,
@@ -144,13 +143,15 @@ START_TEST(nothing_is_behind_the_color_bar)
                              .y = y,
                              .values = values,
                              .value_label = "speed [m/s]",
-                             .wall_x = wall_x,
-                             .wall_y = wall_y,
-                             .wall_radius = 0.02};
+                             .outline_x = wall_x,
+                             .outline_y = wall_y,
+                             .outline_id = outline,
+                             .outline_liquid = liquid,
+                             .wall_thickness = 0.04};
     sph2d_renderer *renderer = make_renderer(NULL, WIDTH, HEIGHT, SPH2D_STYLE_POINTS);
     static unsigned char without[4 * WIDTH * HEIGHT];
     memcpy(without, draw(renderer, &picture), sizeof without);
-    picture.wall_count = WALL;
+    picture.outline_count = 2;
     const unsigned char *pixels = draw(renderer, &picture);
     unsigned last = 0; /* column that the wall changes */
     for (unsigned k = 0; k < WIDTH * HEIGHT; ++k)
@@ -175,15 +176,15 @@ START_TEST(not_finite_is_left_out)
         splash *s = make_splash(0.0);
         s->picture.value_max = 100.0;
         s->picture.count = FLUID - 1; /* without the drop */
-        s->picture.wall_count = WALLS - 1;
+        s->picture.outline_count = CORNERS - 2;
         unsigned char *without = draw_alone(NULL, 320, 180, style, &s->picture);
         const double others[] = {NAN, INFINITY, -INFINITY, 1.0e300, -1.0e300};
         s->picture.count = FLUID;
-        s->picture.wall_count = WALLS;
+        s->picture.outline_count = CORNERS;
         sph2d_renderer *renderer = make_renderer(NULL, 320, 180, style);
         for (int i = 0; i < 5; ++i) {
             s->x[FLUID - 1] = others[i];
-            s->wall_y[WALLS - 1] = others[i];
+            s->wall_y[CORNERS - 1] = others[i];
             ck_assert_mem_eq(draw(renderer, &s->picture), without, 320 * 180 * 4);
         }
         sph2d_renderer_destroy(renderer);

@@ -71,6 +71,8 @@ START_TEST(simulations)
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
     REFUSED_SILENTLY(sph2d_sim_set_pointer(NULL, at, 1, 1));
+    REFUSED_SILENTLY(sph2d_sim_add_particles(NULL, NULL, 0, NULL));
+    REFUSED_SILENTLY(sph2d_sim_remove_particles(NULL, NULL, NULL));
     REFUSED_SILENTLY(sph2d_sim_set_body_velocity(NULL, 0, at, 1));
     REFUSED_SILENTLY(sph2d_sim_set_contacts(NULL, NULL, NULL));
     UNKNOWN(sph2d_sim_body(NULL, 0).center.x);

@@ -25,6 +25,7 @@ START_TEST(renderers)
     ck_assert_ptr_null(renderer);
     check_refused(sph2d_renderer_create(&options, NULL, &report), "renderer");
     check_refused(sph2d_renderer_draw(NULL, &picture, &report), "renderer");
+    check_refused(sph2d_renderer_draw_to(NULL, 0, 0, 0, &picture, &report), "renderer");
     check_refused(sph2d_renderer_write_png(NULL, "x.png", &report), "picture");
     sph2d_renderer_destroy(NULL);
     ck_assert_ptr_null(sph2d_renderer_pixels(NULL));

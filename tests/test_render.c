@@ -175,8 +175,8 @@ START_TEST(pictures_are_checked)
     bad[3].x = NULL;
     bad[4].radius = 0.0;
     bad[5].radius = NAN;
-    bad[6].wall_y = NULL;
-    bad[7].wall_radius = -1.0;
+    bad[6].outline_y = NULL;
+    bad[7].wall_thickness = -1.0;
     bad[8].value_min = 2.0;
     bad[8].value_max = 1.0;
     bad[9].value_max = NAN;

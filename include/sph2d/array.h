@@ -30,7 +30,10 @@ typedef enum sph2d_group {
     SPH2D_GROUP_WALL = 1,
 
     /** The run itself: clock, counters, sources. */
-    SPH2D_GROUP_RUN = 2
+    SPH2D_GROUP_RUN = 2,
+
+    /** One value per corner of the outlines of walls and bodies. */
+    SPH2D_GROUP_OUTLINE = 3
 } sph2d_group;
 
 /** `count` values of `components` numbers each, one pointer per component (struct of arrays). The strings have static

@@ -15,7 +15,21 @@
 extern "C" {
 #endif
 
-/** The number of fields in a group (SPH2D_GROUP_FLUID or SPH2D_GROUP_WALL); the same for every simulation. */
+/** On which side of an outline liquid is, for a walk from its first corner to the last: the values of the field
+ *  LiquidSides. Outlines of closed walls that are no solids end with their first corner. */
+typedef enum sph2d_outline_liquid {
+    /** On both: a line without thickness. */
+    SPH2D_OUTLINE_LIQUID_BOTH = 0,
+
+    /** On the left; the wall is on the right. */
+    SPH2D_OUTLINE_LIQUID_LEFT = 1,
+
+    /** Outside of a closed outline, whose last corner is joined to the first: a solid or body. */
+    SPH2D_OUTLINE_LIQUID_OUTSIDE = 2
+} sph2d_outline_liquid;
+
+/** The number of fields in a group: of SPH2D_GROUP_FLUID, SPH2D_GROUP_WALL and SPH2D_GROUP_OUTLINE; the same for every
+ *  simulation. */
 SPH2D_API size_t sph2d_field_count(sph2d_group group);
 
 /** Field `index` of a group with the data of `sim`, valid until its next change; with `sim` NULL only the description,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.h
- *  Offscreen images: particles as metaballs or points, drawn with OpenGL 3.3 into memory. Library libsph2d-render.
+ *  Images of particles, as metaballs or points, drawn with OpenGL 3.3 into memory or into a window of the program.
+ *  Library libsph2d-render.
  *
  *      sph2d_render_options options = sph2d_render_options_default();
  *      sph2d_renderer *renderer = NULL;
@@ -14,12 +15,21 @@
  *      sph2d_renderer_destroy(renderer);
  *
  *  A renderer is used by one thread at a time. Each call leaves the thread without an OpenGL context, so a program
- *  that draws with OpenGL itself must make its own context current again.
+ *  that draws with OpenGL itself must make its own context current again; or it gives its own context to the renderer:
+ *
+ *      options.get_proc_address = glfwGetProcAddress;
+ *      ... each frame: sph2d_renderer_draw_to(renderer, 0, 0, 0, &picture, &report); glfwSwapBuffers(window);
+ *
+ *  The calls then need that context current, and leave it current. They change the bound framebuffer, viewport,
+ *  program, vertex array and array buffer, blending, the scissor test, the clear colour, the pixel alignment, and the
+ *  textures of units 0 and 1.
  *
  *  The same picture gives the same pixels with the same version of the OpenGL driver. Mesa's software drivers used by
  *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card if it finds one. */
 #ifndef SPH2D_RENDER_H
 #define SPH2D_RENDER_H
+
+#include <stdint.h>
 
 #include "sph2d/scene.h"
 
@@ -29,6 +39,10 @@ extern "C" {
 
 /** An OpenGL context with shaders and buffers. */
 typedef struct sph2d_renderer sph2d_renderer;
+
+/** Any OpenGL function, and what finds one by its name in the context that is current. */
+typedef void (*sph2d_gl_function)(void);
+typedef sph2d_gl_function (*sph2d_gl_loader)(const char *name);
 
 /** Options. Make one with sph2d_render_options_default(). */
 typedef struct sph2d_render_options {
@@ -44,6 +58,10 @@ typedef struct sph2d_render_options {
     /** Kind of OpenGL context, "osmesa" or "egl"; default NULL: the first that this build has and that works. */
     const char *gl;
 
+    /** Finds the functions of the caller's own context, glfwGetProcAddress for example, which is current now and in every
+     *  later call; `gl` is NULL then. Default NULL: the renderer opens a context. */
+    sph2d_gl_loader get_proc_address;
+
     /** A folder to read the shaders from, instead of the built-in ones; default NULL. */
     const char *shader_dir;
 } sph2d_render_options;
@@ -53,7 +71,7 @@ SPH2D_API sph2d_render_options sph2d_render_options_default(void);
 
 /** What to draw: borrowed arrays. Particles whose position is not finite are omitted; particles outside the view are
  *  drawn if they are inside the image. With `values` a colour bar takes the right side of an image that is wide enough,
- *  where nothing else is drawn.
+ *  and with a caption a strip its lower end: nothing else is drawn there.
  *  Start it with `{0}`. */
 typedef struct sph2d_picture {
     /** The part of the plane to show [m]; fitted into the image with its aspect kept. */
@@ -68,7 +86,7 @@ typedef struct sph2d_picture {
     /** Their positions [m]. */
     const double *x, *y;
 
-    /** Points: one value per particle to colour by, NaN is grey; NULL: one colour. */
+    /** One value per particle to colour by, NaN is grey; NULL: one colour. Metaballs have the mean of what is near. */
     const double *values;
 
     /** Values at the ends of the colour bar; both 0: the smallest and largest value. */
@@ -77,14 +95,25 @@ typedef struct sph2d_picture {
     /** Text at the colour bar, "speed [m/s]"; NULL for none. */
     const char *value_label;
 
-    /** Number of boundary particles. */
-    size_t wall_count;
+    /** Number of corners of the outlines of walls and bodies, drawn as filled shapes over the liquid: the fields of
+     *  SPH2D_GROUP_OUTLINE. An outline with a corner that is not finite, or millions of pixels away, is omitted. */
+    size_t outline_count;
 
-    /** Their positions [m]. */
-    const double *wall_x, *wall_y;
+    /** The corners [m]. */
+    const double *outline_x, *outline_y;
 
-    /** Radius of a boundary particle's dot [m]. */
-    double wall_radius;
+    /** The outline that each belongs to, those of one next to each other, and where its liquid is
+     *  (sph2d_outline_liquid). */
+    const uint64_t *outline_id, *outline_liquid;
+
+    /** Thickness with which lines and sides are drawn, at least two pixels [m]; >= 0. */
+    double wall_thickness;
+
+    /** A line of ASCII text below the picture, beside a scale bar; NULL: no strip. */
+    const char *caption;
+
+    /** Lines of ASCII text in a box on the picture, in the upper left corner; NULL: no box. */
+    const char *notes;
 } sph2d_picture;
 
 /** Wall time of a frame by stage. */
@@ -112,8 +141,14 @@ SPH2D_API void sph2d_renderer_destroy(sph2d_renderer *renderer);
 SPH2D_API sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture,
                                            sph2d_report *report);
 
+/** Draws a picture with the caller's context (get_proc_address) into its framebuffer object, 0 for the window's, the
+ *  lower left corner at pixel (x, y); nothing is read back. Errors: SPH2D_INVALID (also for a renderer with a context of
+ *  its own), SPH2D_RENDER, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_renderer_draw_to(sph2d_renderer *renderer, unsigned framebuffer, int x, int y,
+                                              const sph2d_picture *picture, sph2d_report *report);
+
 /** The last picture: width * height pixels of 4 bytes (red, green, blue, 255), top row first; valid until the next call
- *  with this renderer. NULL before the first draw. */
+ *  with this renderer. NULL before the first draw and after sph2d_renderer_draw_to(). */
 SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer);
 
 /** Writes the last picture as an RGB PNG, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
@@ -123,7 +158,7 @@ SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const 
 /** The times of the last picture, and of its last writing. All 0 before the first draw. */
 SPH2D_API sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer);
 
-/** The context in use, "osmesa" or "egl", and OpenGL's description of itself; valid as long as the renderer. */
+/** The context in use, "osmesa", "egl" or "current" for the caller's, and OpenGL's description of itself; valid as long as the renderer. */
 SPH2D_API const char *sph2d_renderer_gl(const sph2d_renderer *renderer);
 SPH2D_API const char *sph2d_renderer_gl_version(const sph2d_renderer *renderer);
 

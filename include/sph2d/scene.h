@@ -844,12 +844,16 @@ typedef struct sph2d_frames {
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 
-    /** points: quantity that colours them, "speed" or a field's name, "Pressures", "Densities"; default NULL: one
-     *  colour. */
+    /** Quantity that colours them, "speed" or a field's name, "Pressures", "Densities"; default NULL: one colour. */
     const char *color;
 
-    /** Values at the two ends of the colour bar; default (0, 0): the range of each frame. */
+    /** Values at the two ends of the colour bar; default (0, 0): for speed 0 to that of a fall over the whole height, or
+     *  of what drives the liquid if that is faster; for Pressures 0 to the pressure below that height; for other fields
+     *  the range of each frame. */
     sph2d_vec2 color_range;
+
+    /** A strip below the picture with the scene's name, the time and a scale bar: on or off; default on. */
+    sph2d_switch caption;
 } sph2d_frames;
 
 /** Snapshots of a run. */

@@ -184,6 +184,18 @@ SPH2D_API sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
  *  range. */
 SPH2D_API sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
 
+/** Adds particles of liquid between steps, with their velocities and densities (0: rest density), where there is room:
+ *  in the domain, 0.75 spacings from other particles and from walls, in no solid; those for which there is none are left
+ *  out. `added`, which may be NULL, is how many were added. They count as `fed`, their energy as energy_fed.
+ *  Errors: SPH2D_INVALID for NULL or values that are not finite (nothing is added then), SPH2D_NOMEM, SPH2D_GUARD after
+ *  a guard has stopped the run. */
+SPH2D_API sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *particles, size_t count,
+                                               size_t *added);
+
+/** Removes all particles of liquid in a shape between steps; `removed`, which may be NULL, is how many there were. They
+ *  count as `drained`, their energy as energy_fed. Errors: as above. */
+SPH2D_API sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed);
+
 /* ---- bodies ------------------------------------------------------------------------------------------------------ */
 
 /** Where a body is, and how it moves. */

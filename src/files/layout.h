@@ -8,6 +8,7 @@
  *      /Parameters       every resolved value of the scene by its key path, `fluid.density`
  *      /Scene            the scene file as it was written, and the overrides on top of it
  *      /PartType0, 1     fluid and boundary particles: one dataset a field
+ *      /Outlines         corners of the outlines of walls and bodies
  *      /State            the rest of the state, and the list of the particle arrays that are part of it
  *      /VTKHDF           the fluid for ParaView, as hard links
  *
@@ -43,6 +44,8 @@
 
 #define SPH2D__GROUP_FLUID "/PartType0"
 #define SPH2D__GROUP_WALLS "/PartType1"
+
+#define SPH2D__GROUP_OUTLINES "/Outlines"
 
 #define SPH2D__GROUP_STATE "/State"
 #define SPH2D__AT_STATE_VERSION "StateVersion"

@@ -12,9 +12,10 @@ enum { BLOCK_ROWS = 16384 };
 
 const char *sph2d__snapshot_group(sph2d_group group)
 {
-    return group == SPH2D_GROUP_FLUID  ? SPH2D__GROUP_FLUID
-           : group == SPH2D_GROUP_WALL ? SPH2D__GROUP_WALLS
-                                       : SPH2D__GROUP_STATE;
+    return group == SPH2D_GROUP_FLUID     ? SPH2D__GROUP_FLUID
+           : group == SPH2D_GROUP_WALL    ? SPH2D__GROUP_WALLS
+           : group == SPH2D_GROUP_OUTLINE ? SPH2D__GROUP_OUTLINES
+                                          : SPH2D__GROUP_STATE;
 }
 
 /* ---- one array --------------------------------------------------------------------------------------------------- */
@@ -109,7 +110,7 @@ static bool is_field(sph2d_group group, const char *name)
     return false;
 }
 
-/** Writes the fields of fluid or walls, and the other arrays of them in the state. */
+/** Writes the fields of fluid, walls or outlines, and the other arrays of them in the state. */
 static void put_particles(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d_state *state, sph2d_group group)
 {
     hid_t at = sph2d__h5_group(w, sph2d__snapshot_group(group));
@@ -175,5 +176,6 @@ void sph2d__snapshot_put_arrays(sph2d__h5_writer *w, const sph2d_sim *sim, const
 {
     put_particles(w, sim, state, SPH2D_GROUP_FLUID);
     put_particles(w, sim, state, SPH2D_GROUP_WALL);
+    put_particles(w, sim, state, SPH2D_GROUP_OUTLINE);
     put_state(w, state);
 }

@@ -157,7 +157,8 @@ static void read_state(sph2d__h5_reader *r, sph2d_snapshot *s)
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%s' has the wrong shape", SPH2D__STATE_ARRAYS);
         return;
     }
-    size_t max_count = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL);
+    size_t max_count = count + sph2d_field_count(SPH2D_GROUP_FLUID) + sph2d_field_count(SPH2D_GROUP_WALL) +
+                       sph2d_field_count(SPH2D_GROUP_OUTLINE);
     s->arrays = sph2d__pool_alloc(r->pool, max_count, sizeof *s->arrays);
     if (!s->arrays) {
         r->status = SPH2D_NOMEM;
@@ -184,4 +185,5 @@ void sph2d__snapshot_get_arrays(sph2d__h5_reader *r, sph2d_snapshot *s)
         return;
     read_fields(r, s, SPH2D_GROUP_FLUID, SPH2D__GROUP_FLUID);
     read_fields(r, s, SPH2D_GROUP_WALL, SPH2D__GROUP_WALLS);
+    read_fields(r, s, SPH2D_GROUP_OUTLINE, SPH2D__GROUP_OUTLINES);
 }

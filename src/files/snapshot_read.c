@@ -12,9 +12,9 @@
 /** Whether none of the groups is elsewhere. */
 static bool groups_are_here(sph2d__h5_reader *r)
 {
-    static const char *const groups[] = {SPH2D__GROUP_HEADER, SPH2D__GROUP_CODE,  SPH2D__GROUP_PARAMETERS,
-                                         SPH2D__GROUP_SCENE,  SPH2D__GROUP_FLUID, SPH2D__GROUP_WALLS,
-                                         SPH2D__GROUP_STATE};
+    static const char *const groups[] = {SPH2D__GROUP_HEADER, SPH2D__GROUP_CODE,    SPH2D__GROUP_PARAMETERS,
+                                         SPH2D__GROUP_SCENE,  SPH2D__GROUP_FLUID,   SPH2D__GROUP_WALLS,
+                                         SPH2D__GROUP_STATE,  SPH2D__GROUP_OUTLINES};
     bool here = true;
     for (size_t i = 0; i < sizeof groups / sizeof *groups; ++i)
         here = sph2d__h5_check_group(r, groups[i]) && here;

@@ -143,6 +143,11 @@ static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, dou
         pixel[c] = (unsigned char)lrint(pixel[c] + (color[c] - pixel[c]) * ink.opacity * cover);
 }
 
+double sph2d__canvas_unit(int width, int height)
+{
+    return fmax(1.1, (width < height ? width : height) / 400.0);
+}
+
 void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink)
 {
     for (int row = y > 0 ? y : 0; row < y + height && row < canvas->height; ++row)

@@ -14,6 +14,9 @@ typedef struct sph2d__ink {
     double opacity; /**< 0 to 1 */
 } sph2d__ink;
 
+/** The usual unit of text in an image: a sixth of the height of a capital letter [px]. */
+double sph2d__canvas_unit(int width, int height);
+
 /** Fills a rectangle, clipped to the canvas. */
 void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink);
 

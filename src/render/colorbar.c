@@ -6,12 +6,12 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "render/colormap.h"
+#include "render/round_number.h"
 
-enum { TICKS_TARGET = 5, TICKS_MAX = 16, DIGITS_SIZE = 24, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
+enum { TICKS_TARGET = 5, TICKS_MAX = 16, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
 
 /* Relative difference below which two numbers count as equal in a legend. */
 static const double resolution = 1.0e-9;
@@ -38,32 +38,6 @@ void sph2d__color_range(const double *values, size_t count, double *min, double 
     *max = high;
 }
 
-/* Formats digits and a power of ten as "-0.25", "1500" or "1.5e7". Not by printf, whose point depends on the locale. */
-static void write_number(char *text, size_t size, long long digits, int exponent)
-{
-    char all[DIGITS_SIZE];
-    const char *sign = digits < 0 ? "-" : "";
-    if (digits == 0)
-        exponent = 0;
-    snprintf(all, sizeof all, "%lld", llabs(digits));
-    const int length = (int)strlen(all);
-    if (exponent >= 0 && length + exponent <= 6) {
-        snprintf(text, size, "%s%s%.*s", sign, all, exponent, "000000");
-    } else if (exponent < 0 && exponent >= -5) {
-        const int whole = length + exponent; /* digits before the point */
-        if (whole > 0)
-            snprintf(text, size, "%s%.*s.%s", sign, whole, all, all + whole);
-        else
-            snprintf(text, size, "%s0.%.*s%s", sign, -whole, "00000", all);
-    } else {
-        int kept = length;
-        while (kept > 1 && all[kept - 1] == '0')
-            --kept;
-        snprintf(text, size, "%s%c%s%.*se%d", sign, all[0], kept > 1 ? "." : "", kept - 1, all + 1,
-                 exponent + length - 1);
-    }
-}
-
 typedef struct tick {
     double at; /* 0 at the bar's lower end, 1 at its upper */
     char text[NUMBER_SIZE];
@@ -72,21 +46,14 @@ typedef struct tick {
 /* Ticks at multiples of 1, 2 or 5 times a power of ten. */
 static int place_ticks(double min, double max, tick ticks[TICKS_MAX])
 {
-    const double raw = (max - min) / TICKS_TARGET;
-    int exponent = (int)floor(log10(raw));
-    const double lead = raw / pow(10.0, exponent);
-    int factor = lead < 1.5 ? 1 : lead < 3.5 ? 2 : 5;
-    if (lead >= 7.5) {
-        factor = 1;
-        ++exponent;
-    }
-    const double step = factor * pow(10.0, exponent);
+    const sph2d__round_number by = sph2d__round_nearest((max - min) / TICKS_TARGET);
+    const double step = by.factor * pow(10.0, by.exponent);
     const double first = ceil(min / step - 1.0e-6), last = floor(max / step + 1.0e-6);
     int count = 0;
     for (double k = first; k <= last && count < TICKS_MAX && fabs(k) < 1.0e15; k += 1.0) {
         tick *next = &ticks[count++];
         next->at = fmin(fmax((k * step - min) / (max - min), 0.0), 1.0);
-        write_number(next->text, sizeof next->text, (long long)k * factor, exponent);
+        sph2d__write_number(next->text, sizeof next->text, (long long)k * by.factor, by.exponent);
     }
     return count;
 }
@@ -104,7 +71,7 @@ typedef struct layout {
 
 static layout arrange(int width, int height, const char *label)
 {
-    layout at = {.unit = fmax(1.1, (width < height ? width : height) / 400.0)};
+    layout at = {.unit = sph2d__canvas_unit(width, height)};
     const double pads = 2 * PAD * at.unit, max_width = width / 3.0 - pads,
                  numbers = (BAR + TICK + 2 + NUMBERS) * at.unit;
     snprintf(at.title, sizeof at.title, "%s", label ? label : "");

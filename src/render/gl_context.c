@@ -73,6 +73,33 @@ static bool open_one(const backend *from, sph2d__gl_context *context, sph2d__gl 
     return false;
 }
 
+/* ---- the caller's context ---------------------------------------------------------------------------------------- */
+
+static bool stay_current(void *impl)
+{
+    (void)impl;
+    return true;
+}
+
+static void leave(void *impl)
+{
+    (void)impl;
+}
+
+sph2d_status sph2d__gl_borrow(sph2d_gl_loader get_proc_address, sph2d__gl_context *context, sph2d__gl *gl,
+                              sph2d_report *report)
+{
+    static char impl; /* none, but not NULL */
+    char why[WHY_SIZE];
+    *context = (sph2d__gl_context){"current", &impl, stay_current, leave, get_proc_address, leave};
+    if (sph2d__gl_load(gl, context, why, sizeof why))
+        return SPH2D_OK;
+    *context = (sph2d__gl_context){0};
+    sph2d_diagnostic_hint(sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL, "%s", why),
+                          "make a context of OpenGL 3.3 or newer current before the call");
+    return SPH2D_RENDER;
+}
+
 sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report)
 {
     char why[BACKENDS][WHY_SIZE] = {""};

@@ -7,7 +7,7 @@
 #include <GL/glcorearb.h>
 
 #include "render/gl_context.h"
-#include "sph2d/status.h"
+#include "sph2d/render.h"
 
 /** Name without `gl`, type. */
 #define SPH2D__GL_MAP(X)                                                                                               \
@@ -15,12 +15,12 @@
     X(AttachShader, PFNGLATTACHSHADERPROC)                                                                             \
     X(BindBuffer, PFNGLBINDBUFFERPROC)                                                                                 \
     X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                                                                       \
-    X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)                                                                     \
     X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
     X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                                                           \
     X(BlendFunc, PFNGLBLENDFUNCPROC)                                                                                   \
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
+    X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
     X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
     X(Clear, PFNGLCLEARPROC)                                                                                           \
@@ -31,7 +31,6 @@
     X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                                                                           \
     X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)                                                                 \
     X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                                                                           \
-    X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)                                                               \
     X(DeleteShader, PFNGLDELETESHADERPROC)                                                                             \
     X(DeleteTextures, PFNGLDELETETEXTURESPROC)                                                                         \
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                                                                 \
@@ -40,11 +39,9 @@
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
     X(Finish, PFNGLFINISHPROC)                                                                                         \
-    X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC)                                                       \
     X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)                                                             \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                                                                                 \
     X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                                                                       \
-    X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                                                                     \
     X(GenTextures, PFNGLGENTEXTURESPROC)                                                                               \
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                                                                       \
     X(GetError, PFNGLGETERRORPROC)                                                                                     \
@@ -58,11 +55,11 @@
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                                                                               \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                                                                               \
     X(ReadPixels, PFNGLREADPIXELSPROC)                                                                                 \
-    X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)                                                               \
     X(Scissor, PFNGLSCISSORPROC)                                                                                       \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                                                                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                                                                                 \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                                                                           \
+    X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                                                                           \
     X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
@@ -80,6 +77,10 @@ typedef struct sph2d__gl {
 /** Opens the context "osmesa" or "egl", or with NULL the first that works, makes it current and loads its functions.
  *  Errors: SPH2D_INVALID (another name), SPH2D_RENDER. */
 sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2d__gl *gl, sph2d_report *report);
+
+/** Takes the caller's context, which is current and stays so. Errors: SPH2D_RENDER. */
+sph2d_status sph2d__gl_borrow(sph2d_gl_loader get_proc_address, sph2d__gl_context *context, sph2d__gl *gl,
+                              sph2d_report *report);
 
 /** Fills `gl` from the current context and checks that it is OpenGL 3.3 or newer. On failure `why` has a message. */
 bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size);

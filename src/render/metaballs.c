@@ -45,17 +45,23 @@ static GLsizei depth_texels(GLsizei pixels)
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
                                      GLsizei width, GLsizei height, sph2d_report *report)
 {
-    *balls = (sph2d__metaballs){0};
-    sph2d_status status = sph2d__program_build(gl, shader_dir, "gradientball", &balls->ball_program, report);
+    *balls = (sph2d__metaballs){.channels = 1};
+    sph2d_status status = sph2d__program_build(gl, shader_dir, (const char *[2]){"gradientball", "gradientball"},
+                                               &balls->ball_program, report);
     if (status == SPH2D_OK)
-        status = sph2d__program_build(gl, shader_dir, "metaballs", &balls->surface_program, report);
+        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "metaballs"}, &balls->surface_program,
+                                      report);
     if (status == SPH2D_OK)
-        status = sph2d__target_create_float(gl, &balls->field, GL_NEAREST, width, height, report);
+        status = sph2d__target_create_float(gl, &balls->field, 1, GL_NEAREST, width, height, report);
     if (status == SPH2D_OK)
-        status =
-            sph2d__target_create_float(gl, &balls->depth, GL_LINEAR, depth_texels(width), depth_texels(height), report);
+        status = sph2d__target_create_float(gl, &balls->depth, 1, GL_LINEAR, depth_texels(width), depth_texels(height),
+                                            report);
     if (status == SPH2D_OK)
         status = sph2d__lumps_create(&balls->lumps, depth_texels(width), depth_texels(height), report);
+    if (status == SPH2D_OK && !sph2d__cover_create(&balls->walls, depth_texels(width), depth_texels(height))) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing metaballs");
+        status = SPH2D_NOMEM;
+    }
     if (status == SPH2D_OK)
         status = sph2d__tiles_create(&balls->tiles, width, height, report);
     if (status != SPH2D_OK)
@@ -79,20 +85,36 @@ static void begin_adding(const sph2d__gl *gl, GLuint program, const sph2d__targe
     sph2d__program_set_float(gl, program, "radius", radius);
 }
 
+/* Counts walls as filled with liquid, so that water is not lighter at them. */
+static void add_walls(sph2d__metaballs *balls, const sph2d__view *wide, const sph2d_picture *picture, int columns,
+                      int rows, double radius, double texel)
+{
+    sph2d__view grid = *wide;
+    grid.middle = (sph2d_vec2){wide->middle.x / texel, wide->middle.y / texel};
+    grid.scale /= texel;
+    sph2d__cover_clear(&balls->walls, columns, rows);
+    sph2d__walls_cover(&balls->walls, &grid, picture, radius * sqrt(0.5) / wide->scale);
+    const double side = radius / depth_ratio / 2; /* of a particle's square [px] */
+    const float most = (float)(texel * texel / (side * side) / 255);
+    for (size_t k = 0; k < (size_t)columns * (size_t)rows; ++k)
+        balls->lumps.weights[k] += most * balls->walls.pixels[k];
+}
+
 /* Draws the depth by balls of a radius [px] on a grid of squares of `texel` pixels. */
 static void add_depth(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__view *view,
-                      const sph2d__dot_list *list, double radius, double texel)
+                      const sph2d__dot_list *list, const sph2d_picture *picture, double radius, double texel)
 {
     const sph2d__view wide = sph2d__view_widen(view, MARGIN * texel);
     const GLsizei columns = texels(wide.width, texel), rows = texels(wide.height, texel);
     begin_adding(gl, balls->ball_program, &balls->depth, columns, rows, radius, texel);
     sph2d__lumps_reset(&balls->lumps, columns, rows, texel);
+    add_walls(balls, &wide, picture, columns, rows, radius, texel);
     sph2d__lumps_draw(gl, &balls->lumps, dots, &wide, list);
 }
 
 /* Second pass: the field as water over the background, in the tiles found. */
 static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, double radius, double texel)
+                         const sph2d__target *target, double radius, double texel, bool colored)
 {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
@@ -106,6 +128,7 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
     sph2d__program_set_float(gl, program, "tile", SPH2D__TILE);
     sph2d__program_set_int(gl, program, "field", 0);
     sph2d__program_set_int(gl, program, "depth", 1);
+    sph2d__program_set_int(gl, program, "colored", colored);
     sph2d__program_set_float(gl, program, "radius", radius);
     sph2d__program_set_float(gl, program, "threshold", threshold);
     sph2d__program_set_float(gl, program, "texel", texel);
@@ -118,10 +141,25 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
     gl->ActiveTexture(GL_TEXTURE0);
 }
 
-void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__target *target,
-                           const sph2d__view *view, sph2d__dot_list list, double radius)
+/* Gives the field room for colours, or takes it: they make the first pass slower. */
+static sph2d_status set_channels(const sph2d__gl *gl, sph2d__metaballs *balls, int channels, sph2d_report *report)
 {
-    const double pixels = fmax(radius * view->scale, smallest_radius);
+    if (balls->channels == channels)
+        return SPH2D_OK;
+    const GLsizei width = balls->field.width, height = balls->field.height;
+    sph2d__target_destroy(gl, &balls->field);
+    balls->channels = channels;
+    return sph2d__target_create_float(gl, &balls->field, channels, GL_NEAREST, width, height, report);
+}
+
+sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
+                                   const sph2d__target *target, const sph2d__view *view, sph2d__dot_list list,
+                                   const sph2d_picture *picture, sph2d_report *report)
+{
+    const sph2d_status status = set_channels(gl, balls, list.values ? 4 : 1, report);
+    if (status != SPH2D_OK)
+        return status;
+    const double pixels = fmax(picture->radius * view->scale, smallest_radius);
     list.reach = pixels * sqrt(0.5);
     sph2d__tiles_find(&balls->tiles, view, &list);
     begin_adding(gl, balls->ball_program, &balls->field, target->width, target->height, pixels, 1);
@@ -131,8 +169,9 @@ void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__
     /* Balls larger than the image give a nearly uniform depth: no need for a larger grid. */
     const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
     list.reach = wide * sqrt(0.5);
-    add_depth(gl, balls, dots, view, &list, wide, texel);
-    draw_surface(gl, balls, dots, target, pixels, texel);
+    add_depth(gl, balls, dots, view, &list, picture, wide, texel);
+    draw_surface(gl, balls, dots, target, pixels, texel, list.values);
+    return SPH2D_OK;
 }
 
 void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls)
@@ -142,6 +181,7 @@ void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls)
     sph2d__target_destroy(gl, &balls->field);
     sph2d__target_destroy(gl, &balls->depth);
     sph2d__lumps_destroy(&balls->lumps);
+    sph2d__cover_destroy(&balls->walls);
     sph2d__tiles_destroy(&balls->tiles);
     *balls = (sph2d__metaballs){0};
 }

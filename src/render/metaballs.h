@@ -6,13 +6,15 @@
 
 #include "render/lumps.h"
 #include "render/target.h"
-#include "render/tiles.h"
+#include "render/walls.h"
 
 typedef struct sph2d__metaballs {
     GLuint ball_program, surface_program;
-    sph2d__target field; /**< one float a pixel */
+    sph2d__target field; /**< one float a pixel, or four with colours: `channels` */
+    int channels;
     sph2d__target depth; /**< coarser: the field of wide balls, a measure of the depth below the surface */
     sph2d__lumps lumps;
+    sph2d__cover walls; /**< on the grid of the depth */
     sph2d__tiles tiles;
 } sph2d__metaballs;
 
@@ -20,9 +22,11 @@ typedef struct sph2d__metaballs {
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
                                      GLsizei width, GLsizei height, sph2d_report *report);
 
-/** Draws a list of particles over the contents of `target`. `radius` is R [m]; the list's reach is set here. */
-void sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots, const sph2d__target *target,
-                           const sph2d__view *view, sph2d__dot_list list, double radius);
+/** Draws a list of particles over the contents of `target`; the list's reach is set here. The radius R and the walls are
+ *  those of the picture. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
+sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
+                                   const sph2d__target *target, const sph2d__view *view, sph2d__dot_list list,
+                                   const sph2d_picture *picture, sph2d_report *report);
 
 /** Frees it; it may be zeroed. */
 void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls);

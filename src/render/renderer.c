@@ -6,27 +6,19 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
-#include "render/colorbar.h"
-#include "render/metaballs.h"
+#include "render/drawing.h"
 #include "render/png_file.h"
-#include "render/points.h"
-#include "render/shader.h"
 
 enum { SIDE_MIN = 16, SIDE_MAX = 16384 };
 
 struct sph2d_renderer {
-    unsigned width, height;
-    sph2d_style style;
     sph2d__gl_context context;
-    sph2d__gl gl;
-    sph2d__dots dots;
-    GLuint points_program;
-    sph2d__metaballs metaballs;
-    sph2d__target target;
+    sph2d__drawing drawing;
     unsigned char *pixels;
-    bool drawn;
+    bool drawn; /* and read back */
     sph2d_frame_times times;
     char gl_version[192];
 };
@@ -53,6 +45,8 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
 {
     if (!options || options->struct_size != sizeof *options)
         return invalid(report, "render options do not come from sph2d_render_options_default()");
+    if (options->gl && options->get_proc_address)
+        return invalid(report, "render options name a context and give one, by get_proc_address: give one of the two");
     if (options->style != SPH2D_STYLE_METABALLS && options->style != SPH2D_STYLE_POINTS)
         return invalid(report, "the style of the renderer is unknown");
     if (options->width < SIDE_MIN || options->width > SIDE_MAX || options->height < SIDE_MIN ||
@@ -63,23 +57,6 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
         return SPH2D_INVALID;
     }
     return SPH2D_OK;
-}
-
-static sph2d_status create_passes(sph2d_renderer *self, const char *shader_dir, sph2d_report *report)
-{
-    const GLsizei width = (GLsizei)self->width, height = (GLsizei)self->height;
-    snprintf(self->gl_version, sizeof self->gl_version, "%s, %s", (const char *)self->gl.GetString(GL_VERSION),
-             (const char *)self->gl.GetString(GL_RENDERER));
-    sph2d_status status = sph2d__target_create_color(&self->gl, &self->target, width, height, report);
-    if (status == SPH2D_OK)
-        status = sph2d__dots_create(&self->gl, &self->dots, report);
-    if (status == SPH2D_OK)
-        status = sph2d__program_build(&self->gl, shader_dir, "points", &self->points_program, report);
-    if (status == SPH2D_OK && self->style == SPH2D_STYLE_METABALLS)
-        status = sph2d__metaballs_create(&self->gl, &self->metaballs, shader_dir, width, height, report);
-    if (status == SPH2D_OK)
-        status = sph2d__gl_check(&self->gl, "preparing to draw", report);
-    return status;
 }
 
 sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer, sph2d_report *report)
@@ -99,13 +76,19 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
                          options->width, options->height);
         return SPH2D_NOMEM;
     }
-    self->width = options->width;
-    self->height = options->height;
-    self->style = options->style;
     self->pixels = pixels;
-    status = sph2d__gl_open(options->gl, &self->context, &self->gl, report);
+    self->drawing.width = (int)options->width;
+    self->drawing.height = (int)options->height;
+    self->drawing.style = options->style;
+    self->drawing.shown = options->get_proc_address;
+    status = options->get_proc_address
+                 ? sph2d__gl_borrow(options->get_proc_address, &self->context, &self->drawing.gl, report)
+                 : sph2d__gl_open(options->gl, &self->context, &self->drawing.gl, report);
     if (status == SPH2D_OK) {
-        status = create_passes(self, options->shader_dir, report);
+        const sph2d__gl *gl = &self->drawing.gl;
+        snprintf(self->gl_version, sizeof self->gl_version, "%s, %s", (const char *)gl->GetString(GL_VERSION),
+                 (const char *)gl->GetString(GL_RENDERER));
+        status = sph2d__drawing_create(&self->drawing, options->shader_dir, report);
         self->context.release(self->context.impl);
     }
     if (status != SPH2D_OK) {
@@ -122,10 +105,7 @@ void sph2d_renderer_destroy(sph2d_renderer *renderer)
         return;
     if (renderer->context.impl) {
         if (renderer->context.make_current(renderer->context.impl)) {
-            sph2d__metaballs_destroy(&renderer->gl, &renderer->metaballs);
-            renderer->gl.DeleteProgram(renderer->points_program);
-            sph2d__dots_destroy(&renderer->gl, &renderer->dots);
-            sph2d__target_destroy(&renderer->gl, &renderer->target);
+            sph2d__drawing_destroy(&renderer->drawing);
             renderer->context.release(renderer->context.impl);
         }
         renderer->context.destroy(renderer->context.impl);
@@ -142,10 +122,11 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
         return invalid(report, "the picture has particles without positions");
     if (picture->count > 0 && !(picture->radius > 0.0 && isfinite(picture->radius)))
         return invalid(report, "the radius of the picture's particles is not a positive number");
-    if (picture->wall_count > 0 && (!picture->wall_x || !picture->wall_y))
-        return invalid(report, "the picture has boundary particles without positions");
-    if (picture->wall_count > 0 && !(picture->wall_radius > 0.0 && isfinite(picture->wall_radius)))
-        return invalid(report, "the radius of the picture's boundary particles is not a positive number");
+    if (picture->outline_count > 0 &&
+        (!picture->outline_x || !picture->outline_y || !picture->outline_id || !picture->outline_liquid))
+        return invalid(report, "the picture has outlines without positions, numbers or sides of liquid");
+    if (!(picture->wall_thickness >= 0.0 && isfinite(picture->wall_thickness)))
+        return invalid(report, "the thickness of the picture's walls is not a finite number of at least 0");
     const bool automatic = picture->value_min == 0.0 && picture->value_max == 0.0;
     if (picture->values && !automatic &&
         !(picture->value_min < picture->value_max && isfinite(picture->value_max - picture->value_min)))
@@ -153,119 +134,79 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
     return SPH2D_OK;
 }
 
-/* Position of a picture in the image, and its legend. */
-typedef struct layout {
-    sph2d__view view;
-    bool legend;
-    int reserved;    /* columns for the legend, on the right [px] */
-    double min, max; /* ends of the colour range */
-} layout;
-
-static sph2d_status arrange(const sph2d_renderer *self, const sph2d_picture *picture, layout *out, sph2d_report *report)
+/* Reads the picture back, and writes the texts on it. */
+static void read_back(sph2d_renderer *self, const sph2d_picture *picture, const sph2d__layout *at)
 {
-    /* Before the first particle there may be no array of values, but the view must stay the same. */
-    const bool colored = picture->values || (picture->count == 0 && picture->value_label);
-    *out = (layout){
-        .legend = self->style == SPH2D_STYLE_POINTS && colored, .min = picture->value_min, .max = picture->value_max};
-    const int width = (int)self->width, height = (int)self->height;
-    out->reserved = out->legend ? sph2d__colorbar_width(width, height, picture->value_label) : 0;
-    if (!sph2d__view_fit(&out->view, picture->view, self->width, self->height, (unsigned)out->reserved))
-        return invalid(report, "the view of the picture is empty or not finite");
-    if (out->legend && out->min == 0.0 && out->max == 0.0)
-        sph2d__color_range(picture->values, picture->count, &out->min, &out->max);
-    return SPH2D_OK;
-}
-
-static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const float color[3])
-{
-    gl->Scissor(box.x, box.y, box.width, box.height);
-    gl->ClearColor(color[0], color[1], color[2], 1.0F);
-    gl->Clear(GL_COLOR_BUFFER_BIT);
-}
-
-/* A light background, slightly darker outside the view. */
-static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box)
-{
-    static const float inside[3] = {0.965F, 0.976F, 0.984F}, outside[3] = {0.906F, 0.922F, 0.937F};
-    sph2d__target_bind(gl, target);
-    gl->Enable(GL_SCISSOR_TEST);
-    fill_box(gl, (sph2d__pixel_box){0, 0, target->width, target->height}, outside);
-    fill_box(gl, sph2d__view_cover(view, box), inside);
-    gl->Disable(GL_SCISSOR_TEST);
-}
-
-static void draw_particles(sph2d_renderer *self, const sph2d_picture *picture, const layout *at)
-{
-    const sph2d__dot_list fluid = {.count = picture->count,
-                                   .x = picture->x,
-                                   .y = picture->y,
-                                   .color = {26, 112, 176, 255},
-                                   .values = picture->values,
-                                   .value_min = at->min,
-                                   .value_max = at->max};
-    const sph2d__dot_list walls = {
-        .count = picture->wall_count, .x = picture->wall_x, .y = picture->wall_y, .color = {84, 78, 76, 255}};
-    if (self->style == SPH2D_STYLE_METABALLS)
-        sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid,
-                              picture->radius);
-    else
-        sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, fluid,
-                           picture->radius);
-    sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, walls,
-                       picture->wall_radius);
-}
-
-/* Draws with the context current, and reads the picture back. */
-static sph2d_status draw_current(sph2d_renderer *self, const sph2d_picture *picture, const layout *at,
-                                 sph2d_report *report)
-{
-    const sph2d__gl *gl = &self->gl;
-    sph2d__gl_clear_errors(gl);
-    draw_background(gl, &self->target, &at->view, picture->view);
-    if (at->reserved > 0) { /* no wall behind the numbers */
-        gl->Enable(GL_SCISSOR_TEST);
-        gl->Scissor(0, 0, self->target.width - at->reserved, self->target.height);
-    }
-    draw_particles(self, picture, at);
-    gl->Disable(GL_SCISSOR_TEST);
-    sph2d__target_bind(gl, &self->target);
-    gl->Finish(); /* so that the time of reading does not include drawing */
+    sph2d__drawing *d = &self->drawing;
+    sph2d__target_bind(&d->gl, &d->target);
+    d->gl.Finish(); /* so that the time of reading does not include drawing */
     const double begun = seconds();
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->ReadPixels(0, 0, self->target.width, self->target.height, GL_RGBA, GL_UNSIGNED_BYTE, self->pixels);
+    d->gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    d->gl.ReadPixels(0, 0, d->width, d->height, GL_RGBA, GL_UNSIGNED_BYTE, self->pixels);
     self->times.read = seconds() - begun;
-    return sph2d__gl_check(gl, "drawing a picture", report);
+    sph2d__drawing_write(d, picture, at, self->pixels);
+}
+
+/* Where the caller wants the picture. */
+typedef struct place {
+    GLuint framebuffer;
+    int x, y; /* of the lower left corner [px] */
+} place;
+
+/* Copies the picture with its texts to the caller's framebuffer, whose rows begin at the lower end. */
+static void copy_to(sph2d_renderer *self, const sph2d_picture *picture, const sph2d__layout *at, const place *to)
+{
+    sph2d__drawing *d = &self->drawing;
+    sph2d__drawing_write_to_target(d, picture, at, self->pixels);
+    sph2d__target_copy(&d->gl, &d->target, (sph2d__pixel_box){0, 0, d->width, d->height}, to->framebuffer,
+                       (sph2d__pixel_box){to->x, to->y, d->width, d->height}, true);
+}
+
+/* Draws into memory, or with `to` into the caller's framebuffer. */
+static sph2d_status draw(sph2d_renderer *self, const sph2d_picture *picture, const place *to, sph2d_report *report)
+{
+    sph2d__layout at;
+    sph2d_status status = check_picture(picture, report);
+    if (status == SPH2D_OK)
+        status = sph2d__drawing_arrange(&self->drawing, picture, &at, report);
+    if (status != SPH2D_OK)
+        return status;
+    const double begun = seconds();
+    self->drawn = false;
+    self->times = (sph2d_frame_times){0};
+    if (!self->context.make_current(self->context.impl)) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
+                         "the OpenGL context from %s cannot be used in this thread", self->context.name);
+        return SPH2D_RENDER;
+    }
+    sph2d__gl_clear_errors(&self->drawing.gl);
+    status = sph2d__drawing_paint(&self->drawing, picture, &at, report);
+    if (status == SPH2D_OK && to)
+        copy_to(self, picture, &at, to);
+    else if (status == SPH2D_OK)
+        read_back(self, picture, &at);
+    if (status == SPH2D_OK)
+        status = sph2d__gl_check(&self->drawing.gl, "drawing a picture", report);
+    self->context.release(self->context.impl);
+    self->drawn = status == SPH2D_OK && !to;
+    self->times.draw = seconds() - begun - self->times.read;
+    return status;
 }
 
 sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report)
 {
+    return renderer ? draw(renderer, picture, NULL, report) : invalid(report, "the renderer is NULL");
+}
+
+sph2d_status sph2d_renderer_draw_to(sph2d_renderer *renderer, unsigned framebuffer, int x, int y,
+                                    const sph2d_picture *picture, sph2d_report *report)
+{
     if (!renderer)
         return invalid(report, "the renderer is NULL");
-    layout at;
-    sph2d_status status = check_picture(picture, report);
-    if (status == SPH2D_OK)
-        status = arrange(renderer, picture, &at, report);
-    if (status != SPH2D_OK)
-        return status;
-    const double begun = seconds();
-    renderer->drawn = false;
-    renderer->times = (sph2d_frame_times){0};
-    if (!renderer->context.make_current(renderer->context.impl)) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
-                         "the OpenGL context from %s cannot be used in this thread", renderer->context.name);
-        return SPH2D_RENDER;
-    }
-    status = draw_current(renderer, picture, &at, report);
-    renderer->context.release(renderer->context.impl);
-    if (status != SPH2D_OK)
-        return status;
-    renderer->drawn = true;
-    if (at.legend) {
-        const sph2d__canvas canvas = {renderer->pixels, (int)renderer->width, (int)renderer->height};
-        sph2d__colorbar_draw(&canvas, at.min, at.max, picture->value_label);
-    }
-    renderer->times.draw = seconds() - begun - renderer->times.read;
-    return SPH2D_OK;
+    if (strcmp(renderer->context.name, "current") != 0)
+        return invalid(report, "the renderer has a context of its own, so it cannot draw into a framebuffer of the "
+                               "caller: create it with get_proc_address");
+    return draw(renderer, picture, &(place){framebuffer, x, y}, report);
 }
 
 const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer)
@@ -280,7 +221,8 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
     if (!sph2d_renderer_pixels(renderer))
         return invalid(report, "there is no picture to write: draw one first");
     const double begun = seconds();
-    const sph2d_status status = sph2d__png_write(path, renderer->pixels, renderer->width, renderer->height, report);
+    const sph2d_status status = sph2d__png_write(path, renderer->pixels, (unsigned)renderer->drawing.width,
+                                                 (unsigned)renderer->drawing.height, report);
     renderer->times.encode = seconds() - begun;
     return status;
 }

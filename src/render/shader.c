@@ -164,8 +164,8 @@ static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *na
     return status;
 }
 
-static sph2d_status link_program(const sph2d__gl *gl, const char *name, GLuint vertex, GLuint fragment, GLuint *program,
-                                 sph2d_report *report)
+static sph2d_status link_program(const sph2d__gl *gl, const char *names[2], GLuint vertex, GLuint fragment,
+                                 GLuint *program, sph2d_report *report)
 {
     *program = gl->CreateProgram();
     gl->AttachShader(*program, vertex);
@@ -178,26 +178,26 @@ static sph2d_status link_program(const sph2d__gl *gl, const char *name, GLuint v
     char log[LOG_SIZE] = "";
     gl->GetProgramInfoLog(*program, sizeof log, NULL, log);
     log[strcspn(log, "\n")] = '\0';
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_SHADER, NULL, "'%s.vert' and '%s.frag' do not link: %s", name,
-                     name, log);
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_SHADER, NULL, "'%s.vert' and '%s.frag' do not link: %s",
+                     names[0], names[1], log);
     gl->DeleteProgram(*program);
     *program = 0;
     return SPH2D_RENDER;
 }
 
-sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *name, GLuint *program,
+sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *names[2], GLuint *program,
                                   sph2d_report *report)
 {
     char vertex_name[NAME_SIZE], fragment_name[NAME_SIZE];
-    snprintf(vertex_name, sizeof vertex_name, "%s.vert", name);
-    snprintf(fragment_name, sizeof fragment_name, "%s.frag", name);
+    snprintf(vertex_name, sizeof vertex_name, "%s.vert", names[0]);
+    snprintf(fragment_name, sizeof fragment_name, "%s.frag", names[1]);
     GLuint vertex = 0, fragment = 0;
     *program = 0;
     sph2d_status status = compile(gl, dir, vertex_name, GL_VERTEX_SHADER, &vertex, report);
     if (status == SPH2D_OK)
         status = compile(gl, dir, fragment_name, GL_FRAGMENT_SHADER, &fragment, report);
     if (status == SPH2D_OK)
-        status = link_program(gl, name, vertex, fragment, program, report);
+        status = link_program(gl, names, vertex, fragment, program, report);
     gl->DeleteShader(vertex); /* a linked program keeps them; 0 is ignored */
     gl->DeleteShader(fragment);
     return status;

@@ -6,10 +6,10 @@
 
 #include "render/gl_loader.h"
 
-/** Builds NAME.vert and NAME.frag, the built-in text or, where `dir` is not NULL, the files in that folder. Each
+/** Builds names[0].vert and names[1].frag, the built-in text or, where `dir` is not NULL, the files in that folder. Each
  *  message of the compiler becomes a diagnostic with the line of the GLSL. The caller deletes *program; 0 after a
  *  failure. Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
-sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *name, GLuint *program,
+sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *names[2], GLuint *program,
                                   sph2d_report *report);
 
 /** Set a uniform of the program in use by name. A missing one is no error, for shaders under development. */

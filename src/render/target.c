@@ -61,41 +61,55 @@ static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei 
     return SPH2D_RENDER;
 }
 
-sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
-                                        sph2d_report *report)
+/* Starts a framebuffer with a texture of a format; the caller ends it by finish(). */
+static sph2d_status create_texture(const sph2d__gl *gl, sph2d__target *target, GLint format, GLenum layout, GLenum type,
+                                   GLint filter, sph2d_report *report)
 {
-    *target = (sph2d__target){.width = width, .height = height};
-    const sph2d_status status = check_limit(gl, GL_MAX_RENDERBUFFER_SIZE, width, height, report);
-    if (status != SPH2D_OK)
-        return status;
-    gl->GenFramebuffers(1, &target->framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-    gl->GenRenderbuffers(1, &target->renderbuffer);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, target->renderbuffer);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target->renderbuffer);
-    return finish(gl, target, "making the picture", report);
-}
-
-/* R32F, not R16F: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats is as fast. */
-sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
-                                        GLsizei height, sph2d_report *report)
-{
-    *target = (sph2d__target){.width = width, .height = height};
-    const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, width, height, report);
+    const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, target->width, target->height, report);
     if (status != SPH2D_OK)
         return status;
     gl->GenFramebuffers(1, &target->framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     gl->GenTextures(1, &target->texture);
     gl->BindTexture(GL_TEXTURE_2D, target->texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, width, height, 0, GL_RED, GL_FLOAT, NULL);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, format, target->width, target->height, 0, layout, type, NULL);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
-    return finish(gl, target, "making the field of the metaballs", report);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                                        sph2d_report *report)
+{
+    *target = (sph2d__target){.width = width, .height = height};
+    const sph2d_status status = create_texture(gl, target, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST, report);
+    return status == SPH2D_OK ? finish(gl, target, "making the picture", report) : status;
+}
+
+/* R32F, not R16F: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats is as fast. */
+sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int channels, GLint filter,
+                                        GLsizei width, GLsizei height, sph2d_report *report)
+{
+    *target = (sph2d__target){.width = width, .height = height};
+    const sph2d_status status = create_texture(gl, target, channels == 1 ? GL_R32F : GL_RGBA32F,
+                                               channels == 1 ? GL_RED : GL_RGBA, GL_FLOAT, filter, report);
+    return status == SPH2D_OK ? finish(gl, target, "making the field of the metaballs", report) : status;
+}
+
+void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,
+                        sph2d__pixel_box to, bool upside_down)
+{
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, from->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    const GLint top = to.y, bottom = to.y + to.height;
+    gl->BlitFramebuffer(source.x, source.y, source.x + source.width, source.y + source.height, to.x,
+                        upside_down ? bottom : top, to.x + to.width, upside_down ? top : bottom, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target)
@@ -107,7 +121,6 @@ void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target)
 void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target)
 {
     gl->DeleteFramebuffers(1, &target->framebuffer); /* 0 is ignored */
-    gl->DeleteRenderbuffers(1, &target->renderbuffer);
     gl->DeleteTextures(1, &target->texture);
     *target = (sph2d__target){0};
 }

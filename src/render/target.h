@@ -5,22 +5,25 @@
 #define SPH2D_RENDER_TARGET_H
 
 #include "render/gl_loader.h"
+#include "render/view.h"
 
 typedef struct sph2d__target {
     GLsizei width, height;
-    GLuint framebuffer;
-    GLuint renderbuffer; /**< 8-bit colour, to be read back */
-    GLuint texture;      /**< or one float a pixel, to be read by the next pass */
+    GLuint framebuffer, texture;
 } sph2d__target;
 
 /** An 8-bit RGBA target. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
 sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
                                         sph2d_report *report);
 
-/** A target of 32-bit floats, one a pixel, which the next pass reads with `filter`, GL_NEAREST or GL_LINEAR. Errors:
- *  SPH2D_RENDER, SPH2D_NOMEM. */
-sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, GLint filter, GLsizei width,
-                                        GLsizei height, sph2d_report *report);
+/** A target of 32-bit floats, one or four a pixel, which the next pass reads with `filter`, GL_NEAREST or GL_LINEAR.
+ *  Errors: SPH2D_RENDER, SPH2D_NOMEM. */
+sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int channels, GLint filter,
+                                        GLsizei width, GLsizei height, sph2d_report *report);
+
+/** Copies a box of pixels to a framebuffer, which is bound then. */
+void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,
+                        sph2d__pixel_box to, bool upside_down);
 
 /** Makes it the target of the following draw calls. */
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target);

@@ -42,6 +42,16 @@ void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d
     }
 }
 
+void sph2d__tiles_find_bytes(sph2d__tiles *tiles, const unsigned char *bytes, int width, int height)
+{
+    memset(tiles->touched, 0, (size_t)tiles->columns * (size_t)tiles->rows);
+    for (int y = 0; y < height; ++y) {
+        unsigned char *row = tiles->touched + (size_t)(y / SPH2D__TILE) * (size_t)tiles->columns;
+        for (int x = 0; x < width; ++x)
+            row[x / SPH2D__TILE] |= bytes[(size_t)y * (size_t)width + (size_t)x];
+    }
+}
+
 void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots)
 {
     sph2d__dots_begin(gl, dots, SPH2D__SQUARE);

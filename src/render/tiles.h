@@ -20,6 +20,9 @@ sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph
 /** Finds the tiles that touch a square of half side `reach` around any particle of a list. */
 void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__view *view, const sph2d__dot_list *list);
 
+/** Finds the tiles in which an image of bytes, as large as theirs, is not 0. */
+void sph2d__tiles_find_bytes(sph2d__tiles *tiles, const unsigned char *bytes, int width, int height);
+
 /** Draws the tiles found, as squares, with the program, target and blending in use. */
 void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots);
 

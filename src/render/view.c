@@ -5,16 +5,16 @@
 
 #include <math.h>
 
-bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved)
+bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned right, unsigned below)
 {
     const double box_width = box.max.x - box.min.x, box_height = box.max.y - box.min.y;
-    const double scale = fmin((width - reserved) / box_width, height / box_height);
+    const double scale = fmin((width - right) / box_width, (height - below) / box_height);
     if (!(box_width > 0.0 && box_height > 0.0 && isfinite(box_width) && isfinite(box_height) && isfinite(scale) &&
           scale > 0.0))
         return false; /* NaN fails the comparisons */
     *view = (sph2d__view){.width = width,
                           .height = height,
-                          .middle = {0.5 * (width - reserved), 0.5 * height},
+                          .middle = {0.5 * (width - right), 0.5 * (height - below)},
                           .center = {box.min.x + 0.5 * box_width, box.min.y + 0.5 * box_height},
                           .scale = scale};
     return true;
@@ -38,6 +38,11 @@ static double to_right(const sph2d__view *view, double x)
 static double to_down(const sph2d__view *view, double y)
 {
     return view->middle.y - (y - view->center.y) * view->scale;
+}
+
+sph2d_vec2 sph2d__view_at(const sph2d__view *view, double x, double y)
+{
+    return (sph2d_vec2){to_right(view, x), to_down(view, y)};
 }
 
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2])

@@ -21,12 +21,15 @@ typedef struct sph2d__pixel_box {
     int x, y, width, height;
 } sph2d__pixel_box;
 
-/** Fits a box into an image, whose last `reserved` columns are left free, centred, with its aspect kept. False
- *  where the box is empty, not finite or so small or large that nothing can be drawn. */
-bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned reserved);
+/** Fits a box into an image, of which `right` columns and `below` rows at its ends are left free, centred, with its
+ *  aspect kept. False where the box is empty, not finite or so small or large that nothing can be drawn. */
+bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned right, unsigned below);
 
 /** The same view in an image with at least `border` more pixels on all sides. */
 sph2d__view sph2d__view_widen(const sph2d__view *view, double border);
+
+/** Converts a position, which may lie outside the image. */
+sph2d_vec2 sph2d__view_at(const sph2d__view *view, double x, double y);
 
 /** Converts a position. False if it is not finite or more than `margin` pixels outside the image. */
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]);

@@ -192,10 +192,10 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
-/** Recomputes the gradients that a step uses from the one before; they follow from positions and densities. The stored
- *  accelerations are kept: they were evaluated with predicted velocities. */
-static sph2d_status recompute_gradients(sph2d_sim *sim)
+sph2d_status sph2d__sim_recompute_gradients(sph2d_sim *sim)
 {
+    if (!(sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
+        return SPH2D_OK;
     sph2d__keep_accelerations(&sim->system.fluid);
     bool ok = sim->method->evaluate(&sim->system);
     sph2d__keep_accelerations(&sim->system.fluid);
@@ -212,8 +212,8 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     if (!sph2d__rheology_set(&sim->system))
         return SPH2D_NOMEM;
     status = sph2d__sim_update_forcing(sim, sim->record.time);
-    if (status == SPH2D_OK && (sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
-        status = recompute_gradients(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_recompute_gradients(sim);
     sph2d__bodies_know(sim, false);
     return status;
 }
@@ -231,6 +231,7 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
+    sim->scene.run.frames.color_range = sph2d__frames_color_range(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
         return status;
@@ -270,6 +271,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
         status = state ? start_restored(sim, state, report) : start_new(sim, report);
+    if (status == SPH2D_OK && !sph2d__outlines_create(sim))
+        status = SPH2D_NOMEM;
     if (status == SPH2D_OK)
         sph2d__sim_make_plan(sim);
     return status;

@@ -111,12 +111,57 @@ static const row rows[] = {
      SPH2D__BIT(old_density_rate)},
 };
 
+static const sph2d_array outline_fields[] = {
+    {.group = SPH2D_GROUP_OUTLINE,
+     .name = "Coordinates",
+     .description = "corners of the outlines of sides, obstacles and bodies",
+     .unit = {1, 0, 0},
+     .type = SPH2D_F64,
+     .components = 2,
+     .stride = 1},
+    {.group = SPH2D_GROUP_OUTLINE,
+     .name = "OutlineIDs",
+     .description = "number of the outline that a corner belongs to",
+     .type = SPH2D_U64,
+     .components = 1,
+     .stride = 1},
+    {.group = SPH2D_GROUP_OUTLINE,
+     .name = "LiquidSides",
+     .description = "where liquid is: 0 on both sides of a line, 1 on the left, 2 outside of a solid",
+     .type = SPH2D_U64,
+     .components = 1,
+     .stride = 1},
+};
+
+enum { OUTLINE_FIELDS = sizeof outline_fields / sizeof outline_fields[0] };
 enum { ROWS = sizeof rows / sizeof rows[0] };
 _Static_assert(ROWS + 5 <= SPH2D__FIELDS_OF_STATE, "all fields of the fluid, and five of the walls");
 
 size_t sph2d_field_count(sph2d_group group)
 {
-    return group == SPH2D_GROUP_FLUID ? FIELDS : group == SPH2D_GROUP_WALL ? FIELDS - 1 : 0;
+    switch (group) {
+    case SPH2D_GROUP_FLUID:
+        return FIELDS;
+    case SPH2D_GROUP_WALL:
+        return FIELDS - 1;
+    case SPH2D_GROUP_OUTLINE:
+        return OUTLINE_FIELDS;
+    default:
+        return 0;
+    }
+}
+
+/** A field of the outlines; with `sim` NULL only its description. */
+static sph2d_array outline_field(const sph2d_sim *sim, size_t index)
+{
+    sph2d_array field = outline_fields[index];
+    if (!sim)
+        return field;
+    const sph2d__outlines *all = &sim->outlines;
+    const void *const data[OUTLINE_FIELDS][2] = {{all->x, all->y}, {all->id, NULL}, {all->liquid, NULL}};
+    field.count = all->count;
+    memcpy(field.data, data[index], sizeof field.data);
+    return field;
 }
 
 static sph2d_array describe(const row *r, sph2d_group group)
@@ -147,6 +192,8 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
 {
     if (index >= sph2d_field_count(group))
         return (sph2d_array){.group = group};
+    if (group == SPH2D_GROUP_OUTLINE)
+        return outline_field(sim, index);
     const row *r = &rows[index];
     sph2d_array field = describe(r, group);
     if (!sim)

@@ -44,6 +44,26 @@ void sph2d__sim_absorb(sph2d_sim *sim, double dt);
 sph2d_status sph2d__sim_emit(sph2d_sim *sim);
 sph2d_status sph2d__sim_drain(sph2d_sim *sim);
 
+/* Cells use 32-bit indices. */
+static const size_t SPH2D__MAX_PARTICLES = 4000000000u;
+
+/** Whether a new particle can be placed: on the same side of every wall at rest as `start`, 0.75 spacings from walls and
+ *  other particles. The first `sorted` particles are in the cells, the others are new. */
+bool sph2d__sim_has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y);
+/** Adds the surface energy due to the new particles, from `sorted` on, which are not yet in the cells. Errors:
+ *  SPH2D_NOMEM. */
+sph2d_status sph2d__sim_book_new_surface(sph2d_sim *sim, size_t sorted);
+/** Sorts the fluid between steps, carrying all arrays along. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_sort_all_arrays(sph2d_sim *sim);
+/** Makes room for a flag of each particle in sim->to_remove. False when memory is short. */
+bool sph2d__sim_reserve_flags(sph2d_sim *sim);
+/** Removes the particles whose flag is set, and books their energy. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim);
+
+/** Recomputes the gradients that a step uses from the one before; they follow from positions and densities. The stored
+ *  accelerations are kept: they were evaluated with predicted velocities. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_recompute_gradients(sph2d_sim *sim);
+
 /** Copies a state into a simulation with walls but no fluid. Errors: SPH2D_FORMAT, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);
 

@@ -19,9 +19,6 @@ static const double MIN_DISTANCE = 0.75;
 /* The clock is a sum of steps: the tolerance for its rounding at a due time. */
 static const double REACHED = 1 + 1e-12;
 
-/* Cells use 32-bit indices. */
-static const size_t MAX_PARTICLES = 4000000000u;
-
 /** Parameters of a source's emission. */
 typedef struct emission {
     double ux, uy;   /**< unit vector of the jet */
@@ -54,9 +51,7 @@ static bool near_any(const sph2d__cells *cells, const sph2d__store *store, doubl
     return false;
 }
 
-/** Whether a new particle can be placed: on the source's side of every wall, not too near to other particles. The first
- *  `sorted` particles are in the cells, the others are new. */
-static bool can_emit(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
+bool sph2d__sim_has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, double x, double y)
 {
     const sph2d__system *s = &sim->system;
     double distance = MIN_DISTANCE * s->spacing, margin = 0.25 * s->spacing;
@@ -81,14 +76,15 @@ static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, ui
     const sph2d_source *source = &sim->scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
-    if (fluid->count + columns > MAX_PARTICLES || !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
+    if (fluid->count + columns > SPH2D__MAX_PARTICLES ||
+        !sph2d__store_reserve(fluid, &sim->memory, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
         double across = ((double)k - (n->columns - 1) / 2) * n->across;
         double along = age * source->speed;
         double x = source->at.x + along * n->ux - across * n->uy;
         double y = source->at.y + along * n->uy + across * n->ux;
-        if (!can_emit(sim, sorted, source->at, x, y)) {
+        if (!sph2d__sim_has_room(sim, sorted, source->at, x, y)) {
             ++sim->record.blocked;
             continue;
         }
@@ -121,8 +117,7 @@ static void extend_box(const sph2d_sim *sim, size_t i, sph2d_box *box)
     box->max.y = fmax(box->max.y, p->length_y > 0 ? INFINITY : y + reach);
 }
 
-/** Sorts the fluid between steps, carrying all arrays along. */
-static sph2d_status sort_all_arrays(sph2d_sim *sim)
+sph2d_status sph2d__sim_sort_all_arrays(sph2d_sim *sim)
 {
     sph2d__store *f = &sim->system.fluid;
     sph2d__set carried = f->carried;
@@ -132,8 +127,7 @@ static sph2d_status sort_all_arrays(sph2d_sim *sim)
     return status;
 }
 
-/** Adds the surface energy due to the new particles, from `sorted` on, which are not yet in the cells. */
-static sph2d_status book_new_surface(sph2d_sim *sim, size_t sorted)
+sph2d_status sph2d__sim_book_new_surface(sph2d_sim *sim, size_t sorted)
 {
     sph2d__store *f = &sim->system.fluid;
     size_t count = f->count;
@@ -145,7 +139,7 @@ static sph2d_status book_new_surface(sph2d_sim *sim, size_t sorted)
     f->count = sorted;
     double before = sorted > 0 ? sph2d__tension_energy_within(&sim->system, box) : 0;
     f->count = count;
-    sph2d_status status = sort_all_arrays(sim);
+    sph2d_status status = sph2d__sim_sort_all_arrays(sim);
     if (status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
     return status;
@@ -191,7 +185,7 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
             ++sim->source_rows[i];
         }
     }
-    return book_new_surface(sim, sorted);
+    return sph2d__sim_book_new_surface(sim, sorted);
 }
 
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
@@ -246,7 +240,7 @@ static bool in_drain(const sph2d_sim *sim, double x, double y)
     return false;
 }
 
-static bool reserve_flags(sph2d_sim *sim)
+bool sph2d__sim_reserve_flags(sph2d_sim *sim)
 {
     size_t capacity = sim->system.fluid.capacity;
     if (sim->to_remove_capacity >= capacity)
@@ -298,19 +292,9 @@ static void flag_removed(void *with, size_t first, size_t last)
     atomic_fetch_add(&c->count, removed);
 }
 
-sph2d_status sph2d__sim_drain(sph2d_sim *sim)
+sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim)
 {
-    if (!removes_particles(&sim->scene))
-        return SPH2D_OK;
     sph2d__store *f = &sim->system.fluid;
-    if (sim->scene.drain_count == 0 && sim->scene.opening_count == 0 && !any_left(sim))
-        return SPH2D_OK;
-    if (!reserve_flags(sim))
-        return SPH2D_NOMEM;
-    tally removed = {.sim = sim};
-    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_removed, &removed);
-    if (removed.count == 0)
-        return SPH2D_OK;
     bool surface = sim->system.surface_tension > 0;
     sph2d_box box = EMPTY_BOX;
     for (size_t i = 0; i < f->count; ++i)
@@ -320,8 +304,24 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
         }
     double before = surface ? sph2d__tension_energy_within(&sim->system, box) : 0;
     sph2d__store_remove(f, sim->to_remove);
-    sph2d_status status = surface ? sort_all_arrays(sim) : SPH2D_OK;
+    sph2d_status status = surface ? sph2d__sim_sort_all_arrays(sim) : SPH2D_OK;
     if (surface && status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
     return status;
+}
+
+sph2d_status sph2d__sim_drain(sph2d_sim *sim)
+{
+    if (!removes_particles(&sim->scene))
+        return SPH2D_OK;
+    sph2d__store *f = &sim->system.fluid;
+    if (sim->scene.drain_count == 0 && sim->scene.opening_count == 0 && !any_left(sim))
+        return SPH2D_OK;
+    if (!sph2d__sim_reserve_flags(sim))
+        return SPH2D_NOMEM;
+    tally removed = {.sim = sim};
+    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_removed, &removed);
+    if (removed.count == 0)
+        return SPH2D_OK;
+    return sph2d__sim_remove_flagged(sim);
 }

@@ -75,6 +75,7 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     sph2d__sim_absorb(sim, dt);
     sph2d__bodies_close(sim, dt);
     sph2d__loads_close(sim, dt);
+    sph2d__outlines_move(sim);
     advance_clock(sim, dt);
     if (!sph2d__sim_measure(sim, report))
         return halt(sim, SPH2D_GUARD, report);

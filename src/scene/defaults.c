@@ -22,7 +22,7 @@ sph2d_scene sph2d_scene_default(void)
                    .damping = 2,
                    .min_iterations = 3,
                    .max_iterations = 1000},
-        .run = {.until = 1.0, .frames = {.size = {1280, 720}}},
+        .run = {.until = 1.0, .frames = {.size = {1280, 720}, .caption = SPH2D_SWITCH_ON}},
     };
 }
 

@@ -5,6 +5,7 @@
 #include "base/pi.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "scene/basin.h"
@@ -190,4 +191,15 @@ double sph2d__regularisation(const sph2d_scene *scene)
     double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
     double head = sph2d__scene_derive(scene).head;
     return head > 0 ? SLOWER * fmin(width, height) / sqrt(2 * head) : 1;
+}
+
+sph2d_vec2 sph2d__frames_color_range(const sph2d_scene *scene)
+{
+    const sph2d_frames *frames = &scene->run.frames;
+    if (!frames->color || frames->color_range.x != 0 || frames->color_range.y != 0)
+        return frames->color_range;
+    double head = sph2d__scene_derive(scene).head;
+    if (strcmp(frames->color, "speed") == 0)
+        return (sph2d_vec2){0, sqrt(2 * head)};
+    return (sph2d_vec2){0, strcmp(frames->color, "Pressures") == 0 ? scene->fluid.density * head : 0};
 }

@@ -489,9 +489,12 @@ static const sph2d_key frames_items[] = {
     {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
      .default_text = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
     {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .default_text = "one colour",
-     .text = "points: the field to colour by: speed, Pressures, Densities"},
+     .text = "the field to colour by: speed, Pressures, Densities"},
     {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "",
-     .default_text = "each frame's", .text = "values at the two ends of the colour bar"},
+     .default_text = "from the scene's height for speed and Pressures, else each frame's",
+     .text = "values at the two ends of the colour bar"},
+    {"caption", SPH2D_KEY_WORD, false, AT(sph2d_frames, caption), .words = switch_words, .unit = "",
+     .default_text = "on", .text = "name, time and a scale bar below the picture"},
 };
 KEYS(frames, sph2d_frames, NULL);
 

@@ -10,6 +10,7 @@
 #include "sim/bodies.h"
 #include "sim/loads.h"
 #include "sim/openings.h"
+#include "sim/outlines.h"
 #include "sim/record.h"
 #include "sph2d/state.h"
 
@@ -35,6 +36,7 @@ struct sph2d_sim {
     sph2d__loads loads;         /**< forces on walls that probes measure */
     sph2d__bodies bodies;       /**< that the liquid moves */
     sph2d__openings openings;   /**< through which liquid flows in and out */
+    sph2d__outlines outlines;   /**< of walls and bodies, as they are now */
     sph2d__solids solids;       /**< the obstacles as they are when the liquid is placed */
     sph2d__point_force *points; /**< capacity: every interaction and the pointer */
     uint64_t *source_rows;      /**< rows that each source has emitted */

@@ -77,7 +77,6 @@ for bad in --size=10x10 --size=100 --size=100x --size=99999x9 --style=x --radius
     --range=2,1 --range=a,b; do
     expect 64 "$SPH2D" render x -o y "$bad"
 done
-expect 64 "$SPH2D" render x -o y --style metaballs --color speed && says 'needs --style points'
 expect 64 "$SPH2D" render -o y
 expect 64 "$SPH2D" render x
 expect 64 "$SPH2D" resume

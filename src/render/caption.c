@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/** @file caption.c
+ *  Text below the picture, a scale bar, and notes. */
+#include "render/caption.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/round_number.h"
+
+/* Sizes in units, a sixth of the height of a capital letter each. */
+enum { PAD = 6, STRIP = 18, BASE = 12, BAR = 2, TICK = 5, LINE = 11 };
+enum { TEXT_SIZE = 160, NUMBER_SIZE = 48 };
+
+/* Part of the image's width that a scale bar has about. */
+static const double bar_part = 0.16;
+
+static const sph2d__ink ink = {40, 46, 54, 1.0};
+
+int sph2d__caption_height(int width, int height)
+{
+    const int strip = (int)ceil(STRIP * sph2d__canvas_unit(width, height));
+    return 6 * strip < height ? strip : 0;
+}
+
+/* ---- scale bar --------------------------------------------------------------------------------------------------- */
+
+/* A length and its text, "20 mm". */
+typedef struct scale_bar {
+    double pixels;
+    char text[NUMBER_SIZE];
+} scale_bar;
+
+static scale_bar make_bar(const sph2d__view *view)
+{
+    static const struct {
+        int exponent;
+        const char *name;
+    } units[] = {{3, "km"}, {0, "m"}, {-2, "cm"}, {-3, "mm"}, {-6, "um"}};
+    const sph2d__round_number length = sph2d__round_nearest(bar_part * view->width / view->scale);
+    scale_bar bar = {.pixels = length.factor * pow(10.0, length.exponent) * view->scale};
+    size_t k = 0;
+    while (k + 1 < sizeof units / sizeof units[0] && length.exponent < units[k].exponent)
+        ++k;
+    char number[NUMBER_SIZE - 8];
+    sph2d__write_number(number, sizeof number, length.factor, length.exponent - units[k].exponent);
+    snprintf(bar.text, sizeof bar.text, "%s %s", number, units[k].name);
+    return bar;
+}
+
+/* Draws the bar with its right end at `right` [px], the text on its left; returns where both begin. */
+static double draw_bar(const sph2d__canvas *canvas, const sph2d__view *view, double right, double base, double unit)
+{
+    const scale_bar bar = make_bar(view);
+    const double left = right - bar.pixels, text = left - 4 * unit - sph2d__canvas_text_width(unit, bar.text);
+    const int thick = (int)fmax(1.0, round(BAR * unit / 2)), tall = (int)lrint(TICK * unit);
+    const int x = (int)lrint(left), width = (int)lrint(bar.pixels), middle = (int)lrint(base - 3 * unit);
+    sph2d__canvas_fill(canvas, x, middle - thick / 2, width, thick, ink);
+    sph2d__canvas_fill(canvas, x, middle - tall / 2, thick, tall, ink);
+    sph2d__canvas_fill(canvas, x + width - thick, middle - tall / 2, thick, tall, ink);
+    sph2d__canvas_text(canvas, text, base, unit, bar.text, ink);
+    return text;
+}
+
+/* ---- strip ------------------------------------------------------------------------------------------------------- */
+
+void sph2d__caption_draw(const sph2d__canvas *canvas, const sph2d__view *view, const char *text)
+{
+    const double unit = sph2d__canvas_unit(canvas->width, canvas->height);
+    const int strip = sph2d__caption_height(canvas->width, canvas->height);
+    if (strip == 0)
+        return;
+    const double base = canvas->height - strip + BASE * unit, left = PAD * unit;
+    const double room = draw_bar(canvas, view, canvas->width - PAD * unit, base, unit) - left - PAD * unit;
+    char line[TEXT_SIZE];
+    snprintf(line, sizeof line, "%s", text);
+    for (size_t length = strlen(line); length > 0 && sph2d__canvas_text_width(unit, line) > room; --length)
+        line[length - 1] = '\0';
+    sph2d__canvas_text(canvas, left, base, unit, line, ink);
+}
+
+/* ---- notes ------------------------------------------------------------------------------------------------------- */
+
+/* Copies the first line of a text, and returns the rest; NULL after the last. */
+static const char *next_line(const char *text, char line[TEXT_SIZE])
+{
+    const char *end = strchr(text, '\n');
+    const size_t length = end ? (size_t)(end - text) : strlen(text);
+    snprintf(line, TEXT_SIZE, "%.*s", (int)(length < TEXT_SIZE ? length : TEXT_SIZE - 1), text);
+    return end ? end + 1 : NULL;
+}
+
+sph2d__pixel_box sph2d__notes_box(int width, int height, const char *notes)
+{
+    const double unit = sph2d__canvas_unit(width, height);
+    double widest = 0.0;
+    int lines = 0;
+    char line[TEXT_SIZE];
+    for (const char *rest = notes; rest; ++lines) {
+        rest = next_line(rest, line);
+        widest = fmax(widest, sph2d__canvas_text_width(unit, line));
+    }
+    const int margin = (int)lrint(PAD * unit);
+    const int columns = (int)ceil(widest + 2 * PAD * unit), rows = (int)ceil((lines * LINE + PAD) * unit);
+    return (sph2d__pixel_box){margin, margin, columns < width - margin ? columns : width - margin,
+                              rows < height - margin ? rows : height - margin};
+}
+
+void sph2d__notes_draw(const sph2d__canvas *canvas, const char *notes)
+{
+    const double unit = sph2d__canvas_unit(canvas->width, canvas->height);
+    const sph2d__pixel_box box = sph2d__notes_box(canvas->width, canvas->height, notes);
+    sph2d__canvas_fill(canvas, box.x, box.y, box.width, box.height, (sph2d__ink){250, 251, 252, 1.0});
+    double y = box.y + (LINE - 1) * unit;
+    char line[TEXT_SIZE];
+    for (const char *rest = notes; rest; y += LINE * unit) {
+        rest = next_line(rest, line);
+        sph2d__canvas_text(canvas, box.x + PAD * unit, y, unit, line, ink);
+    }
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/** @file drawing.c
+ *  Draws a picture with the current context. Texts are written by the CPU: on the pixels that were read back, or on
+ *  patches that are copied to the target. */
+#include "render/drawing.h"
+
+#include <stdio.h>
+
+#include "render/caption.h"
+#include "render/colorbar.h"
+#include "render/points.h"
+#include "render/shader.h"
+
+/* Colours of the background, inside the view and outside. */
+static const unsigned char inside[3] = {246, 249, 251}, outside[3] = {231, 235, 239};
+
+sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir, sph2d_report *report)
+{
+    const sph2d__gl *gl = &self->gl;
+    sph2d_status status = sph2d__target_create_color(gl, &self->target, self->width, self->height, report);
+    if (status == SPH2D_OK && self->shown)
+        status = sph2d__target_create_color(gl, &self->patch, self->width, self->height, report);
+    if (status == SPH2D_OK)
+        status = sph2d__dots_create(gl, &self->dots, report);
+    if (status == SPH2D_OK)
+        status =
+            sph2d__program_build(gl, shader_dir, (const char *[2]){"points", "points"}, &self->points_program, report);
+    if (status == SPH2D_OK && self->style == SPH2D_STYLE_METABALLS)
+        status = sph2d__metaballs_create(gl, &self->metaballs, shader_dir, self->width, self->height, report);
+    if (status == SPH2D_OK)
+        status = sph2d__walls_create(gl, &self->walls, shader_dir, self->width, self->height, report);
+    if (status == SPH2D_OK)
+        status = sph2d__gl_check(gl, "preparing to draw", report);
+    return status;
+}
+
+void sph2d__drawing_destroy(sph2d__drawing *self)
+{
+    const sph2d__gl *gl = &self->gl;
+    sph2d__walls_destroy(gl, &self->walls);
+    sph2d__metaballs_destroy(gl, &self->metaballs);
+    gl->DeleteProgram(self->points_program);
+    sph2d__dots_destroy(gl, &self->dots);
+    sph2d__target_destroy(gl, &self->patch);
+    sph2d__target_destroy(gl, &self->target);
+}
+
+sph2d_status sph2d__drawing_arrange(const sph2d__drawing *self, const sph2d_picture *picture, sph2d__layout *out,
+                                    sph2d_report *report)
+{
+    /* Before the first particle there may be no array of values, but the view must stay the same. */
+    *out = (sph2d__layout){.legend = picture->values || (picture->count == 0 && picture->value_label),
+                           .min = picture->value_min,
+                           .max = picture->value_max};
+    out->right = out->legend ? sph2d__colorbar_width(self->width, self->height, picture->value_label) : 0;
+    out->below = picture->caption ? sph2d__caption_height(self->width, self->height) : 0;
+    if (!sph2d__view_fit(&out->view, picture->view, (unsigned)self->width, (unsigned)self->height, (unsigned)out->right,
+                         (unsigned)out->below)) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
+                         "the view of the picture is empty or not finite");
+        return SPH2D_INVALID;
+    }
+    if (out->legend && out->min == 0.0 && out->max == 0.0)
+        sph2d__color_range(picture->values, picture->count, &out->min, &out->max);
+    return SPH2D_OK;
+}
+
+/* ---- picture ----------------------------------------------------------------------------------------------------- */
+
+static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const unsigned char color[3])
+{
+    gl->Scissor(box.x, box.y, box.width, box.height);
+    gl->ClearColor((float)color[0] / 255.0F, (float)color[1] / 255.0F, (float)color[2] / 255.0F, 1.0F);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+}
+
+/* A light background, slightly darker outside the view. */
+static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box)
+{
+    sph2d__target_bind(gl, target);
+    gl->Enable(GL_SCISSOR_TEST);
+    fill_box(gl, (sph2d__pixel_box){0, 0, target->width, target->height}, outside);
+    fill_box(gl, sph2d__view_cover(view, box), inside);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
+static sph2d_status draw_liquid(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
+                                sph2d_report *report)
+{
+    const sph2d__dot_list fluid = {.count = picture->count,
+                                   .x = picture->x,
+                                   .y = picture->y,
+                                   .color = {26, 112, 176, 255},
+                                   .values = picture->values,
+                                   .value_min = at->min,
+                                   .value_max = at->max};
+    if (self->style == SPH2D_STYLE_METABALLS)
+        return sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid, picture,
+                                     report);
+    sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, fluid, picture->radius);
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
+                                  sph2d_report *report)
+{
+    const sph2d__gl *gl = &self->gl;
+    draw_background(gl, &self->target, &at->view, picture->view);
+    gl->Enable(GL_SCISSOR_TEST); /* no wall behind the numbers */
+    gl->Scissor(0, 0, self->width - at->right, self->height - at->below);
+    const sph2d_status status = draw_liquid(self, picture, at, report);
+    sph2d__walls_draw(gl, &self->walls, &self->dots, &self->target, &at->view, picture);
+    gl->Disable(GL_SCISSOR_TEST);
+    return status;
+}
+
+/* ---- texts ------------------------------------------------------------------------------------------------------- */
+
+void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
+                          unsigned char *pixels)
+{
+    const sph2d__canvas canvas = {pixels, self->width, self->height};
+    if (at->legend)
+        sph2d__colorbar_draw(&canvas, at->min, at->max, picture->value_label);
+    if (picture->caption)
+        sph2d__caption_draw(&canvas, &at->view, picture->caption);
+    if (picture->notes)
+        sph2d__notes_draw(&canvas, picture->notes);
+}
+
+/* Copies a box of pixels to the target. */
+static void copy_to_target(sph2d__drawing *self, sph2d__pixel_box box, const unsigned char *pixels)
+{
+    const sph2d__gl *gl = &self->gl;
+    if (box.width <= 0 || box.height <= 0)
+        return;
+    gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, self->width);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, box.width, box.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      pixels + 4 * ((size_t)box.y * (size_t)self->width + (size_t)box.x));
+    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    sph2d__target_copy(gl, &self->patch, (sph2d__pixel_box){0, 0, box.width, box.height}, self->target.framebuffer, box,
+                       false);
+}
+
+void sph2d__drawing_write_to_target(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
+                                    unsigned char *pixels)
+{
+    const sph2d__canvas canvas = {pixels, self->width, self->height};
+    const sph2d__ink paper = {outside[0], outside[1], outside[2], 1.0};
+    const sph2d__pixel_box legend = {self->width - at->right, 0, at->right, self->height},
+                           strip = {0, self->height - at->below, self->width - at->right, at->below};
+    sph2d__canvas_fill(&canvas, legend.x, legend.y, legend.width, legend.height, paper);
+    sph2d__canvas_fill(&canvas, strip.x, strip.y, strip.width, strip.height, paper);
+    sph2d__drawing_write(self, picture, at, pixels);
+    copy_to_target(self, legend, pixels);
+    copy_to_target(self, strip, pixels);
+    if (picture->notes)
+        copy_to_target(self, sph2d__notes_box(self->width, self->height, picture->notes), pixels);
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/** @file edit.c
+ *  Liquid that a program adds and removes between steps. Energy counts as that of sources and drains. */
+#include <math.h>
+
+#include "run/run.h"
+#include "scene/liquid_side.h"
+#include "scene/shape.h"
+
+/** Whether a position lies in a solid, where this is now. */
+static bool in_solid(const sph2d_sim *sim, sph2d_vec2 at)
+{
+    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
+        const sph2d_obstacle *o = &sim->scene.obstacles[k];
+        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
+        if (sph2d__obstacle_fills(&sim->scene, o, sph2d__pose_invert(&pose, at)))
+            return true;
+    }
+    return false;
+}
+
+static void add_one(sph2d_sim *sim, const sph2d_particle *p)
+{
+    sph2d__store *fluid = &sim->system.fluid;
+    double rest = sim->scene.fluid.density;
+    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p->x, p->y);
+    fluid->density[i] = p->density > 0 ? p->density : rest;
+    fluid->vx[i] = p->vx;
+    fluid->vy[i] = p->vy;
+    sph2d__body_add(&sim->system.body, p->x, p->y, p->vx, p->vy, &fluid->ax[i], &fluid->ay[i]);
+    sim->record.energy_fed += sph2d__sim_energy_of(sim, p->x, p->y, p->vx, p->vy);
+    ++sim->record.fed;
+}
+
+static bool is_particle(const sph2d_particle *p)
+{
+    return isfinite(p->x) && isfinite(p->y) && isfinite(p->vx) && isfinite(p->vy) && p->density >= 0 &&
+           isfinite(p->density);
+}
+
+/** Makes the simulation as it is between steps: sorted, with gradients of the particles that there are now. */
+static sph2d_status settle(sph2d_sim *sim)
+{
+    sph2d_status status = sph2d__sim_sort_all_arrays(sim);
+    return status == SPH2D_OK ? sph2d__sim_recompute_gradients(sim) : status;
+}
+
+sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *particles, size_t count, size_t *added)
+{
+    if (added)
+        *added = 0;
+    if (!sim || (count > 0 && !particles))
+        return SPH2D_INVALID;
+    if (sim->stopped != SPH2D_OK)
+        return sim->stopped;
+    for (size_t k = 0; k < count; ++k)
+        if (!is_particle(&particles[k]))
+            return SPH2D_INVALID;
+    sph2d__store *fluid = &sim->system.fluid;
+    size_t before = fluid->count;
+    if (count > SPH2D__MAX_PARTICLES - before || !sph2d__store_reserve(fluid, &sim->memory, before + count))
+        return SPH2D_NOMEM;
+    for (size_t k = 0; k < count; ++k) {
+        sph2d_vec2 at = {particles[k].x, particles[k].y};
+        if (sph2d__sim_has_room(sim, before, at, at.x, at.y) && !in_solid(sim, at))
+            add_one(sim, &particles[k]);
+    }
+    if (added)
+        *added = fluid->count - before;
+    if (fluid->count == before)
+        return SPH2D_OK;
+    sph2d_status status = sph2d__sim_book_new_surface(sim, before);
+    return status == SPH2D_OK ? settle(sim) : status;
+}
+
+sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed)
+{
+    if (removed)
+        *removed = 0;
+    if (!sim || !shape)
+        return SPH2D_INVALID;
+    if (sim->stopped != SPH2D_OK)
+        return sim->stopped;
+    if (!sph2d__sim_reserve_flags(sim))
+        return SPH2D_NOMEM;
+    const sph2d__store *f = &sim->system.fluid;
+    size_t count = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        sim->to_remove[i] = sph2d__shape_contains(shape, (sph2d_vec2){f->x[i], f->y[i]});
+        count += sim->to_remove[i];
+    }
+    if (removed)
+        *removed = count;
+    if (count == 0)
+        return SPH2D_OK;
+    sph2d_status status = sph2d__sim_remove_flagged(sim);
+    return status == SPH2D_OK ? settle(sim) : status;
+}
