@@ -22,7 +22,7 @@ PKG_CONFIG ?= pkg-config
 
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
 PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
-    libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri)
+    libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri glfw3=libglfw3-dev)
 # Those that pkg-config does not know: header = Debian package.
 HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
@@ -36,6 +36,9 @@ missing() {
     echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
     test '$(OPENMP)' = 0 || echo '#include <omp.h>' | $(CC) -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
     test -z '$(filter report report-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
+    test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || for tool in Xvfb xdotool; do
+        command -v $$tool >/dev/null || echo $$tool | tr X x
+    done
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
     done
@@ -94,10 +97,12 @@ WITH_RENDER := $(filter-out 0,$(RENDER))
 pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
 pc_libs = $(if $(1),$(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null))
 HASH := \#
-FOUND := $(shell for p in hdf5 libfyaml libxxhash libpng osmesa egl check; do \
+FOUND := $(shell for p in hdf5 libfyaml libxxhash libpng osmesa egl glfw3 check; do \
     $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done; for h in $(HEADER_PACKAGES); do \
     echo "$(HASH)include <$${h%%=*}>" | $(CC) -E - >/dev/null 2>&1 && echo $${h%%=*}; done)
 GL := $(if $(WITH_RENDER),$(filter osmesa egl,$(FOUND)))
+# The window of `sph2d play`; without it the command says what to install.
+GLFW := $(if $(WITH_RENDER),$(filter glfw3,$(FOUND)))
 MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash chipmunk/chipmunk.h $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
 
 # ---- flags: the project's own, then whatever comes from outside ------------------------------------------------------
@@ -127,7 +132,8 @@ IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml libxxhash)
 CONTACTS_FLAGS := -Iinclude -Isrc
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
-CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER)
+CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER) \
+    $(call pc_cflags,$(GLFW))
 TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $(WITH_RENDER),libpng)) \
     $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
 
@@ -151,7 +157,8 @@ STUDY_SRC := $(sort $(wildcard src/study/*.c))
 CONTACTS_SRC := $(sort $(wildcard src/contacts/*.c))
 OTHER_GL := $(filter-out $(GL),osmesa egl)
 RENDER_SRC := $(filter-out $(OTHER_GL:%=src/render/gl_context_%.c),$(sort $(wildcard src/render/*.c)))
-CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c))
+PLAY_SRC := $(if $(GLFW),$(filter-out cli/play/none.c,$(wildcard cli/play/*.c)),cli/play/none.c)
+CLI_SRC := $(sort $(wildcard cli/*.c cli/study/*.c) $(PLAY_SRC))
 # Tests and examples that draw are left out where nothing draws.
 buildable = $(if $(WITH_RENDER),$(1),$(if $(1),$(shell grep -L 'include .sph2d/render.h' $(1))))
 TEST_SRC := $(call buildable,$(sort $(wildcard tests/*.c)))
@@ -167,7 +174,8 @@ GOLDEN_SRC := tests/golden/golden.c
 FUZZ_NAMES := scene study particles table reference snapshot
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
-EXAMPLES := $(call buildable,$(sort $(wildcard examples/*.c)))
+# One opens a window.
+EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sort $(wildcard examples/*.c))))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
@@ -239,7 +247,7 @@ $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
 $(BENCH_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(FUZZ_OBJ): PART = $(CORE_FLAGS) $(call pc_cflags,libxxhash)
-$(EXAMPLE_OBJ): PART = -Iinclude
+$(EXAMPLE_OBJ): PART = -Iinclude $(call pc_cflags,$(GLFW))
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
 
@@ -285,7 +293,7 @@ $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_
 
 # What takes longest comes first, so that all processors have work to the end.
 $(BUILD)/sph2d: $(PASS_OBJ) $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
-	$(call link,,$(ARCHIVE_LIBS))
+	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,$(GLFW)))
 $(BUILD)/sph2d: IN_ARCHIVES = $(PASS_OBJ)
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
@@ -310,7 +318,7 @@ $(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/
 $(BUILD)/tests/variants: $(VARIANTS_OBJ) $(OBJ)/tests/bench/bench_machine.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 $(EXAMPLE_BIN): $(BUILD)/%: $(OBJ)/%.o $(ARCHIVES) $(BUILD)/variant
-	$(call link,,$(ARCHIVE_LIBS))
+	$(call link,,$(ARCHIVE_LIBS) $(if $(findstring window,$@),$(call pc_libs,$(GLFW))))
 
 $(BUILD)/variant: $(if $(filter $(VARIANT),$(file <$(BUILD)/variant)),,FORCE)
 	@mkdir -p $(@D) && echo '$(VARIANT)' >$@
@@ -548,7 +556,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	export PKG_CONFIG_PATH=$(STAGING)/usr/lib/pkgconfig LD_LIBRARY_PATH=$(STAGING)/usr/lib; \
 	for static in '' --static; do \
 	    test -z "$$static" || rm $(STAGING)/usr/lib/*.so*; \
-	    for e in $(EXAMPLES); do \
+	    for e in $(filter-out examples/window.c,$(EXAMPLES)); do \
 	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|contacts\|render\)\.h>.*/sph2d-\1/p' $$e); \
 	        flags=$$($(PKG_CONFIG) $$static --cflags --libs $${uses:-sph2d}) && \
 	        $(CC) $$e -o $(STAGING)/run/example $$flags $(SANITIZERS) && \

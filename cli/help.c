@@ -39,6 +39,21 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "\n"
         "  sph2d resume out\n"
         "  sph2d resume out --set run.until=5\n",
+    [CLI__PLAY] =
+        "Opens a window in which the scene, or the first template of init, follows the clock; below the picture\n"
+        "stands how far it does. Nothing is written but by S and F, into new folders of the current one.\n"
+        "\n"
+        "  mouse     left: the tool; right: push; wheel: its reach\n"
+        "  P O E W   tools: pull, pour, wipe away, draw a wall\n"
+        "  space .   pause; one step          + -       faster, slower\n"
+        "  arrows 0  gravity; none            V B       viscosity up, down\n"
+        "  T Y       surface tension          K L       stiffness\n"
+        "  M C       metaballs, points; colour 1 to 4   a template of init\n"
+        "  R         from the start           S F       save; film\n"
+        "  H Q       this help; quit\n"
+        "\n"
+        "  sph2d play\n"
+        "  sph2d play scene.yaml --set spacing=0.02 --color speed\n",
     [CLI__RENDER] =
         "Writes frame_000000.png and on, one per snapshot in the order given. Size, style, radius and colours are\n"
         "those of the scene's own frames unless an option says otherwise.\n"

@@ -218,6 +218,11 @@ static void put_scene(const void *what, FILE *out)
     write_struct(&w, sph2d_scene_keys(), "", (margin){0, ""});
 }
 
+char *scene_template_text(const scene_template *from, const char *name, size_t *length)
+{
+    return compose(put_scene, &(scene_text){"scene.yaml", name, from}, length);
+}
+
 static int write_scene(const char *path, const scene_template *template, const char *name, bool force)
 {
     int code = force ? CLI_EXIT_SUCCESS : claim_file(path);

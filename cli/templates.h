@@ -20,4 +20,7 @@ typedef struct scene_template {
 extern const scene_template scene_templates[];
 extern const size_t scene_template_count;
 
+/** The commented scene of a template under a name; the caller frees it, and gets its length. NULL when memory is short. */
+char *scene_template_text(const scene_template *from, const char *name, size_t *length);
+
 #endif

@@ -151,6 +151,10 @@ SPH2D_API sph2d_status sph2d_renderer_draw_to(sph2d_renderer *renderer, unsigned
  *  with this renderer. NULL before the first draw and after sph2d_renderer_draw_to(). */
 SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer);
 
+/** The place of the plane at a pixel of the last picture, counted from its upper left corner, fractions allowed [m]; for
+ *  the mouse. False before the first draw. */
+SPH2D_API bool sph2d_renderer_locate(const sph2d_renderer *renderer, double x, double y, sph2d_vec2 *at);
+
 /** Writes the last picture as an RGB PNG, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
  *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);

@@ -18,7 +18,8 @@ struct sph2d_renderer {
     sph2d__gl_context context;
     sph2d__drawing drawing;
     unsigned char *pixels;
-    bool drawn; /* and read back */
+    sph2d__view view; /* of the last picture; its scale is 0 before the first */
+    bool drawn;       /* and read back */
     sph2d_frame_times times;
     char gl_version[192];
 };
@@ -172,6 +173,7 @@ static sph2d_status draw(sph2d_renderer *self, const sph2d_picture *picture, con
     if (status != SPH2D_OK)
         return status;
     const double begun = seconds();
+    self->view = at.view;
     self->drawn = false;
     self->times = (sph2d_frame_times){0};
     if (!self->context.make_current(self->context.impl)) {
@@ -207,6 +209,14 @@ sph2d_status sph2d_renderer_draw_to(sph2d_renderer *renderer, unsigned framebuff
         return invalid(report, "the renderer has a context of its own, so it cannot draw into a framebuffer of the "
                                "caller: create it with get_proc_address");
     return draw(renderer, picture, &(place){framebuffer, x, y}, report);
+}
+
+bool sph2d_renderer_locate(const sph2d_renderer *renderer, double x, double y, sph2d_vec2 *at)
+{
+    if (!renderer || !at || !(renderer->view.scale > 0))
+        return false;
+    *at = sph2d__view_locate(&renderer->view, x, y);
+    return true;
 }
 
 const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer)

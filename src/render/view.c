@@ -45,6 +45,12 @@ sph2d_vec2 sph2d__view_at(const sph2d__view *view, double x, double y)
     return (sph2d_vec2){to_right(view, x), to_down(view, y)};
 }
 
+sph2d_vec2 sph2d__view_locate(const sph2d__view *view, double right, double down)
+{
+    return (sph2d_vec2){view->center.x + (right - view->middle.x) / view->scale,
+                        view->center.y - (down - view->middle.y) / view->scale};
+}
+
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2])
 {
     const double right = to_right(view, x), down = to_down(view, y);

@@ -31,6 +31,9 @@ sph2d__view sph2d__view_widen(const sph2d__view *view, double border);
 /** Converts a position, which may lie outside the image. */
 sph2d_vec2 sph2d__view_at(const sph2d__view *view, double x, double y);
 
+/** The position at a pixel. */
+sph2d_vec2 sph2d__view_locate(const sph2d__view *view, double right, double down);
+
 /** Converts a position. False if it is not finite or more than `margin` pixels outside the image. */
 bool sph2d__view_place(const sph2d__view *view, double x, double y, double margin, float pixel[2]);
 

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/** @file game.h
+ *  What is played: a live simulation, the hand, and how both are shown. */
+#ifndef SPH2D_CLI_PLAY_GAME_H
+#define SPH2D_CLI_PLAY_GAME_H
+
+#include "../frame.h"
+#include "../options.h"
+#include "hand.h"
+#include "window.h"
+
+typedef struct game {
+    const cli_options *options;
+    sph2d_sim_options sim_options;
+    live live;
+    hand hand;
+    frame_style style;
+    frame_buffers buffers;
+    double *corners;        /**< of outlines, with those of the hand: x, then y */
+    uint64_t *marks;        /**< their numbers, then their sides of liquid */
+    size_t corner_capacity;
+    sph2d_vec2 color_range; /**< of all that was shown of this field */
+    double rate;            /**< simulated seconds for one of the clock */
+    bool paused, help, quits;
+    char message[400];      /**< the last thing to tell ... */
+    double told;            /**< ... and when, on the clock [s] */
+    char recording[32];     /**< the folder of a film; empty for none */
+    unsigned recorded;      /**< its frames */
+    double next_frame;      /**< simulated time of the next one [s] */
+} game;
+
+/** Starts with a scene file, or without one with the first template. Returns an exit code; problems are reported. */
+int game_open(game *g, const cli_options *options, const sph2d_sim_options *sim_options);
+void game_close(game *g);
+
+/** Does what a key says. */
+void game_key(game *g, int key);
+
+/** Moves the hand to where the mouse is in the last picture. */
+void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input);
+
+/** Lets the simulation follow `seconds` of the clock, for `budget` of them at most. */
+void game_advance(game *g, double seconds, double budget);
+
+/** Shows the game in the window's framebuffer, with the number of pictures a second; a film that is recorded gets its
+ *  frame. */
+void game_show(game *g, sph2d_renderer *renderer, double pictures);
+
+#endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/** @file hand.c
+ *  What the mouse does to the liquid. */
+#include "hand.h"
+
+#include <math.h>
+
+/* The reach at first, of the smaller side of the domain; and its acceleration at first over what makes liquid fall over
+ * that side in a second, or over gravity if that is more. */
+static const double REACH = 0.12, STRENGTH = 5;
+
+/* Corners of a wall are as far apart as it is thick, so that it can be mitred. */
+static const double CORNERS_APART = 6; /* [spacings] */
+
+static double smaller_side(const sph2d_scene *scene)
+{
+    const sph2d_box *d = &scene->domain;
+    return fmin(d->max.x - d->min.x, d->max.y - d->min.y);
+}
+
+hand hand_for(const sph2d_scene *scene)
+{
+    return (hand){.radius = fmax(REACH * smaller_side(scene), 3 * scene->spacing)};
+}
+
+const char *hand_name(hand_tool tool)
+{
+    static const char *const names[] = {"pull", "pour", "wipe", "wall"};
+    return names[tool];
+}
+
+void hand_scale(hand *h, double steps)
+{
+    h->radius *= pow(1.1, steps);
+}
+
+/* Fills the reach with liquid, on a lattice that stays in place while the hand moves. */
+static sph2d_status pour(const hand *h, live *l)
+{
+    enum { MOST = 4096 };
+    static sph2d_particle drops[MOST];
+    const double dx = l->scene.spacing;
+    size_t count = 0;
+    for (double y = floor((h->at.y - h->radius) / dx); y * dx < h->at.y + h->radius && count < MOST; ++y)
+        for (double x = floor((h->at.x - h->radius) / dx); x * dx < h->at.x + h->radius && count < MOST; ++x) {
+            const sph2d_particle drop = {.x = (x + 0.5) * dx, .y = (y + 0.5) * dx};
+            if (hypot(drop.x - h->at.x, drop.y - h->at.y) < h->radius)
+                drops[count++] = drop;
+        }
+    return sph2d_sim_add_particles(l->sim, drops, count, NULL);
+}
+
+static sph2d_status wipe(const hand *h, live *l)
+{
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_DISC, .disc = {h->at, h->radius}};
+    return sph2d_sim_remove_particles(l->sim, &shape, NULL);
+}
+
+/* Adds a corner where the hand is far from the last one, and makes the wall when it is lifted. */
+static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
+{
+    if (down) {
+        const sph2d_vec2 last = h->corner_count > 0 ? h->corners[h->corner_count - 1] : h->at;
+        const bool far = hypot(h->at.x - last.x, h->at.y - last.y) > CORNERS_APART * l->scene.spacing;
+        if ((h->corner_count == 0 || far) && h->corner_count < HAND_MOST_CORNERS)
+            h->corners[h->corner_count++] = h->at;
+        return SPH2D_OK;
+    }
+    const size_t count = h->corner_count;
+    h->corner_count = 0;
+    return count > 1 ? live_add_wall(l, h->corners, count, report) : SPH2D_OK;
+}
+
+sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, sph2d_report *report)
+{
+    h->at = at;
+    h->down = left;
+    h->pushes = right;
+    const sph2d_vec2 g = l->scene.gravity;
+    const double strength = STRENGTH * fmax(hypot(g.x, g.y), smaller_side(&l->scene));
+    const double pull = right ? -strength : left && h->tool == HAND_PULL ? strength : 0;
+    if (l->stopped != SPH2D_OK)
+        return SPH2D_OK;
+    sph2d_status status = sph2d_sim_set_pointer(l->sim, at, h->radius, pull);
+    if (status == SPH2D_OK && left && h->tool == HAND_POUR)
+        status = pour(h, l);
+    if (status == SPH2D_OK && left && h->tool == HAND_WIPE)
+        status = wipe(h, l);
+    if (status == SPH2D_OK && h->tool == HAND_WALL)
+        status = draw_wall(h, l, left, report);
+    return status;
+}

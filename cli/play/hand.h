@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/** @file hand.h
+ *  What the mouse does to the liquid: pull and push, pour, wipe away, draw walls. */
+#ifndef SPH2D_CLI_PLAY_HAND_H
+#define SPH2D_CLI_PLAY_HAND_H
+
+#include "live.h"
+
+typedef enum hand_tool { HAND_PULL, HAND_POUR, HAND_WIPE, HAND_WALL } hand_tool;
+
+enum { HAND_MOST_CORNERS = 64 };
+
+typedef struct hand {
+    hand_tool tool;
+    double radius;      /**< [m] */
+    sph2d_vec2 at;      /**< where it is [m] */
+    bool down, pushes;  /**< what its buttons do */
+    sph2d_vec2 corners[HAND_MOST_CORNERS]; /**< of the wall that is being drawn */
+    size_t corner_count;
+} hand;
+
+/** A hand whose reach fits the scene. */
+hand hand_for(const sph2d_scene *scene);
+
+/** "pull", "pour", "wipe", "wall". */
+const char *hand_name(hand_tool tool);
+
+/** Moves the hand to a place, with its buttons: left uses the tool, right pushes. Acts on the liquid. Errors: as the
+ *  functions of live.h. */
+sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, sph2d_report *report);
+
+/** Makes the reach larger or smaller, by steps of a tenth. */
+void hand_scale(hand *h, double steps);
+
+#endif
