@@ -43,7 +43,7 @@ static sph2d_status follow(sph2d_sim *sim, sph2d_report *report)
 static sph2d_status run(GLFWwindow *window, sph2d_sim *sim, sph2d_renderer *renderer, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
-    while (status == SPH2D_OK && !glfwWindowShouldClose(window) && sph2d_sim_time(sim) < 5) {
+    while (status == SPH2D_OK && !glfwWindowShouldClose(window) && sph2d_sim_time(sim) < 2) {
         double x, y;
         sph2d_vec2 at;
         glfwPollEvents();

@@ -97,7 +97,7 @@ if [ -x "$example" ]; then
     xdotool mousemove --window "$window" 300 100 mousedown 1
     wait $pid || fail 'the example fails'
     xdotool mouseup 1
-    grep -q '^[0-9]* particles, 5.0 s$' out || fail 'the example says something else'
+    grep -q '^[0-9]* particles, 2.0 s$' out || fail 'the example says something else'
 fi
 
 # It ends by a signal, and by its time.
