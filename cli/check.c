@@ -13,6 +13,7 @@
 #include "json.h"
 #include "loop.h"
 #include "message.h"
+#include "scene_input.h"
 #include "text.h"
 #include "threads.h"
 
@@ -313,8 +314,7 @@ static void print_object(const checked *c)
 static int prepare(checked *c)
 {
     const cli_options *options = c->options;
-    sph2d_status status =
-        sph2d_scene_file_read(options->operands[0], options->overrides, options->override_count, &c->file, &c->report);
+    sph2d_status status = scene_input_read(options, &c->file, &c->report);
     if (status != SPH2D_OK)
         return report_status(c, status);
     sph2d_report_clear(&c->report);

@@ -11,7 +11,7 @@
 
 /** Name, upper-case name, operands, one line. */
 #define CLI_COMMAND_MAP(X)                                                                                             \
-    X(run, RUN, "SCENE -o DIR", "simulate a scene; write snapshots, probes and frames")                                \
+    X(run, RUN, "SCENE [-o DIR]", "simulate a scene; write snapshots, probes and frames")                              \
     X(resume, RESUME, "DIR", "continue a run from its newest complete snapshot")                                       \
     X(play, PLAY, "[SCENE]", "show a scene in a window, and play with it")                                             \
     X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \

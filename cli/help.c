@@ -30,9 +30,12 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "finishes the step and writes checkpoint.h5; 'sph2d resume DIR' continues, and all files are the same\n"
         "byte for byte. Before the first step it ends the run at once.\n"
         "A guard that stops a run writes guard.h5.\n"
+        "SCENE may be -, the standard input; paths in it are then relative to the current folder. Without -o the\n"
+        "folder gets the name of the scene.\n"
         "\n"
         "  sph2d run scene.yaml -o out\n"
-        "  sph2d run scene.yaml -o out --set run.until=0.5 --set 'gravity=[0, -1.62]' --threads 2\n",
+        "  sph2d run scene.yaml -o out --set run.until=0.5 --set 'gravity=[0, -1.62]' --threads 2\n"
+        "  ./make_scene.py | sph2d run - -o out\n",
     [CLI__RESUME] =
         "Continues from the newest complete snapshot or checkpoint in DIR, with the scene stored in it. Later\n"
         "outputs are written again, the same byte for byte. Only run.until can be changed.\n"
@@ -62,7 +65,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
     [CLI__CHECK] =
         "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"
-        "formulas, and estimates of steps, memory, disk and time.\n"
+        "formulas, and estimates of steps, memory, disk and time. SCENE may be -, the standard input.\n"
         "\n"
         "  sph2d check scene.yaml --preview first.png\n",
     [CLI__STUDY] =

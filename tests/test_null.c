@@ -150,6 +150,9 @@ START_TEST(files)
     REFUSED("path", sph2d_scene_file_read(NULL, NULL, 0, &file, &report));
     ck_assert_ptr_null(file);
     REFUSED("file", sph2d_scene_file_read("x", NULL, 0, NULL, &report));
+    REFUSED("name", sph2d_scene_file_read_open(0, NULL, NULL, 0, &file, &report));
+    ck_assert_ptr_null(file);
+    REFUSED("file", sph2d_scene_file_read_open(0, "x", NULL, 0, NULL, &report));
     REFUSED("text", sph2d_scene_file_parse(NULL, 1, "x", NULL, 0, &file, &report));
     REFUSED("name", sph2d_scene_file_parse("", 0, NULL, NULL, 0, &file, &report));
     REFUSED("overrides", sph2d_scene_file_parse("", 0, "x", NULL, 1, &file, &report));

@@ -7,6 +7,7 @@
 #include "../command.h"
 #include "../exit.h"
 #include "../message.h"
+#include "../scene_input.h"
 #include "../signals.h"
 #include "parts.h"
 
@@ -139,6 +140,10 @@ int command_study(const cli_options *options)
 {
     if (options->operand_count != 1) {
         message_usage("study", options->operand_count == 0 ? "a study file must be given" : "one study at a time");
+        return CLI_EXIT_USAGE;
+    }
+    if (scene_input_is_stream(options->operands[0])) {
+        message_usage("study", "the standard input cannot be a study: each row reads the scene again, beside the file");
         return CLI_EXIT_USAGE;
     }
     cli_study s = {.options = options, .path = options->operands[0], .folder = FOLDER_CLOSED};

@@ -37,6 +37,12 @@ typedef struct sph2d_override {
 SPH2D_API sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                              sph2d_scene_file **file, sph2d_report *report);
 
+/** The same from a file descriptor that is open, such as the standard input, a pipe or a socket, from where it stands to
+ *  its end; it stays open. `name` is the name of the file in messages. Paths in the scene are relative to the folder in
+ *  `name`; without a slash that is the folder of the process. */
+SPH2D_API sph2d_status sph2d_scene_file_read_open(int descriptor, const char *name, const sph2d_override *overrides,
+                                                  size_t override_count, sph2d_scene_file **file, sph2d_report *report);
+
 /** The same from memory. `name` is the name of the file in messages; files that the scene names are not read: it is
  *  refused if they are of motions, gravity or openings, and no new run can be made of it if they are of what blocks start
  *  with. */

@@ -57,6 +57,12 @@ sph2d_status sph2d__document_text(const char *path, char **text, size_t *length,
     return sph2d__text_read(path, MOST_BYTES, text, length, report);
 }
 
+sph2d_status sph2d__document_text_open(int descriptor, const char *name, char **text, size_t *length,
+                                       sph2d_report *report)
+{
+    return sph2d__text_read_open(descriptor, name, MOST_BYTES, text, length, report);
+}
+
 void sph2d__document_pass(const sph2d__document *document, const sph2d_report *found, sph2d__faults *faults,
                           bool (*is_consequence)(const sph2d_diagnostic *diagnostic, const sph2d__faults *faults))
 {

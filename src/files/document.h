@@ -27,6 +27,9 @@ sph2d_status sph2d__document_parse(sph2d__document *document, const sph2d__docum
 
 /** Reads the text of a file of keys. The caller frees *text. Errors: as sph2d__text_read(). */
 sph2d_status sph2d__document_text(const char *path, char **text, size_t *length, sph2d_report *report);
+/** The same of a file that is open. */
+sph2d_status sph2d__document_text_open(int descriptor, const char *name, char **text, size_t *length,
+                                       sph2d_report *report);
 
 /** Passes on what a checker found, with places in the tree: errors but for those that `is_consequence` (NULL: none) of
  *  faults that were reported before, and warnings when there is no error at all. */

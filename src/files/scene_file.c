@@ -165,6 +165,18 @@ sph2d_status sph2d_scene_file_parse(const char *text, size_t length, const char 
     return sph2d__scene_file_parse(&source, overrides, override_count, __func__, file, report);
 }
 
+/** Parses what was read of a file (`status`), with the files that it names, and frees the text. */
+static sph2d_status parse_read(sph2d_status status, char *text, size_t length, const char *name,
+                               const sph2d_override *overrides, size_t override_count, const char *function,
+                               sph2d_scene_file **file, sph2d_report *report)
+{
+    const sph2d__scene_source source = {.text = text, .length = length, .name = name, .with_files = true};
+    if (status == SPH2D_OK)
+        status = sph2d__scene_file_parse(&source, overrides, override_count, function, file, report);
+    free(text);
+    return status;
+}
+
 sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
                                    sph2d_scene_file **file, sph2d_report *report)
 {
@@ -176,12 +188,21 @@ sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overr
     char *text;
     size_t length;
     sph2d_status status = sph2d__document_text(path, &text, &length, report);
-    if (status == SPH2D_OK) {
-        const sph2d__scene_source source = {.text = text, .length = length, .name = path, .with_files = true};
-        status = sph2d__scene_file_parse(&source, overrides, override_count, __func__, file, report);
-    }
-    free(text);
-    return status;
+    return parse_read(status, text, length, path, overrides, override_count, __func__, file, report);
+}
+
+sph2d_status sph2d_scene_file_read_open(int descriptor, const char *name, const sph2d_override *overrides,
+                                        size_t override_count, sph2d_scene_file **file, sph2d_report *report)
+{
+    if (!file)
+        return sph2d__null(report, __func__, "file");
+    *file = NULL;
+    if (!name)
+        return sph2d__null(report, __func__, "name");
+    char *text;
+    size_t length;
+    sph2d_status status = sph2d__document_text_open(descriptor, name, &text, &length, report);
+    return parse_read(status, text, length, name, overrides, override_count, __func__, file, report);
 }
 
 void sph2d_scene_file_destroy(sph2d_scene_file *file)

@@ -58,6 +58,9 @@ int sph2d__place_line(sph2d__place place);
 /** Reads a whole file of at most `limit` bytes and ends it with a NUL. Errors: SPH2D_NOINPUT, SPH2D_SCENE (too long),
  *  SPH2D_NOMEM. The caller frees *text. */
 sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report);
+/** The same of a file that is open, from where it stands; `name` is for messages. It stays open. */
+sph2d_status sph2d__text_read_open(int descriptor, const char *name, size_t limit, char **text, size_t *length,
+                                   sph2d_report *report);
 
 /** Gives a key path to the diagnostics from number `first` on that have no file: that of a file that cannot be opened is
  *  where the scene names it. */

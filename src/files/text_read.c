@@ -51,6 +51,27 @@ static sph2d_status read_all(int fd, const char *path, size_t limit, char **text
     return SPH2D_OK;
 }
 
+sph2d_status sph2d__text_read_open(int descriptor, const char *name, size_t limit, char **text, size_t *length,
+                                   sph2d_report *report)
+{
+    *text = NULL;
+    *length = 0;
+    struct stat info;
+    sph2d_status status = SPH2D_OK;
+    if (fstat(descriptor, &info) != 0)
+        status = fail("read", name, report);
+    else if (S_ISREG(info.st_mode) && info.st_size > (off_t)limit)
+        status = too_long(name, limit, report);
+    else
+        status = read_all(descriptor, name, limit, text, length, report);
+    if (status != SPH2D_OK) {
+        free(*text);
+        *text = NULL;
+        *length = 0;
+    }
+    return status;
+}
+
 sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_t *length, sph2d_report *report)
 {
     *text = NULL;
@@ -58,19 +79,7 @@ sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_
     int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0)
         return fail("open", path, report);
-    struct stat info;
-    sph2d_status status = SPH2D_OK;
-    if (fstat(fd, &info) != 0)
-        status = fail("read", path, report);
-    else if (S_ISREG(info.st_mode) && info.st_size > (off_t)limit)
-        status = too_long(path, limit, report);
-    else
-        status = read_all(fd, path, limit, text, length, report);
-    if (status != SPH2D_OK) {
-        free(*text);
-        *text = NULL;
-        *length = 0;
-    }
+    sph2d_status status = sph2d__text_read_open(fd, path, limit, text, length, report);
     close(fd);
     return status;
 }

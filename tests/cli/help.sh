@@ -61,7 +61,7 @@ expect 64 "$SPH2D" help xyzzy && says "unknown topic 'xyzzy'$"
 expect 64 "$SPH2D" help run check && says 'one topic at a time'
 expect 64 "$SPH2D" run
 says 'a scene file must be given' && says "Try 'sph2d run --help'"
-expect 64 "$SPH2D" run x && says '-o DIR'
+expect 66 "$SPH2D" run x && says "cannot open 'x'"
 expect 64 "$SPH2D" run x y -o z
 expect 64 "$SPH2D" run --frce x && says "unknown option '--frce'; did you mean '--force'"
 expect 64 "$SPH2D" run -qxz x && says "unknown option '-x'"
