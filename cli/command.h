@@ -17,7 +17,7 @@
     X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \
     X(check, CHECK, "SCENE", "report all errors of a scene, then estimate the run")                                    \
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
-    X(info, INFO, "FILE...", "print the contents of a snapshot")                                                       \
+    X(info, INFO, "PATH...", "print the contents of a snapshot, or what became of a run")                              \
     X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
     X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene, materials, methods")
 

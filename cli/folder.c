@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "exit.h"
@@ -134,11 +135,16 @@ static bool is_current(const cli_folder *f)
 }
 
 /* Prevents other sessions from writing to the folder. The kernel releases the lock when the process ends; file systems
- * without locks are accepted. */
+ * without locks are accepted. folder_is_taken() has it for a moment: then it is tried again. */
 static int lock_folder(cli_folder *f)
 {
-    if (flock(f->lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-        return CLI_EXIT_SUCCESS;
+    enum { ATTEMPTS = 4 };
+    const struct timespec moment = {0, 5000000};
+    for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
+        if (flock(f->lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+            return CLI_EXIT_SUCCESS;
+        nanosleep(&moment, NULL);
+    }
     message_error(SPH2D_CODE_FILE_WRITE, "wait for it to end, or stop it", "another sph2d is writing to '%s'", f->path);
     return CLI_EXIT_CANTCREAT;
 }
@@ -288,6 +294,23 @@ int folder_reopen(cli_folder *f, const char *path)
         return refuse(path, "open the folder", errno);
     int code = lock_folder(f);
     return code == CLI_EXIT_SUCCESS ? folder_clear(f, FOLDER_KEEP) : code;
+}
+
+int folder_look(cli_folder *f, const char *path)
+{
+    *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL};
+    if (f->lock >= 0)
+        return CLI_EXIT_SUCCESS;
+    message_error(SPH2D_CODE_FILE_OPEN, NULL, "cannot read the folder '%s': %s", path, strerror(errno));
+    return CLI_EXIT_NOINPUT;
+}
+
+bool folder_is_taken(const cli_folder *f)
+{
+    if (flock(f->lock, LOCK_SH | LOCK_NB) != 0)
+        return errno == EWOULDBLOCK;
+    flock(f->lock, LOCK_UN);
+    return false;
 }
 
 bool folder_holds(const char *path, const char *name)

@@ -43,6 +43,12 @@ int folder_clear_study(cli_folder *f);
 /** Locks the folder of an earlier run, and removes its temporary files. Returns an exit code. */
 int folder_reopen(cli_folder *f, const char *path);
 
+/** Takes a folder only to look into it: it is not locked, and nothing in it changes. Returns an exit code. */
+int folder_look(cli_folder *f, const char *path);
+
+/** Whether another process has locked a folder that folder_look() took. */
+bool folder_is_taken(const cli_folder *f);
+
 /** Whether a folder contains `name`. */
 bool folder_holds(const char *path, const char *name);
 

@@ -78,9 +78,13 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d study study.yaml\n"
         "  sph2d study study.yaml -o out --all --jobs 2\n"
         "  sph2d study scene.yaml -o out --target 1%\n",
-    [CLI__INFO] = "Prints each field with type, shape, unit and range, and the state of the run.\n"
-                  "\n"
-                  "  sph2d info out/snapshot_000042.h5\n",
+    [CLI__INFO] =
+        "Of a snapshot prints each field with type, shape, unit and range, and the state of the run; of the\n"
+        "folder of a run how far it is, whether it is finished, running or stopped and can go on, its files and\n"
+        "its error of energy.\n"
+        "\n"
+        "  sph2d info out/snapshot_000042.h5\n"
+        "  sph2d info out\n",
     [CLI__INIT] = "Writes NAME/scene.yaml, or NAME itself if it ends in .yaml. It has every key with its meaning,\n"
                   "unit, range and default.\n"
                   "\n"

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file info.c
- *  `sph2d info FILE...`: prints the contents of snapshots. */
+ *  `sph2d info PATH...`: prints the contents of snapshots, and what became of runs. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+#include <sys/stat.h>
 
 #include "command.h"
 #include "exit.h"
 #include "json.h"
 #include "message.h"
+#include "run_info.h"
 #include "snapshot.h"
 #include "text.h"
 
@@ -153,30 +154,36 @@ static void print_object(const char *path, const sph2d_snapshot *snapshot)
     json_end(&line);
 }
 
+static int print_snapshot(const cli_options *options, const char *path)
+{
+    sph2d_report report = {0};
+    sph2d_snapshot *snapshot = NULL;
+    sph2d_status status = snapshot_read(options, path, &snapshot, &report);
+    message_report(status, &report, NULL);
+    if (status == SPH2D_OK && options->json)
+        print_object(path, snapshot);
+    else if (status == SPH2D_OK)
+        print_table(path, snapshot);
+    sph2d_snapshot_destroy(snapshot);
+    return exit_of_status(status);
+}
+
 int command_info(const cli_options *options)
 {
     if (options->operand_count == 0) {
-        message_usage("info", "a snapshot must be given");
+        message_usage("info", "a snapshot or the folder of a run must be given");
         return CLI_EXIT_USAGE;
     }
     snapshot_note(options);
     int code = CLI_EXIT_SUCCESS;
     for (size_t i = 0; i < options->operand_count; ++i) {
         const char *path = options->operands[i];
-        sph2d_report report = {0};
-        sph2d_snapshot *snapshot = NULL;
-        sph2d_status status = snapshot_read(options, path, &snapshot, &report);
-        message_report(status, &report, NULL);
-        /* Reads all files; the exit code is that of the first error. */
+        struct stat status;
+        const bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+        const int ended = folder ? run_info_print(options, path) : print_snapshot(options, path);
+        /* Reads all of them; the exit code is that of the first error. */
         if (code == CLI_EXIT_SUCCESS)
-            code = exit_of_status(status);
-        if (status != SPH2D_OK)
-            continue;
-        if (options->json)
-            print_object(path, snapshot);
-        else
-            print_table(path, snapshot);
-        sph2d_snapshot_destroy(snapshot);
+            code = ended;
     }
     return code;
 }

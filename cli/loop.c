@@ -33,10 +33,15 @@ static void fail(loop_result *result, sph2d_status status)
     result->status = status;
 }
 
-bool loop_done(const sph2d_sim *sim)
+bool loop_reached(double time, double until)
 {
     /* The tolerance for rounding of the clock, a sum of many steps; the same as for outputs that are due. */
-    return sph2d_sim_time(sim) * (1 + 1e-12) >= sph2d_sim_scene(sim)->run.until;
+    return time * (1 + 1e-12) >= until;
+}
+
+bool loop_done(const sph2d_sim *sim)
+{
+    return loop_reached(sph2d_sim_time(sim), sph2d_sim_scene(sim)->run.until);
 }
 
 /* Steps until there is a reason to stop. The deadline is checked after the first step, so that every session makes

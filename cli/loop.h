@@ -30,6 +30,9 @@ typedef struct loop_result {
     double simulated; /**< [s] */
 } loop_result;
 
+/** Whether a time is the end of a run, or later. */
+bool loop_reached(double time, double until);
+
 /** Whether a simulation has reached run.until. */
 bool loop_done(const sph2d_sim *sim);
 

@@ -19,13 +19,14 @@ ulimit -c 0
 mkdir "$REFERENCE" && : >"$CODES"
 cd "$here"
 
-cases=(library run run_over resume check info init study)
+cases=(library run run_over resume check info info_run init study)
 ! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render preview)
 [ $# = 0 ] || cases=("$@")
 
 # What the commands give without faults.
 "$SPH2D" run scene.yaml -q -j 1 --no-frames -o "$REFERENCE/run"
 "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" >"$REFERENCE/info.txt"
+"$SPH2D" info "$REFERENCE/run" >"$REFERENCE/info_run.txt"
 (cd "$REFERENCE" && "$SPH2D" init out -q --template drop && mv out init) # the scene names its own path
 (cd "$folder" && "$LIBRARY") >"$REFERENCE/library.txt"
 case " ${cases[*]} " in *' run_frames '* | *' render '*)
@@ -47,7 +48,7 @@ stride() {
     if [ -n "${FULL:-}" ]; then
         echo 1
     else
-        case $1 in library | init) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | study) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
+        case $1 in library | init) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | info_run | study) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
     fi
 }
 

@@ -32,6 +32,7 @@ run_command() {
     preview) set -- "$SPH2D" check "$scene" -j 1 --preview out/first.png ;;
     init) set -- "$SPH2D" init out --template drop ;;
     info) set -- "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" ;;
+    info_run) set -- "$SPH2D" info "$REFERENCE/run" ;;
     study) set -- "$SPH2D" study "$study" -q -j 1 -J 2 -o out ;;
     library) set -- "$LIBRARY" ;;
     esac
@@ -109,7 +110,7 @@ run_command
 case $code in
 0)
     case $case in
-    info | library) cmp -s printed "$REFERENCE/$case.txt" || wrong 'it prints something else' ;;
+    info | info_run | library) cmp -s printed "$REFERENCE/$case.txt" || wrong 'it prints something else' ;;
     check | study) ;;
     *) diff -r "$expected" out >/dev/null || wrong 'the results are others' ;;
     esac
