@@ -14,7 +14,11 @@ prefix ?= $(PREFIX)
 bindir ?= $(prefix)/bin
 libdir ?= $(prefix)/lib
 includedir ?= $(prefix)/include
-mandir ?= $(prefix)/share/man
+datadir ?= $(prefix)/share
+mandir ?= $(datadir)/man
+docdir ?= $(datadir)/doc/sph2d
+bashcompletiondir ?= $(datadir)/bash-completion/completions
+zshcompletiondir ?= $(datadir)/zsh/site-functions
 pkgconfigdir ?= $(libdir)/pkgconfig
 INSTALL ?= install
 PKG_CONFIG ?= pkg-config
@@ -178,7 +182,7 @@ FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sort $(wildcard examples/*.c))))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
+SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
     tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
 
@@ -548,6 +552,8 @@ check-symbols: lib ## what the shared libraries export and need
 	test -z "$$needed" || { echo "symbols: libsph2d.so needs $$needed"; exit 1; }; echo 'symbols: ok'
 
 STAGING := $(abspath $(BUILD)/staging)
+STAGED := /usr/share/bash-completion/completions/sph2d /usr/share/zsh/site-functions/_sph2d \
+    $(addprefix /usr/share/doc/sph2d/,LICENSE README.md docs/scenes.md examples/README.md examples/dam_break/scene.yaml)
 STAGE := DESTDIR=$(STAGING) prefix=/usr libdir=/usr/lib pkgconfigdir=/usr/lib/pkgconfig
 check-install: all ## install into a scratch folder, build the examples there with pkg-config alone, run them
 	$(hush)rm -rf $(STAGING); mkdir -p $(STAGING)/run
@@ -566,7 +572,10 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	for p in $(MAN_PAGES); do \
 	    test -s "$(STAGING)/usr/share/man/man$${p##*.}/$${p##*/}" || { echo "install: $$p is missing"; exit 1; }; \
 	done; \
-	$(STAGING)/usr/bin/sph2d --version >/dev/null || exit 1
+	for f in $(STAGED); do \
+	    test -s "$(STAGING)$$f" || { echo "install: $$f is missing"; exit 1; }; \
+	done; \
+	$(STAGING)/usr/bin/sph2d check $(STAGING)/usr/share/doc/sph2d/examples/sprinkler/scene.yaml >/dev/null || exit 1
 	$(hush)$(MAKE) uninstall $(STAGE) >/dev/null
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
@@ -613,10 +622,14 @@ pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
     s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|; s|@gl@|$(GL)|'
 MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
+# In the folders that they have here, so that their links hold.
+DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/notes/*.md examples/*.* \
+    $(foreach e,yaml csv py md,examples/*/*.$(e))))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' \
-	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))')
+	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
+	    $(sort $(foreach f,$(DOC_FILES),'$D$(docdir)/$(patsubst ./,,$(dir $(f)))'))
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
 	$(INSTALL) -m 644 $(LIBRARIES:%=$(BUILD)/%.a) '$D$(libdir)'
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
@@ -624,13 +637,17 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
 	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in >'$D$(pkgconfigdir)/$(l).pc' &&) true
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
+	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
+	$(INSTALL) -m 644 cli/completions/_sph2d '$D$(zshcompletiondir)'
+	$(hush)$(foreach f,$(DOC_FILES),$(INSTALL) -m 644 $(f) '$D$(docdir)/$(f)' &&) true
 
 uninstall: ## the reverse of install, with the same settings
 	rm -f '$D$(bindir)/sph2d' $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))/$(notdir $(p))') \
 	    $(foreach l,$(LIBRARIES),'$D$(libdir)/$(l).a' '$D$(libdir)/$(l).so' \
 	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
-	rm -rf '$D$(includedir)/sph2d'
+	rm -f '$D$(bashcompletiondir)/sph2d' '$D$(zshcompletiondir)/_sph2d'
+	rm -rf '$D$(includedir)/sph2d' '$D$(docdir)'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
 dist: ## a source archive of the last commit
@@ -642,7 +659,8 @@ clean: ## remove BUILD
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^=]*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@printf '%s\n' '' 'Settings: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS' \
-	    '  DESTDIR prefix bindir libdir includedir mandir pkgconfigdir INSTALL PKG_CONFIG' \
+	    '  DESTDIR prefix bindir libdir includedir datadir mandir docdir pkgconfigdir bashcompletiondir' \
+	    '  zshcompletiondir INSTALL PKG_CONFIG' \
 	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \

@@ -10,6 +10,7 @@
 #include <sph2d/version.h>
 
 #include "build.h"
+#include "completions.h"
 #include "exit.h"
 #include "frame_writer.h"
 #include "json.h"
@@ -246,18 +247,31 @@ static void print_methods(void)
     }
 }
 
+static void print_completions(void);
+
 static const struct {
     const char *name;
     void (*print)(void);
-} topics[] = {{"exit", print_exits},
-              {"codes", print_codes},
-              {"scene", keys_print_all},
-              {"materials", print_materials},
-              {"methods", print_methods},
+    bool of_users; /* the others are for programs */
+} topics[] = {{"exit", print_exits, true},
+              {"codes", print_codes, true},
+              {"scene", keys_print_all, true},
+              {"materials", print_materials, true},
+              {"methods", print_methods, true},
+              /* what completions of shells ask */
+              {"completions", print_completions, false},
               /* what `make scene-docs` puts into docs/scenes.md and sph2d-scene.5 */
-              {"scene.md", pages_print_markdown},
-              {"scene.5", pages_print_manual}};
+              {"scene.md", pages_print_markdown, false},
+              {"scene.5", pages_print_manual, false}};
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
+
+static void print_completions(void)
+{
+    completions_print_commands();
+    for (size_t i = 0; i < TOPIC_COUNT; ++i)
+        if (topics[i].of_users)
+            printf("topic\t%s\n", topics[i].name);
+}
 
 static void unknown_topic(const char *topic)
 {

@@ -43,13 +43,11 @@ enum {
     DRAWS = CLI_RUN | CLI_RESUME | CLI_RENDER | CLI_CHECK,
 };
 
-typedef struct option_row {
-    int id;           /* the letter, or one of the enum above */
-    const char *name; /* the long name */
-    const char *argument;
-    unsigned commands; /* bits of the commands that take it */
-    const char *text;
-} option_row;
+/* The values of options that have a list of them, in the order of their enums. */
+static const char *const isa_words[] = {"auto", "baseline", "avx2", "avx512", NULL};
+static const char *const progress_words[] = {"auto", "always", "never", NULL};
+static const char *const style_words[] = {"metaballs", "points", NULL};
+static const char *const gl_words[] = {"osmesa", "egl", NULL};
 
 static const option_row rows[] = {
     {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; empty, new, or a study's own"},
@@ -92,6 +90,27 @@ static const option_row rows[] = {
     {'V', "version", NULL, CLI_ALL, "show the version"},
 };
 enum { ROW_COUNT = sizeof rows / sizeof *rows };
+
+const option_row *options_row(size_t i)
+{
+    return i < ROW_COUNT ? &rows[i] : NULL;
+}
+
+const char *const *options_words(const option_row *row)
+{
+    switch (row->id) {
+    case OPTION_ISA:
+        return isa_words;
+    case OPTION_PROGRESS:
+        return progress_words;
+    case OPTION_STYLE:
+        return style_words;
+    case OPTION_GL:
+        return gl_words;
+    default:
+        return NULL;
+    }
+}
 
 void options_print(unsigned command)
 {
@@ -168,8 +187,7 @@ static bool add_override(cli_options *options, const char *name, char *pair)
 
 static bool set_isa(cli_options *options, const char *name, const char *value)
 {
-    static const char *const words[] = {"auto", "baseline", "avx2", "avx512", NULL};
-    int isa = find_word(value, words);
+    int isa = find_word(value, isa_words);
     if (isa < 0)
         return bad_value(name, "isa", value, "auto, baseline, avx2 or avx512");
     options->isa = (sph2d_isa)isa;
@@ -182,8 +200,7 @@ static bool set_isa(cli_options *options, const char *name, const char *value)
 
 static bool set_progress(cli_options *options, const char *name, const char *value)
 {
-    static const char *const words[] = {"auto", "always", "never", NULL};
-    int mode = find_word(value, words);
+    int mode = find_word(value, progress_words);
     if (mode < 0)
         return bad_value(name, "progress", value, "auto, always or never");
     options->progress = (progress_mode)mode;
@@ -192,8 +209,7 @@ static bool set_progress(cli_options *options, const char *name, const char *val
 
 static bool set_style(cli_options *options, const char *name, const char *value)
 {
-    static const char *const words[] = {"metaballs", "points", NULL};
-    int style = find_word(value, words);
+    int style = find_word(value, style_words);
     if (style < 0)
         return bad_value(name, "style", value, "metaballs or points");
     options->style = (sph2d_style)style;
@@ -203,8 +219,7 @@ static bool set_style(cli_options *options, const char *name, const char *value)
 
 static bool set_gl(cli_options *options, const char *name, const char *value)
 {
-    static const char *const words[] = {"osmesa", "egl", NULL};
-    if (find_word(value, words) < 0)
+    if (find_word(value, gl_words) < 0)
         return bad_value(name, "gl", value, "osmesa or egl");
     options->gl = value;
     return true;

@@ -1,0 +1,14 @@
+#!/bin/bash
+# Completion in interactive shells on a pseudo terminal: bash with and without the package bash-completion, and zsh, as
+# far as they are installed. What is offered is what the help of the command has.
+# shellcheck disable=SC1091
+. "$SPH2D_ROOT/tests/cli/common"
+command -v python3 >/dev/null || exit 77
+
+mkdir -p files/folder/inner 'files/two words' files/run
+cd files || exit 1
+touch scene.yaml data.json 'my scene.yaml' "it's.yaml" 'a=b:c.yml' $'b\xc3\xa4che.yaml' notes.txt snapshot_000000.h5 picture.png \
+    folder/deep.yaml
+mkdir ../bin ../home && ln -s "$SPH2D" ../bin/sph2d && cp scene.yaml ../home/at_home.yaml
+PATH=$PWD/../bin:$PATH HOME=$PWD/../home LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 \
+    python3 "$SPH2D_ROOT/tests/cli/completions.py" "$SPH2D_ROOT/cli/completions" || fail 'completions'
