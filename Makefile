@@ -9,6 +9,8 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 BUILD ?= build
 OPENMP ?= 1
 RENDER ?= 1
+# Whether the command uses the shared libraries, for packages; else it is whole by itself.
+SHARED ?= 0
 PREFIX ?= /usr/local
 prefix ?= $(PREFIX)
 bindir ?= $(prefix)/bin
@@ -96,6 +98,7 @@ MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null)
 CLANG := $(findstring clang,$(COMPILER))
 WITH_OPENMP := $(filter-out 0,$(OPENMP))
 WITH_RENDER := $(filter-out 0,$(RENDER))
+WITH_SHARED := $(filter-out 0,$(SHARED))
 
 # Foreign headers are system headers: their warnings are not ours.
 pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
@@ -182,7 +185,7 @@ FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sort $(wildcard examples/*.c))))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/report/*.sh tests/bench/*.sh \
+SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
     tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
 
@@ -193,7 +196,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
     $(CORE_FLAGS) $(IO_FLAGS) $(CONTACTS_FLAGS) $(RENDER_FLAGS) $(CLI_FLAGS) $(TEST_FLAGS) \
     $(ISA_FLAGS_avx2) $(ISA_FLAGS_avx512))
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
-VARIANT := $(FLAGS_HASH)-$(call hash,$(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(CONTACTS_LIBS) $(RENDER_LIBS) $(LDLIBS) \
+VARIANT := $(FLAGS_HASH)-$(call hash,$(WITH_SHARED) $(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(CONTACTS_LIBS) $(RENDER_LIBS) $(LDLIBS) \
     $(CORE_SRC) $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) \
     $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(SHADERS))
 
@@ -296,9 +299,14 @@ $(eval $(call library_rules,libsph2d-study,$(STUDY_OBJ) $(BASE_OBJ),STUDY_SO_LIB
 $(eval $(call library_rules,libsph2d-render,$(RENDER_OBJ) $(BASE_OBJ),RENDER_SO_LIBS,$(BUILD)/libsph2d.so))
 
 # What takes longest comes first, so that all processors have work to the end.
+ifeq ($(WITH_SHARED),)
 $(BUILD)/sph2d: $(PASS_OBJ) $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,$(GLFW)))
 $(BUILD)/sph2d: IN_ARCHIVES = $(PASS_OBJ)
+else
+$(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES:.a=.so) $(BUILD)/variant
+	$(call link,,-L$(BUILD) $(patsubst $(BUILD)/lib%.a,-l%,$(ARCHIVES)) -lm)
+endif
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
@@ -330,7 +338,7 @@ FORCE:
 
 # What the times of a study were taken with: told by --version, and a new commit compiles one file. Rows that were run
 # are found again as long as the source is the same.
-COMMIT = $(or $(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null),none)
+COMMIT = $(or $(if $(wildcard .git),$(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null)),none)
 TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
 SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
@@ -465,6 +473,11 @@ golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that sa
 test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the same bits (40 minutes)
 	$(hush)tests/golden/threads.sh $(BUILD)/tests/golden $(BUILD)/same-bits "$$(nproc)"
 
+test-package: ## the source archive, and its Debian packages built, checked and used in fresh systems (15 minutes, as root)
+	$(hush)tests/package/package.sh --needs
+	$(hush)$(MAKE) dist
+	$(hush)tests/package/package.sh $(DIST) $(BUILD)/package
+
 STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
@@ -569,6 +582,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	        (cd $(STAGING)/run && timeout 300 ./example >log) || { echo "install: $$e fails $$static"; exit 1; }; \
 	    done; \
 	done; \
+	$(PKG_CONFIG) --exists --print-errors $(LIBRARIES:lib%=%) || exit 1; \
 	for p in $(MAN_PAGES); do \
 	    test -s "$(STAGING)/usr/share/man/man$${p##*.}/$${p##*/}" || { echo "install: $$p is missing"; exit 1; }; \
 	done; \
@@ -619,7 +633,7 @@ format: ## rewrite the C files with clang-format
 # ---- installation ----------------------------------------------------------------------------------------------------
 pc_dir = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
 pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
-    s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|; s|@gl@|$(GL)|'
+    s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|g; s|@gl@|$(GL)|'
 MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
@@ -650,8 +664,13 @@ uninstall: ## the reverse of install, with the same settings
 	rm -rf '$D$(includedir)/sph2d' '$D$(docdir)'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
-dist: ## a source archive of the last commit
-	mkdir -p $(BUILD) && git archive --prefix=sph2d-$(VERSION)/ -o $(BUILD)/sph2d-$(VERSION).tar.gz HEAD
+# The same bytes from the same commit: git takes its time for that of the files.
+DIST := $(BUILD)/sph2d-$(VERSION).tar.xz
+dist: ## a source archive of the last commit, BUILD/sph2d-VERSION.tar.xz
+	$(hush)mkdir -p $(BUILD); \
+	git -c tar.umask=0022 archive --format=tar --prefix=sph2d-$(VERSION)/ HEAD >$(BUILD)/dist.tar && \
+	xz -9 --threads=1 --stdout $(BUILD)/dist.tar >$(DIST).new && rm $(BUILD)/dist.tar && mv $(DIST).new $(DIST)
+	@echo '$(DIST)'
 
 clean: ## remove BUILD
 	rm -rf '$(BUILD)'
@@ -661,11 +680,11 @@ help: ## this list
 	@printf '%s\n' '' 'Settings: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS' \
 	    '  DESTDIR prefix bindir libdir includedir datadir mandir docdir pkgconfigdir bashcompletiondir' \
 	    '  zshcompletiondir INSTALL PKG_CONFIG' \
-	    '  BUILD=build RENDER=0 OPENMP=0 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
+	    '  BUILD=build RENDER=0 OPENMP=0 SHARED=1 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
-    test-kills test-long test-hard hard-docs test-faults test-fuzz fuzz-run coverage coverage-run \
+    test-kills test-long test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage coverage-run \
     bench-instructions bench-variants report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif
