@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 /** What to do about an error; NULL if that is not known. */
@@ -80,7 +81,10 @@ sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph
     if (!name_is_free(path, report))
         return SPH2D_CANTCREAT;
     size_t folder = folder_length(path);
-    size_t size = strlen(path) + 32; /* ".", ".tmp." and a process id */
+    size_t size = strlen(path) + 48; /* ".", ".tmp.", a process id and nanoseconds */
+    /* Processes of several machines that share the folder may have the same id: then the clock tells them apart. */
+    struct timespec now = {0};
+    clock_gettime(CLOCK_REALTIME, &now);
     file->final_path = malloc(size);
     file->temp_path = malloc(size);
     if (!file->final_path || !file->temp_path) {
@@ -88,7 +92,8 @@ sph2d_status sph2d__atomic_begin(sph2d__atomic_file *file, const char *path, sph
         return SPH2D_NOMEM;
     }
     snprintf(file->final_path, size, "%s", path);
-    snprintf(file->temp_path, size, "%.*s.%s.tmp.%ld", (int)folder, path, path + folder, (long)getpid());
+    snprintf(file->temp_path, size, "%.*s.%s.tmp.%ld%09ld", (int)folder, path, path + folder, (long)getpid(),
+             now.tv_nsec);
     return SPH2D_OK;
 }
 

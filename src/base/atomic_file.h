@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file atomic_file.h
- *  A file that appears under its final name complete or not at all: it is written as `DIR/.NAME.tmp.PID`, synced and
- *  renamed, and then the folder is synced. */
+ *  A file that appears under its final name complete or not at all: it is written as `DIR/.NAME.tmp.NUMBER`, synced and
+ *  renamed, and then the folder is synced. The number is the writer's own: several processes may write one file at the
+ *  same time, also on different machines, and the last to rename wins. */
 #ifndef SPH2D_BASE_ATOMIC_FILE_H
 #define SPH2D_BASE_ATOMIC_FILE_H
 
