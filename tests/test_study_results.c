@@ -123,6 +123,22 @@ START_TEST(what_is_wrong_with_numbers_is_reported)
 }
 END_TEST
 
+START_TEST(the_finest_row_is_awaited)
+{
+    ck_assert_int_eq(create("scene: scene.yaml\nvary: {spacing: [0.05, 0.04, 0.03]}\nmeasures:\n"
+                            "  - {name: curve, probe: energy, column: kinetic, finest: true, bound: 1e-9}\n",
+                            NULL, 0),
+                     SPH2D_OK);
+    for (size_t r = 0; r < 3; ++r) {
+        ck_assert_int_eq(sph2d_study_row_run(results, &results->rows[r], NULL, &report), SPH2D_OK);
+        ck_assert_int_eq(sph2d_study_results_measure(results), SPH2D_OK);
+        sph2d_report_clear(&report);
+        sph2d_study_row_judge(results, &results->rows[0], &report);
+        ck_assert_msg(report.errors == (r < 2 ? 0 : 1), "%s", test_report_text(&report));
+    }
+}
+END_TEST
+
 START_TEST(refinements_run_like_other_rows)
 {
     ck_assert_int_eq(create(study_text, NULL, 0), SPH2D_OK);
@@ -317,6 +333,7 @@ Suite *suite_study_results(void)
     tcase_add_checked_fixture(cases, set_up, tear_down);
     tcase_add_test(cases, rows_become_numbers);
     tcase_add_test(cases, what_is_wrong_with_numbers_is_reported);
+    tcase_add_test(cases, the_finest_row_is_awaited);
     tcase_add_test(cases, refinements_run_like_other_rows);
     tcase_add_test(cases, overrides_on_top_hold_for_every_row);
     tcase_add_test(cases, the_caller_may_stop_a_row);

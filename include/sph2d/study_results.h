@@ -231,7 +231,8 @@ SPH2D_API bool sph2d_study_has_error(const sph2d_study_measure *measure);
 SPH2D_API sph2d_status sph2d_study_results_measure(sph2d_study_results *results);
 
 /** Reports problems with the values of a measured row: a warning with the reason for each that is not known, an error
- *  for each with an error above its bound, or not known. */
+ *  for each with an error above its bound, or not known. What is compared with the finest row is not judged while a row
+ *  that is wanted has no record. */
 SPH2D_API void sph2d_study_row_judge(const sph2d_study_results *results, const sph2d_study_row *row,
                                      sph2d_report *report);
 
