@@ -67,7 +67,7 @@ static bool is_cleared(const char *name, folder_clearing clearing)
                                             strcmp(name, "checkpoint.h5") == 0 || strcmp(name, "guard.h5") == 0);
 }
 
-/* ".NAME.tmp.PID": a temporary file of a killed process. */
+/* ".NAME.tmp.NUMBER": a temporary file of a killed process, or of one that writes. */
 static bool is_leftover(const char *name)
 {
     const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
@@ -116,13 +116,18 @@ static int refuse_memory(void)
     return CLI_EXIT_SOFTWARE;
 }
 
-static bool is_empty(DIR *listing)
+/* Whether a folder holds nothing, or nothing but `name` (NULL for none) and temporary files. Returns 0 or an errno. */
+static int holds_nothing(const char *path, const char *name, bool *nothing)
 {
+    DIR *listing = opendir(path);
+    if (!listing)
+        return errno;
     const struct dirent *entry;
-    while ((entry = readdir(listing)))
-        if (!is_dot(entry->d_name))
-            return false;
-    return true;
+    *nothing = true;
+    while (*nothing && (entry = readdir(listing)))
+        *nothing = is_dot(entry->d_name) || (name && (strcmp(entry->d_name, name) == 0 || is_leftover(entry->d_name)));
+    closedir(listing);
+    return 0;
 }
 
 /* Whether the folder that is open is the one of that path: another process that made it and failed may have removed it
@@ -135,13 +140,14 @@ static bool is_current(const cli_folder *f)
 }
 
 /* Prevents other sessions from writing to the folder. The kernel releases the lock when the process ends; file systems
- * without locks are accepted. folder_is_taken() has it for a moment: then it is tried again. */
+ * without locks are accepted, and those whose locks other machines do not see. folder_is_taken() has it for a moment: then
+ * it is tried again. */
 static int lock_folder(cli_folder *f)
 {
     enum { ATTEMPTS = 4 };
     const struct timespec moment = {0, 5000000};
     for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
-        if (flock(f->lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        if (flock(f->lock, (f->shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0 || errno != EWOULDBLOCK)
             return CLI_EXIT_SUCCESS;
         nanosleep(&moment, NULL);
     }
@@ -181,25 +187,44 @@ static int make_locked(cli_folder *f)
     return error == ENOMEM ? refuse_memory() : refuse(f->path, "make the folder", error);
 }
 
-/* A signal waits until the folder is locked, as only then it may be removed. */
-static int make_locked_undisturbed(cli_folder *f)
+/* Signals wait until a folder is made and locked, as only then it may be removed; one that is shared is never. */
+static sigset_t hold_signals(void)
 {
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);
-    int code = make_locked(f);
+    return before;
+}
+
+static void release_signals(const cli_folder *f, sigset_t before)
+{
+    if (f->shared)
+        made_folders_keep();
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return code;
+}
+
+/* Whether a folder is a beginning of what has the file `own`, "FOLDER/NAME": that folder alone, with nothing else. Two
+ * that start at once find it so. */
+static bool is_begun(cli_folder *f, const char *own)
+{
+    const char *slash = strchr(own, '/');
+    char *inside = strndup(own, (size_t)(slash - own));
+    const char *path = inside ? folder_file(f, "%s", inside) : NULL;
+    bool outer = false, inner = false;
+    bool begun = path && holds_nothing(f->path, inside, &outer) == 0 && outer &&
+                 holds_nothing(path, slash + 1, &inner) == 0 && inner;
+    free(inside);
+    return begun;
 }
 
 static int check_content(cli_folder *f, bool force, const char *own)
 {
-    DIR *listing = opendir(f->path);
-    if (!listing)
-        return refuse(f->path, "read the folder", errno);
-    bool empty = is_empty(listing);
-    closedir(listing);
-    if (!empty && !force && !(own && folder_holds(f->path, own))) {
+    bool empty = true;
+    int error = holds_nothing(f->path, NULL, &empty);
+    if (error != 0)
+        return refuse(f->path, "read the folder", error);
+    bool mine = own && ((f->shared && is_begun(f, own)) || folder_holds(f->path, own));
+    if (!empty && !force && !mine) {
         message_error(SPH2D_CODE_FILE_EXISTS, "choose another with -o, or add --force to replace the outputs in it",
                       "the folder '%s' exists and is not empty", f->path);
         return CLI_EXIT_CANTCREAT;
@@ -209,10 +234,11 @@ static int check_content(cli_folder *f, bool force, const char *own)
     return CLI_EXIT_SUCCESS;
 }
 
-int folder_claim(cli_folder *f, const char *path, bool force, const char *own)
+static int take(cli_folder *f, bool force, const char *own)
 {
-    *f = (cli_folder){path, -1, NULL};
-    int code = make_locked_undisturbed(f);
+    sigset_t before = hold_signals();
+    int code = make_locked(f);
+    release_signals(f, before);
     if (code == CLI_EXIT_SUCCESS)
         code = check_content(f, force, own);
     if (code != CLI_EXIT_SUCCESS)
@@ -220,27 +246,59 @@ int folder_claim(cli_folder *f, const char *path, bool force, const char *own)
     return code;
 }
 
+int folder_claim(cli_folder *f, const char *path, bool force, const char *own)
+{
+    *f = (cli_folder){path, -1, NULL, false};
+    return take(f, force, own);
+}
+
+int folder_share(cli_folder *f, const char *path, bool force, const char *own)
+{
+    *f = (cli_folder){path, -1, NULL, true};
+    return take(f, force, own);
+}
+
 /* ---- cleaning ---------------------------------------------------------------------------------------------------- */
 
-/* Removes leftovers, and files selected by `clearing`, from one folder; `inside` is "" or ends in a slash. */
-static int clean_listing(cli_folder *f, DIR *listing, const char *inside, folder_clearing clearing, size_t *leftovers)
+/* What to remove from a folder. */
+typedef struct cleaning {
+    folder_clearing clearing;
+    bool old;                                    /* of leftovers only those that nobody can be writing any more */
+    bool (*stays)(void *user, const char *name); /* files that stay all the same; NULL: none */
+    void *user;
+} cleaning;
+
+/* Whether a file was last changed a day ago, so that clocks of several machines need not agree. */
+static bool is_old(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && difftime(time(NULL), status.st_mtime) > 24 * 60 * 60;
+}
+
+/* Removes leftovers, and selected files, from one folder; `inside` is "" or ends in a slash. What another process has
+ * removed meanwhile is gone as well. */
+static int clean_listing(cli_folder *f, DIR *listing, const char *inside, const cleaning *c, size_t *leftovers)
 {
     const struct dirent *entry;
     while ((entry = readdir(listing))) {
-        bool leftover = is_leftover(entry->d_name);
-        if (!leftover && !is_cleared(entry->d_name, clearing))
+        const char *name = entry->d_name;
+        bool leftover = is_leftover(name);
+        if (!leftover && (!is_cleared(name, c->clearing) || (c->stays && c->stays(c->user, name))))
             continue;
-        const char *path = folder_file(f, "%s%s", inside, entry->d_name);
+        const char *path = folder_file(f, "%s%s", inside, name);
         if (!path)
             return refuse_memory();
-        if (unlink(path) != 0)
+        if (leftover && c->old && !is_old(path))
+            continue;
+        if (unlink(path) == 0)
+            *leftovers += leftover;
+        else if (errno != ENOENT)
             return refuse(path, "remove", errno);
-        *leftovers += leftover;
     }
     return CLI_EXIT_SUCCESS;
 }
 
-static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
+static int clean(cli_folder *f, const char *inside, const cleaning *c)
 {
     const char *path = folder_file(f, "%s", inside);
     if (!path)
@@ -249,7 +307,7 @@ static int clean(cli_folder *f, const char *inside, folder_clearing clearing)
     if (!listing)
         return errno == ENOENT ? CLI_EXIT_SUCCESS : refuse(path, "read the folder", errno);
     size_t leftovers = 0;
-    int code = clean_listing(f, listing, inside, clearing, &leftovers);
+    int code = clean_listing(f, listing, inside, c, &leftovers);
     closedir(listing);
     if (leftovers > 0)
         message_note("removed %zu unfinished file%s of an earlier run from '%s/%s'", leftovers,
@@ -262,11 +320,10 @@ int folder_clear(cli_folder *f, folder_clearing clearing)
     /* The results of a study are kept until there are new ones. The frames of a run and the rows of a study are in
      * subfolders. */
     bool study = clearing == FOLDER_CLEAR_STUDY;
-    int code = clean(f, "", study ? FOLDER_KEEP : clearing);
-    if (code == CLI_EXIT_SUCCESS && study)
-        code = clean(f, "rows/", FOLDER_KEEP);
-    else if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
-        code = clean(f, "frames/", clearing);
+    cleaning c = {.clearing = study ? FOLDER_KEEP : clearing, .old = study};
+    int code = clean(f, "", &c);
+    if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
+        code = clean(f, study ? "rows/" : "frames/", &c);
     if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
         /* The empty frames folder of an earlier run; it stays if it contains other files. */
         const char *frames = folder_file(f, "frames");
@@ -276,9 +333,9 @@ int folder_clear(cli_folder *f, folder_clearing clearing)
     return code;
 }
 
-int folder_clear_study(cli_folder *f)
+int folder_clear_study(cli_folder *f, bool (*stays)(void *user, const char *name), void *user)
 {
-    return clean(f, "", FOLDER_CLEAR_STUDY);
+    return clean(f, "", &(cleaning){FOLDER_CLEAR_STUDY, true, stays, user});
 }
 
 int folder_reopen(cli_folder *f, const char *path)
@@ -289,7 +346,7 @@ int folder_reopen(cli_folder *f, const char *path)
         message_error(SPH2D_CODE_FILE_OPEN, "give the folder that 'sph2d run -o' wrote", "no folder '%s'", path);
         return CLI_EXIT_NOINPUT;
     }
-    *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL};
+    *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL, false};
     if (f->lock < 0)
         return refuse(path, "open the folder", errno);
     int code = lock_folder(f);
@@ -330,7 +387,9 @@ int folder_make_inside(cli_folder *f, const char *name)
     const char *path = folder_file(f, "%s", name);
     if (!path)
         return refuse_memory();
+    sigset_t before = hold_signals();
     int error = made_folders_make(path);
+    release_signals(f, before);
     if (error == ENOMEM)
         return refuse_memory();
     return error != 0 ? refuse(path, "make the folder", error) : CLI_EXIT_SUCCESS;

@@ -10,8 +10,9 @@
 
 typedef struct cli_folder {
     const char *path;
-    int lock;   /**< file descriptor with the lock, -1 for none */
-    char *file; /**< the last result of folder_file */
+    int lock;    /**< file descriptor with the lock, -1 for none */
+    char *file;  /**< the last result of folder_file */
+    bool shared; /**< with other processes */
 } cli_folder;
 
 /** What to remove when an existing folder is used again: only files with names that this program writes. */
@@ -24,7 +25,7 @@ typedef enum folder_clearing {
 
 #define FOLDER_CLOSED                                                                                                  \
     {                                                                                                                  \
-        NULL, -1, NULL                                                                                                 \
+        NULL, -1, NULL, false                                                                                          \
     }
 
 /** Takes a folder for new outputs: makes it if needed, locks it against other processes, and checks that it is empty,
@@ -33,12 +34,18 @@ typedef enum folder_clearing {
  *  is closed. */
 int folder_claim(cli_folder *f, const char *path, bool force, const char *own);
 
-/** Removes temporary files of earlier runs from a claimed folder, and files selected by `clearing`. Returns an exit
- *  code. */
+/** The same for processes that share a folder, each as the first that comes: with each other only where all ask for it
+ *  so, and not with one that claimed it. They write the same files at the same time, or different ones; of `own` it is
+ *  enough that another of them is about to write it. The folder stays, whoever fails. */
+int folder_share(cli_folder *f, const char *path, bool force, const char *own);
+
+/** Removes temporary files of earlier runs from a claimed folder, and files selected by `clearing`; from that of a study
+ *  only those of a day or more ago, as other processes may write there. Returns an exit code. */
 int folder_clear(cli_folder *f, folder_clearing clearing);
 
-/** Removes series, plots and pages of an earlier study; not its rows. Returns an exit code. */
-int folder_clear_study(cli_folder *f);
+/** Removes series, plots and pages of an earlier study that `stays` has not for its own; not its rows. Returns an exit
+ *  code. */
+int folder_clear_study(cli_folder *f, bool (*stays)(void *user, const char *name), void *user);
 
 /** Locks the folder of an earlier run, and removes its temporary files. Returns an exit code. */
 int folder_reopen(cli_folder *f, const char *path);

@@ -75,9 +75,13 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "cheapest row for a wanted error. Ends with 1 when an error is above its bound. With -o the folder gets\n"
         "the numbers, plots, a page and the cheapest scene, and the same command continues where it was stopped.\n"
         "STUDY may be a scene: then its spacing and its stiffness are varied.\n"
+        "With --shard I/N only every Nth row runs, from row I on: N such commands share one folder, on one machine\n"
+        "or several, at the same time or not. The one that finds all rows there writes the table, and so does the\n"
+        "command without --shard.\n"
         "\n"
         "  sph2d study study.yaml\n"
         "  sph2d study study.yaml -o out --all --jobs 2\n"
+        "  for i in 1 2 3 4; do sph2d study study.yaml -o out --shard $i/4 & done; wait\n"
         "  sph2d study scene.yaml -o out --target 1%\n",
     [CLI__INFO] =
         "Of a snapshot prints each field with type, shape, unit and range, and the state of the run; of the\n"

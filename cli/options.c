@@ -35,7 +35,8 @@ enum {
     OPTION_ALL,
     OPTION_TARGET,
     OPTION_REPEAT,
-    OPTION_PROFILE
+    OPTION_PROFILE,
+    OPTION_SHARD
 };
 
 enum {
@@ -67,6 +68,8 @@ static const option_row rows[] = {
     {OPTION_NO_CHECKSUM, "no-checksum", NULL, CLI_RESUME | CLI_RENDER | CLI_INFO,
      "read snapshots that another program has changed"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, each in its own process; default 1"},
+    {OPTION_SHARD, "shard", "I/N", CLI_STUDY,
+     "run every Nth row from row I on, beside other shards on the same folder"},
     {OPTION_REPEAT, "repeat", "N", CLI_STUDY, "repeat rows of less than 10 s; the shortest time counts"},
     {OPTION_TARGET, "target", "ERROR", CLI_STUDY, "name the cheapest row within this error: 1%, 0.01"},
     {OPTION_ALL, "all", NULL, CLI_STUDY, "also run the rows that the study skips"},
@@ -314,6 +317,9 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
         return set_progress(options, name, value);
     case OPTION_ISA:
         return set_isa(options, name, value);
+    case OPTION_SHARD:
+        return parse_part(value, &options->shard, &options->shards) ||
+               bad_value(name, "shard", value, "I/N, with I from 1 to N and N of at most 1000000");
     case OPTION_REPEAT:
         return set_count(&options->repeat, 100, name, "repeat", value);
     case OPTION_TARGET:

@@ -26,8 +26,9 @@ typedef struct cli_options {
     const char *output;
     bool force;
     int threads, jobs, repeat;
-    double target; /**< an error, > 0 */
-    bool percent;  /**< given in per cent */
+    int shard, shards; /**< shard 1 to `shards`; 0 of 0: not given */
+    double target;     /**< an error, > 0 */
+    bool percent;      /**< given in per cent */
     sph2d_isa isa;
     double max_wall; /**< [s] */
     bool no_frames, no_checksum, dry_run, all, profile;

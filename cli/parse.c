@@ -49,6 +49,23 @@ bool parse_count(const char *text, long min, long max, long *value)
     return errno == 0 && *end == '\0' && *value >= min && *value <= max;
 }
 
+bool parse_part(const char *text, int *part, int *parts)
+{
+    enum { MOST = 1000000 };
+    char first[8];
+    size_t length = strcspn(text, "/");
+    long number, of;
+    if (length >= sizeof first || text[length] != '/' || !parse_count(text + length + 1, 1, MOST, &of))
+        return false;
+    memcpy(first, text, length);
+    first[length] = '\0';
+    if (!parse_count(first, 1, of, &number))
+        return false;
+    *part = (int)number;
+    *parts = (int)of;
+    return true;
+}
+
 /* Seconds in a unit, 0 for an unknown one. */
 static double unit_seconds(char unit)
 {

@@ -12,6 +12,8 @@ bool parse_number(const char *text, double *value);
 bool parse_fraction(const char *text, double *value);
 /** An integer from `min` to `max`. */
 bool parse_count(const char *text, long min, long max, long *value);
+/** A part of several, counted from 1: "3/8", of at most 1,000,000. */
+bool parse_part(const char *text, int *part, int *parts);
 /** A duration in seconds: "90", "90s", "1.5h", "1h30m"; units d, h, m, s. Above 0. */
 bool parse_duration(const char *text, double *seconds);
 /** A size in pixels: "1280x720". */

@@ -105,7 +105,7 @@ static void put_command(const void *study, FILE *out)
         free(word);
     }
     fputs(options->all ? " --all" : "", out);
-    if (s->jobs > 1)
+    if (s->jobs > 1 && options->shards == 0)
         fprintf(out, " --jobs %zu", s->jobs);
     fprintf(out, " --threads %d", s->threads.count);
     if (options->isa != SPH2D_ISA_AUTO)

@@ -32,19 +32,34 @@ _Noreturn void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int 
 /** Receives a record, waiting for all of it. False when it is incomplete, or memory is short. */
 bool study_receive(int in, sph2d_study_record *record);
 
+/* ---- a part of the rows, beside other processes with the other parts (shard.c) ------------------------------------ */
+
+/** Whether a row is to be run here: by a shard every Nth, else all. */
+bool study_owns(const cli_study *s, const sph2d_study_row *row);
+
+/** Of a shard: looks for the rows of the others from number `first` (counted from 0) on, and sets s->missing. */
+int study_gather(cli_study *s, size_t first);
+
+/** Says which rows are missing, and of which shards; with --json as one JSON object, as the end of the study. */
+void study_missing_tell(const cli_study *s);
+void study_missing_json(const cli_study *s, const char *end, bool passed);
+
 /* ---- rows stored in DIR/rows (keep.c) ---------------------------------------------------------------------------- */
 
 /** Opens the folder: a new one, or that of an earlier session of the study. */
 int study_open_folder(cli_study *s);
 
-/** Looks for a stored row, unless all are to run again, and fills its record. It is found only if everything that it
+/** Looks for a stored row, unless it is to run again, and fills its record. It is found only if everything that it
  *  depends on is the same: source, compiler and flags of the program, the processor, threads and instruction set, and
- *  its scene with all values. Without -o nothing is stored or found. */
+ *  its scene with all values; if a shard ran it, with any processor and threads, which change its times alone. Without
+ *  -o nothing is stored or found. */
 int study_find(cli_study *s, sph2d_study_row *row);
 
-int study_keep(cli_study *s, const sph2d_study_row *row);
+/** Stores a row. Of a shard: if another process did meanwhile, the record becomes that one, which others may have
+ *  read. */
+int study_keep(cli_study *s, sph2d_study_row *row);
 
-/* ---- output (table.c, json.c, csv.c, plot.c, page.c) ------------------------------------------------------------- */
+/* ---- output (table.c, json.c, csv.c, plot.c, page.c, outputs.c) -------------------------------------------------- */
 
 /** Prints the rows as a table, whose bars make it Markdown too, and the verdict. */
 void study_table_print(const cli_study *s);
@@ -68,5 +83,9 @@ int study_plot(cli_study *s);
 /** study.html: the first comments of scene and study, the command, the verdict, the table, the plots and the conditions
  *  of the times. */
 int study_page_write(cli_study *s);
+
+/** All files of the results, and removes those of earlier ones that these do not have. Several processes may do so at
+ *  the same time with the same rows. */
+int study_outputs_write(cli_study *s);
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "../exit.h"
@@ -30,6 +31,7 @@ typedef struct drawing {
     point *points; /* those of lines with a name first, line by line */
     size_t count, lines, named;
     int pictures;
+    char unfinished[48]; /* what the names of pictures end in before they are whole */
 } drawing;
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
@@ -164,11 +166,19 @@ static void put_script(const void *d, FILE *out)
 
 /* ---- gnuplot ----------------------------------------------------------------------------------------------------- */
 
-/* Runs the script in the folder; its pictures get names that say they are not whole yet. */
-static bool run_gnuplot(const cli_study *s)
+/* Pictures get names that say they are not whole yet, and that no other process has, on any machine. */
+static void name_unfinished(drawing *d)
 {
-    char names_are[64];
-    snprintf(names_are, sizeof names_are, "before='.'; after='.tmp.%ld'", (long)getpid());
+    struct timespec now = {0};
+    clock_gettime(CLOCK_REALTIME, &now);
+    snprintf(d->unfinished, sizeof d->unfinished, ".tmp.%ld%09ld", (long)getpid(), now.tv_nsec);
+}
+
+/* Runs the script in the folder. */
+static bool run_gnuplot(const cli_study *s, const char *unfinished)
+{
+    char names_are[80];
+    snprintf(names_are, sizeof names_are, "before='.'; after='%s'", unfinished);
     fflush(NULL);
     pid_t pid = fork();
     if (pid == 0) {
@@ -188,9 +198,9 @@ static bool run_gnuplot(const cli_study *s)
     return status == 0;
 }
 
-static bool keep_picture(cli_study *s, const char *name, const char *kind)
+static bool keep_picture(cli_study *s, const char *after, const char *name, const char *kind)
 {
-    const char *path = folder_file(&s->folder, ".%s.%s.tmp.%ld", name, kind, (long)getpid());
+    const char *path = folder_file(&s->folder, ".%s.%s%s", name, kind, after);
     char *unfinished = path ? strdup(path) : NULL;
     path = folder_file(&s->folder, "%s.%s", name, kind);
     bool kept = unfinished && path && rename(unfinished, path) == 0;
@@ -198,13 +208,16 @@ static bool keep_picture(cli_study *s, const char *name, const char *kind)
     return kept;
 }
 
-static int draw(cli_study *s, int pictures)
+static int draw(cli_study *s, drawing *d)
 {
     bool kept = true;
-    if (!run_gnuplot(s))
+    name_unfinished(d);
+    if (!run_gnuplot(s, d->unfinished))
         return CLI_EXIT_SUCCESS;
-    for (int i = 0; i < pictures && i < 2; ++i)
-        kept = keep_picture(s, names[i], "svg") && keep_picture(s, names[i], "png") && kept;
+    s->pictures = d->pictures;
+    for (int i = 0; i < d->pictures && i < 2; ++i)
+        kept =
+            keep_picture(s, d->unfinished, names[i], "svg") && keep_picture(s, d->unfinished, names[i], "png") && kept;
     if (!kept)
         message_error(SPH2D_CODE_FILE_WRITE, NULL, "gnuplot did not write all pictures to '%s'", s->folder.path);
     return kept ? CLI_EXIT_SUCCESS : CLI_EXIT_IO;
@@ -214,9 +227,11 @@ int study_plot(cli_study *s)
 {
     drawing d = {.study = s};
     int code = find_points(&d) ? CLI_EXIT_SUCCESS : study_report(s, SPH2D_NOMEM);
-    if (code == CLI_EXIT_SUCCESS && d.pictures > 0) {
+    s->plotted = d.pictures > 0;
+    s->pictures = 0;
+    if (code == CLI_EXIT_SUCCESS && s->plotted) {
         code = study_first(study_write(s, "plots.dat", put_data, &d), study_write(s, "plots.gp", put_script, &d));
-        code = code == CLI_EXIT_SUCCESS ? draw(s, d.pictures) : code;
+        code = code == CLI_EXIT_SUCCESS ? draw(s, &d) : code;
     }
     free(d.points);
     return code;

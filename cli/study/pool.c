@@ -80,7 +80,7 @@ static sph2d_study_row *next_row(pool *p)
     cli_study *s = p->study;
     for (; p->next < s->results->row_count; ++p->next) {
         sph2d_study_row *row = &s->results->rows[p->next];
-        if (!row->wanted || row->there)
+        if (!row->wanted || row->there || !study_owns(s, row))
             continue;
         int code = study_find(s, row);
         note_code(p, code != CLI_EXIT_SUCCESS ? code : exit_of_status(row->record.status));

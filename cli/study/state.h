@@ -26,7 +26,11 @@ typedef struct cli_study {
     uint64_t repeat;   /**< how often a short row is run */
     double target;     /**< the error for which the cheapest row is reported */
     size_t kept;       /**< number of rows from earlier sessions of this study */
+    size_t by_shards;  /**< number of rows that shards ran, on any processor with any number of threads */
+    size_t missing;    /**< of a shard: number of wanted rows that are not in the folder yet */
     bool stopped;      /**< by a signal, before all rows were run */
+    bool plotted;      /**< plots.gp and plots.dat were written ... */
+    int pictures;      /**< ... and so many pictures drawn by gnuplot */
     sph2d_report report;
 } cli_study;
 

@@ -52,11 +52,12 @@ static int prepare(cli_study *s)
 
 /* ---- the rows ---------------------------------------------------------------------------------------------------- */
 
-/* The steps that build on the front of what is there, up to the first that is to be left out. */
+/* The steps that build on the front of what is there, up to the first that is to be left out. A shard goes on while it
+ * has the rows of all. */
 static int refine(cli_study *s)
 {
     int code = CLI_EXIT_SUCCESS;
-    for (size_t step = 0; step < s->study->refinement_count && !s->stopped; ++step) {
+    for (size_t step = 0; step < s->study->refinement_count && !s->stopped && s->missing == 0; ++step) {
         if (s->study->refinements[step].skip && !s->options->all) {
             message_note("the study stops before '%s'; --all goes on", s->study->refinements[step].name);
             break;
@@ -68,19 +69,23 @@ static int refine(cli_study *s)
         if (status != SPH2D_OK)
             return study_report(s, status);
         code = study_first(code, study_pool_run(s, first));
+        code = study_first(code, study_gather(s, first));
     }
     return code;
 }
 
 static void tell_left_out(const cli_study *s)
 {
-    size_t skipped = 0, missing = 0;
+    size_t skipped = 0, missing = 0, own = 0;
     bool kept = s->options->output;
     for (size_t r = 0; r < s->results->row_count; ++r) {
         const sph2d_study_row *row = &s->results->rows[r];
         skipped += !row->wanted;
-        missing += row->wanted && !row->there;
+        missing += row->wanted && !row->there && study_owns(s, row);
+        own += study_owns(s, row);
     }
+    if (own == 0)
+        message_note("shard %d of %d has no row of %zu", s->options->shard, s->options->shards, s->results->row_count);
     if (s->kept > 0)
         message_note("%zu row%s there already, unchanged, and not run again; --force runs all anew", s->kept,
                      s->kept == 1 ? " was" : "s were");
@@ -90,15 +95,8 @@ static void tell_left_out(const cli_study *s)
     else if (skipped > 0)
         message_note("%zu row%s left out; --all runs %s too", skipped, skipped == 1 ? "" : "s",
                      skipped == 1 ? "it" : "them");
-}
-
-static int write_outputs(cli_study *s)
-{
-    static int (*const parts[])(cli_study *) = {study_csv_write, study_open_write, study_plot, study_page_write};
-    int code = s->options->output ? folder_clear_study(&s->folder) : CLI_EXIT_SUCCESS;
-    for (size_t i = 0; s->options->output && i < sizeof parts / sizeof *parts && code == CLI_EXIT_SUCCESS; ++i)
-        code = parts[i](s);
-    return code;
+    if (s->missing > 0 && !s->stopped && !s->options->json)
+        study_missing_tell(s);
 }
 
 /* Runs row after row; one that fails does not keep the others from running. Returns the first exit code that is none of
@@ -106,17 +104,21 @@ static int write_outputs(cli_study *s)
 static int run_rows(cli_study *s)
 {
     int code = study_pool_run(s, 0);
+    code = study_first(code, study_gather(s, 0));
     code = study_first(code, refine(s));
     tell_left_out(s);
     code = study_first(code, study_report(s, sph2d_study_results_measure(s->results)));
-    return study_first(code, write_outputs(s));
+    bool whole = s->options->output && s->missing == 0;
+    return study_first(code, whole ? study_outputs_write(s) : CLI_EXIT_SUCCESS);
 }
 
-/* What is wrong with the numbers, and whether an error is above its bound. */
+/* What is wrong with the numbers, and whether an error is above its bound. A shard answers for its own rows. */
 static int judge(cli_study *s)
 {
     bool missed = false;
     STUDY_FOR_ROWS (s, row) {
+        if (!study_owns(s, row))
+            continue;
         sph2d_study_row_judge(s->results, row, &s->report);
         missed = missed || s->report.errors > 0;
         study_report(s, SPH2D_OK);
@@ -128,11 +130,11 @@ static int finish(cli_study *s, int code)
 {
     int signal = s->stopped ? signals_caught() : 0;
     const char *end = signal != 0 ? signals_name(signal) : "finished";
-    if (!s->options->quiet && !s->options->json)
+    if (!s->options->quiet && !s->options->json && s->missing == 0)
         study_table_print(s);
     code = study_first(code, judge(s));
     if (s->options->json)
-        study_json_print(s, end, code == CLI_EXIT_SUCCESS);
+        (s->missing == 0 ? study_json_print : study_missing_json)(s, end, code == CLI_EXIT_SUCCESS);
     return signal != 0 ? 128 + signal : code;
 }
 
@@ -146,11 +148,15 @@ int command_study(const cli_options *options)
         message_usage("study", "the standard input cannot be a study: each row reads the scene again, beside the file");
         return CLI_EXIT_USAGE;
     }
+    if (options->shards > 0 && !options->output) {
+        message_usage("study", "--shard needs -o DIR, the folder that all shards share");
+        return CLI_EXIT_USAGE;
+    }
     cli_study s = {.options = options, .path = options->operands[0], .folder = FOLDER_CLOSED};
     s.threads = threads_choose(options);
     s.jobs = options->jobs > 0 ? (size_t)options->jobs : 1;
-    if (options->jobs > 1 && options->threads == 0) /* rows beside each other have one each */
-        s.threads = (thread_choice){1, "one a row, with --jobs"};
+    if ((options->jobs > 1 || options->shards > 0) && options->threads == 0) /* rows beside each other have one each */
+        s.threads = (thread_choice){1, options->jobs > 1 ? "one a row, with --jobs" : "one a row, with --shard"};
     signals_install();
     int code = prepare(&s);
     signals_note();

@@ -76,23 +76,29 @@ static void print_rows(const cli_study *s, const study_column *columns, int *wid
 char *study_conditions(const cli_study *s, char *out, size_t size)
 {
     const char *isa = NULL;
-    size_t beside = 0;
+    size_t rows = 0, beside = 0;
     char in_use[TEXT_SIZE];
     STUDY_FOR_ROWS (s, row)
         if (row->record.isa[0] != '\0') {
             isa = row->record.isa;
             beside += isnan(row->record.wall) ? 1 : 0;
+            ++rows;
         }
     out[0] = '\0';
     if (!isa)
         return out;
-    snprintf(out, size, "%s, %s", threads_describe(in_use, s->threads.count, &s->threads), isa);
+    bool shards = s->by_shards == rows;
+    snprintf(out, size, "%s, %s",
+             shards ? "each shard's own threads" : threads_describe(in_use, s->threads.count, &s->threads), isa);
     size_t used = strlen(out);
     if (s->repeat > 1)
         snprintf(out + used, size - used, ", least of %" PRIu64 " runs where one takes less than %d s", s->repeat,
                  SPH2D_STUDY_REPEATED);
     used = strlen(out);
-    if (s->jobs > 1)
+    if (s->by_shards > 0)
+        snprintf(out + used, size - used, ", %zu row%s by shards, perhaps on other processors: CPU seconds alone",
+                 s->by_shards, s->by_shards == 1 ? "" : "s");
+    else if (s->jobs > 1)
         snprintf(out + used, size - used, ", %zu rows at a time: CPU seconds alone", s->jobs);
     else if (beside > 0)
         snprintf(out + used, size - used, ", %zu rows were run beside others: CPU seconds alone", beside);

@@ -55,7 +55,7 @@ void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int out)
     sph2d_study_run_options options = {.threads = s->threads.count,
                                        .isa = s->options->isa,
                                        .repeat = s->repeat,
-                                       .beside_others = s->jobs > 1,
+                                       .beside_others = s->jobs > 1 || s->options->shards > 0,
                                        .go_on = go_on,
                                        .user = &w};
     signals_prepare();

@@ -11,7 +11,7 @@ LD_PRELOAD=$SPH2D_FAULTS/faults_shim.so FAULTS_COUNT=count "$SPH2D" --version >o
 [ -s count ] || exit 77
 
 FEW=2 "$SPH2D_ROOT/tests/faults/faults.sh" "$SPH2D" "$SPH2D_FAULTS/faults_shim.so" "$SPH2D_FAULTS/faults_library" few 2 \
-    library run resume check info study >out 2>err || fail 'a fault has a wrong end'
+    library run resume check info study shard >out 2>err || fail 'a fault has a wrong end'
 
 # broken_by SIGNAL OPTION...: a breakdown has a last sentence and an exit code.
 broken_by() {

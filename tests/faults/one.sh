@@ -34,6 +34,7 @@ run_command() {
     info) set -- "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" ;;
     info_run) set -- "$SPH2D" info "$REFERENCE/run" ;;
     study) set -- "$SPH2D" study "$study" -q -j 1 -J 2 -o out ;;
+    shard) set -- "$SPH2D" study "$study" -q --shard 2/2 -o out ;;
     library) set -- "$LIBRARY" ;;
     esac
     code=0
@@ -46,6 +47,7 @@ prepare() {
     resume) mkdir out && cp "$REFERENCE"/run/*.csv "$REFERENCE"/run/snapshot_00000[01].h5 out ;;
     run_over) cp -r "$REFERENCE/run" out ;;
     preview) mkdir out ;;
+    shard) "$SPH2D" study "$study" -q --shard 1/2 -o out ;;
     esac
 }
 
@@ -60,10 +62,10 @@ check_files() {
     [ "$leftover" = 0 ] || grep -q 'broke down\|ended the command' err || wrong 'a temporary file is left'
     find out -type f ! -name '.*' -printf '%P\n' | while read -r file; do
         case $case/$file in
-        study/*.csv | study/plots.* | study/study.html)
+        study/*.csv | study/plots.* | study/study.html | shard/*.csv | shard/plots.* | shard/study.html)
             [ -z "$(tail -c 1 "out/$file")" ] || wrong "$file does not end with its line"
             ;;
-        study/*) ;;
+        study/* | shard/*) ;;
         *.csv)
             cmp -s -n "$(stat -c %s "out/$file")" "out/$file" "$expected/$file" || wrong "$file is not what it should be"
             [ -z "$(tail -c 1 "out/$file")" ] || [ "$fault" != "${fault#truncate}" ] ||
@@ -97,7 +99,7 @@ check_recovery() {
         "$SPH2D" init out --template drop -f >/dev/null 2>again </dev/null || wrong "fails again: $(head -n 1 again)"
         diff -r "$expected" out >/dev/null || wrong 'it writes another scene'
         ;;
-    study)
+    study | shard)
         [ ! -d out ] || "$SPH2D" study "$study" -q -j 1 -f -o out >/dev/null 2>again </dev/null ||
             wrong "fails again: $(head -n 1 again)"
         ;;
@@ -111,7 +113,7 @@ case $code in
 0)
     case $case in
     info | info_run | library) cmp -s printed "$REFERENCE/$case.txt" || wrong 'it prints something else' ;;
-    check | study) ;;
+    check | study | shard) ;;
     *) diff -r "$expected" out >/dev/null || wrong 'the results are others' ;;
     esac
     ;;
