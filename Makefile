@@ -34,7 +34,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm,$(MAKECMDGOALS))),)
 
 define install_packages
 missing() {
@@ -45,6 +45,7 @@ missing() {
     test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || for tool in Xvfb xdotool; do
         command -v $$tool >/dev/null || echo $$tool | tr X x
     done
+    test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
     done
@@ -187,7 +188,7 @@ TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh examples/*.sh))
+    tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -493,6 +494,9 @@ test-kills: $(BUILD)/sph2d ## a run killed at random moments: no torn file, the 
 test-long: $(BUILD)/sph2d ## tanks and streams for a million steps, by every method (20 minutes); STEPS=1000000
 	$(hush)tests/long/long.sh $(BUILD)/sph2d $(BUILD)/long "$$(nproc)" $(or $(STEPS),1000000)
 
+test-slurm: $(BUILD)/sph2d ## a study of 32 rows as an array job of a real Slurm (a minute; installs Debian's)
+	$(hush)tests/slurm/slurm.sh $(BUILD)/sph2d $(BUILD)/slurm
+
 strangers-dozen: $(BUILD)/sph2d $(BUILD)/tests/strangers ## a dozen six-line scenes by every method: energy, level, time
 	$(hush)tests/strangers/dozen.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/dozen "$$(nproc)"
 
@@ -684,7 +688,7 @@ help: ## this list
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
-    test-kills test-long test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage coverage-run \
+    test-kills test-long test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage coverage-run \
     bench-instructions bench-variants report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

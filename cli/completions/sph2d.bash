@@ -68,7 +68,7 @@ _sph2d_value() { # NAME
 _sph2d_operand() { # ALREADY
     [[ $1 = 0 || $operands == *...* ]] || return
     case $operands in
-    SCENE* | STUDY*) _sph2d_paths '*.yaml' '*.yml' '*.json' ;;
+    SCENE* | '[SCENE]'* | STUDY*) _sph2d_paths '*.yaml' '*.yml' '*.json' ;;
     SNAPSHOT* | PATH*) _sph2d_paths '*.h5' ;;
     DIR*) _sph2d_paths ;;
     '[TOPIC]') _sph2d_words "${commands[@]}" "${topics[@]}" ;;
