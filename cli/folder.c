@@ -355,7 +355,7 @@ int folder_reopen(cli_folder *f, const char *path)
 
 int folder_look(cli_folder *f, const char *path)
 {
-    *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL};
+    *f = (cli_folder){.path = path, .lock = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
     if (f->lock >= 0)
         return CLI_EXIT_SUCCESS;
     message_error(SPH2D_CODE_FILE_OPEN, NULL, "cannot read the folder '%s': %s", path, strerror(errno));

@@ -13,6 +13,7 @@
 #include "../clock.h"
 #include "../exit.h"
 #include "../message.h"
+#include "../scene_input.h"
 #include "../templates.h"
 
 /* How long a message is shown [s]; frames of a film for each of its seconds. */
@@ -69,15 +70,25 @@ static sph2d_status open_file(game *g, sph2d_scene_file *file, sph2d_report *rep
     return SPH2D_OK;
 }
 
+/* Templates are played by the method that takes the longest steps, 2 % compressible, but for what --set says. */
+static const sph2d_override PLAYED[] = {{"method.name", "constraint"}, {"method.max_compression", "0.02"}};
+enum { PLAYED_COUNT = sizeof PLAYED / sizeof PLAYED[0] };
+
 static sph2d_status open_template(game *g, size_t index, sph2d_report *report)
 {
     const scene_template *from = &scene_templates[index];
-    size_t length = 0;
+    size_t length = 0, count = g->options->override_count;
     sph2d_scene_file *file = NULL;
     char *text = scene_template_text(from, from->name, &length);
-    sph2d_status status = text ? sph2d_scene_file_parse(text, length, from->name, g->options->overrides,
-                                                        g->options->override_count, &file, report)
-                               : SPH2D_NOMEM;
+    sph2d_override *overrides = malloc((PLAYED_COUNT + count) * sizeof *overrides);
+    sph2d_status status = SPH2D_NOMEM;
+    if (text && overrides) {
+        memcpy(overrides, PLAYED, sizeof PLAYED);
+        if (count > 0)
+            memcpy(overrides + PLAYED_COUNT, g->options->overrides, count * sizeof *overrides);
+        status = sph2d_scene_file_parse(text, length, from->name, overrides, PLAYED_COUNT + count, &file, report);
+    }
+    free(overrides);
     free(text);
     return status == SPH2D_OK ? open_file(g, file, report) : status;
 }
@@ -91,8 +102,7 @@ int game_open(game *g, const cli_options *options, const sph2d_sim_options *sim_
     if (options->operand_count == 0)
         status = open_template(g, 0, &report);
     else {
-        status =
-            sph2d_scene_file_read(options->operands[0], options->overrides, options->override_count, &file, &report);
+        status = scene_input_read(options, &file, &report);
         if (status == SPH2D_OK) {
             sph2d_report_clear(&report); /* creating the simulation repeats warnings */
             status = open_file(g, file, &report);
@@ -118,6 +128,7 @@ static const char help[] = "mouse: left uses the tool, right pushes, wheel: its 
                            "arrows gravity  0 no gravity\n"
                            "V B viscosity  T Y tension  K L stiffness\n"
                            "M metaballs, points  C colour\n"
+                           "A as many particles as follow the clock\n"
                            "S save  F film  H this help  Q quit";
 
 /* A folder that does not exist yet, NAME_000 and on; false with a message where none can be made. */
@@ -228,6 +239,26 @@ static void restart(game *g)
     tell_report(g, live_restart(&g->live, 0, &report), &report);
 }
 
+/* Starts again at the spacing at which this machine follows the clock: in two dimensions the cost of simulated time goes
+ * with the third power of the number of particles along a side. */
+static void fit(game *g)
+{
+    static const double part = 0.7, most = 4; /* of the clock for steps; of change at once */
+    if (!(g->live.pace > 0)) {
+        tell(g, "let it run for a moment first");
+        return;
+    }
+    sph2d_report report = {0};
+    const double factor = cbrt(g->rate / (part * g->live.pace));
+    const double spacing = g->live.scene.spacing * fmin(fmax(factor, 1 / most), most);
+    const sph2d_status status = live_restart(&g->live, spacing, &report);
+    tell_report(g, status, &report);
+    if (status == SPH2D_OK) {
+        take_scene(g);
+        tell(g, "spacing %.3g m: %zu particles", spacing, sph2d_sim_fluid(g->live.sim).count);
+    }
+}
+
 static void open_number(game *g, size_t number)
 {
     sph2d_report report = {0};
@@ -319,6 +350,9 @@ void game_key(game *g, int key)
         break;
     case 'R':
         restart(g);
+        break;
+    case 'A':
+        fit(g);
         break;
     case 'S':
         save(g);

@@ -32,6 +32,7 @@ static sph2d_status create(live *l, sph2d_report *report)
     l->due = sph2d_sim_time(sim);
     l->stopped = SPH2D_OK;
     l->ratio = 1;
+    l->pace = 0;
     return SPH2D_OK;
 }
 
@@ -96,7 +97,9 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
     while (l->stopped == SPH2D_OK && sph2d_sim_time(l->sim) + 0.5 * sph2d_sim_time_step(l->sim) < l->due &&
            clock_wall() - begun < budget)
         l->stopped = sph2d_sim_step(l->sim, report);
-    const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1);
+    const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1), spent = clock_wall() - begun;
+    if (now > from && spent > 0)
+        l->pace += (l->pace > 0 ? 0.1 : 1) * ((now - from) / spent - l->pace);
     l->due = fmin(l->due, now + fmax(MOST_BEHIND * seconds / fmax(budget, 1e-3), sph2d_sim_time_step(l->sim)));
     l->ratio += share * ((now - from) / seconds - l->ratio);
     return l->stopped;

@@ -17,6 +17,7 @@ typedef struct live {
     sph2d_status stopped;     /**< why it takes no more steps */
     double due;               /**< simulated time that should be reached now [s] */
     double ratio;             /**< simulated time over that of the clock, in the mean over about a second */
+    double pace;               /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
     sph2d_vec2 *corners;      /**< of the walls that were drawn */
     size_t corner_count;
 } live;

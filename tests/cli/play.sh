@@ -78,6 +78,15 @@ expect 0 "$SPH2D" check played_000/scene.yaml -q
 expect 0 "$SPH2D" info played_000/snapshot_000000.h5
 expect 0 "$SPH2D" resume played_000 -q --no-frames
 
+# Another spacing starts again, so that the machine follows.
+play pool.yaml
+sleep 1
+xdotool key a
+sleep 1
+quit
+fitted=$(sed -n 's/.*; \([0-9]*\) particles$/\1/p' err)
+[ "$fitted" != "$first" ] || fail "$fitted particles before and after the fit"
+
 # Wiping takes liquid away, also with dots, while the run is paused; another scene has other particles.
 play pool.yaml --style points --color speed
 xdotool key space key e mousemove --window "$window" 60 180 mousedown 1
