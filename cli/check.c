@@ -83,7 +83,7 @@ static void estimate(checked *c)
 
 static int draw_preview(checked *c)
 {
-    frame_style style = frame_style_of_scene(c->scene);
+    frame_style style = frame_style_of_scene(sph2d_sim_scene(c->sim));
     frame_writer *writer = NULL;
     sph2d_status status = frame_writer_create(&style, c->options, &writer, &c->report);
     particle_source source = {.sim = c->sim};
