@@ -13,7 +13,7 @@
 
 /* Pictures a second at most, and the part of their time that steps may take; then the size of the window at first. */
 static const double MOST_PICTURES = 60, STEPS_PART = 0.9;
-enum { WIDTH = 1280, HEIGHT = 720 };
+enum { WIDTH = 960, HEIGHT = 540 };
 
 /* The longest that is taken for one turn of the loop, as after the window was dragged [s]. */
 static const double LONGEST_TURN = 0.1;

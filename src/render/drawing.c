@@ -4,7 +4,8 @@
  *  patches that are copied to the target. */
 #include "render/drawing.h"
 
-#include <stdio.h>
+#include <stdint.h>
+#include <string.h>
 
 #include "render/caption.h"
 #include "render/colorbar.h"
@@ -116,47 +117,102 @@ sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *pic
 
 /* ---- texts ------------------------------------------------------------------------------------------------------- */
 
+/* The parts of an image that have text: where they are, and what they show. */
+enum { LEGEND, STRIP, NOTES, PARTS };
+_Static_assert((int)PARTS == SPH2D__TEXTS, "each part has a mark in sph2d__drawing");
+
+static bool has_part(const sph2d_picture *picture, const sph2d__layout *at, int part)
+{
+    return part == LEGEND ? at->legend : (part == STRIP ? picture->caption : picture->notes) != NULL;
+}
+
+static sph2d__pixel_box box_of(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
+                               int part)
+{
+    switch (part) {
+    case LEGEND:
+        return (sph2d__pixel_box){self->width - at->right, 0, at->right, self->height - at->below};
+    case STRIP:
+        return (sph2d__pixel_box){0, self->height - at->below, self->width, at->below};
+    default:
+        break;
+    }
+    sph2d__pixel_box notes = sph2d__notes_box(self->width, self->height, picture->notes);
+    const int columns = self->width - at->right - notes.x, rows = self->height - at->below - notes.y;
+    notes.width = notes.width < columns ? notes.width : columns; /* each part has a place of its own in the patch */
+    notes.height = notes.height < rows ? notes.height : rows;
+    return notes;
+}
+
+static void write_part(const sph2d__canvas *canvas, const sph2d_picture *picture, const sph2d__layout *at, int part)
+{
+    if (part == LEGEND)
+        sph2d__colorbar_draw(canvas, at->min, at->max, picture->value_label);
+    else if (part == STRIP)
+        sph2d__caption_draw(canvas, &at->view, picture->caption);
+    else
+        sph2d__notes_draw(canvas, picture->notes);
+}
+
 void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
                           unsigned char *pixels)
 {
     const sph2d__canvas canvas = {pixels, self->width, self->height};
-    if (at->legend)
-        sph2d__colorbar_draw(&canvas, at->min, at->max, picture->value_label);
-    if (picture->caption)
-        sph2d__caption_draw(&canvas, &at->view, picture->caption);
-    if (picture->notes)
-        sph2d__notes_draw(&canvas, picture->notes);
+    for (int part = 0; part < PARTS; ++part)
+        if (has_part(picture, at, part))
+            write_part(&canvas, picture, at, part);
 }
 
-/* Copies a box of pixels to the target. */
-static void copy_to_target(sph2d__drawing *self, sph2d__pixel_box box, const unsigned char *pixels)
+/* ---- texts on what is shown -------------------------------------------------------------------------------------- */
+
+/* Continues a hash (FNV-1a) by some bytes. */
+static uint64_t hash(uint64_t so_far, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; ++i)
+        so_far = (so_far ^ ((const unsigned char *)bytes)[i]) * UINT64_C(1099511628211);
+    return so_far;
+}
+
+/* A mark of what a part shows: writing takes longer than drawing the liquid, so that it is done only for news. */
+static uint64_t mark_of(const sph2d_picture *picture, const sph2d__layout *at, int part)
+{
+    const char *text = part == LEGEND ? picture->value_label : part == STRIP ? picture->caption : picture->notes;
+    const double numbers[5] = {part, at->min, at->max, at->view.scale, at->right + 1e6 * at->below};
+    return hash(hash(UINT64_C(14695981039346656037), numbers, sizeof numbers), text ? text : "",
+                text ? strlen(text) : 0);
+}
+
+/* Writes a part on the scratch pad, and uploads it to its place in the patch. */
+static void renew_part(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at, int part,
+                       sph2d__pixel_box box, unsigned char *pixels)
 {
     const sph2d__gl *gl = &self->gl;
-    if (box.width <= 0 || box.height <= 0)
-        return;
+    const sph2d__canvas canvas = {pixels, self->width, self->height};
+    sph2d__canvas_fill(&canvas, box.x, box.y, box.width, box.height,
+                       (sph2d__ink){outside[0], outside[1], outside[2], 1.0});
+    write_part(&canvas, picture, at, part);
     gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, self->width);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, box.width, box.height, GL_RGBA, GL_UNSIGNED_BYTE,
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, box.x, box.y, box.width, box.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       pixels + 4 * ((size_t)box.y * (size_t)self->width + (size_t)box.x));
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     gl->BindTexture(GL_TEXTURE_2D, 0);
-    sph2d__target_copy(gl, &self->patch, (sph2d__pixel_box){0, 0, box.width, box.height}, self->target.framebuffer, box,
-                       false);
 }
 
 void sph2d__drawing_write_to_target(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
                                     unsigned char *pixels)
 {
-    const sph2d__canvas canvas = {pixels, self->width, self->height};
-    const sph2d__ink paper = {outside[0], outside[1], outside[2], 1.0};
-    const sph2d__pixel_box legend = {self->width - at->right, 0, at->right, self->height},
-                           strip = {0, self->height - at->below, self->width - at->right, at->below};
-    sph2d__canvas_fill(&canvas, legend.x, legend.y, legend.width, legend.height, paper);
-    sph2d__canvas_fill(&canvas, strip.x, strip.y, strip.width, strip.height, paper);
-    sph2d__drawing_write(self, picture, at, pixels);
-    copy_to_target(self, legend, pixels);
-    copy_to_target(self, strip, pixels);
-    if (picture->notes)
-        copy_to_target(self, sph2d__notes_box(self->width, self->height, picture->notes), pixels);
+    for (int part = 0; part < PARTS; ++part) {
+        if (!has_part(picture, at, part))
+            continue;
+        const sph2d__pixel_box box = box_of(self, picture, at, part);
+        const uint64_t mark = mark_of(picture, at, part);
+        if (box.width <= 0 || box.height <= 0)
+            continue;
+        if (self->marks[part] != mark)
+            renew_part(self, picture, at, part, box, pixels);
+        self->marks[part] = mark;
+        sph2d__target_copy(&self->gl, &self->patch, box, self->target.framebuffer, box, false);
+    }
 }

@@ -7,6 +7,9 @@
 #include "render/metaballs.h"
 #include "render/walls.h"
 
+/** Colour bar, caption, notes. */
+enum { SPH2D__TEXTS = 3 };
+
 /** What drawing needs in OpenGL, for images of one size and style. */
 typedef struct sph2d__drawing {
     int width, height; /**< [px] */
@@ -18,7 +21,8 @@ typedef struct sph2d__drawing {
     sph2d__metaballs metaballs;
     sph2d__walls walls;
     sph2d__target target;
-    sph2d__target patch; /**< for text on what is shown */
+    sph2d__target patch;          /**< for text on what is shown, at its place */
+    uint64_t marks[SPH2D__TEXTS]; /**< of what is in it */
 } sph2d__drawing;
 
 /** Where a picture is in the image, and what is beside it. */
