@@ -205,7 +205,7 @@ objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
 CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(PASS_OBJ)
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
-BASE_OBJ := $(call objects,$(filter-out src/base/report.c src/base/version.c,$(filter src/base/%,$(CORE_SRC))))
+BASE_OBJ := $(call objects,$(filter-out $(addprefix src/base/,report.c shared.c version.c),$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
 STUDY_OBJ := $(call objects,$(STUDY_SRC))
 CONTACTS_OBJ := $(call objects,$(CONTACTS_SRC))

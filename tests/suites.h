@@ -86,6 +86,7 @@
     X(ledger)                                                                                                          \
     X(ledger_pressure)                                                                                                 \
     X(memory)                                                                                                          \
+    X(shared)                                                                                                          \
     X(broken)                                                                                                          \
     X(null)                                                                                                            \
     X(outputs)                                                                                                         \

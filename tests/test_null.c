@@ -79,6 +79,8 @@ START_TEST(simulations)
     UNKNOWN(sph2d_sim_obstacle(NULL, 0).center.x);
     REFUSED_SILENTLY(sph2d_contacts_attach(NULL));
     sph2d_sim_destroy(NULL);
+    sph2d_shared_hold(NULL);
+    sph2d_shared_release(NULL);
     sph2d_sim_output_done(NULL, 0);
     NOTHING(sph2d_sim_time(NULL) != 0 || sph2d_sim_time_step(NULL) != 0);
     NOTHING(sph2d_sim_steps(NULL) + (uint64_t)sph2d_sim_threads(NULL) + sph2d_sim_memory(NULL));

@@ -14,6 +14,7 @@
 #include "sph2d/key.h"
 #include "sph2d/method.h"
 #include "sph2d/scene.h"
+#include "sph2d/shared.h"
 #include "sph2d/sim.h"
 #include "sph2d/state.h"
 #include "sph2d/status.h"
