@@ -22,9 +22,14 @@ docdir ?= $(datadir)/doc/sph2d
 bashcompletiondir ?= $(datadir)/bash-completion/completions
 zshcompletiondir ?= $(datadir)/zsh/site-functions
 pkgconfigdir ?= $(libdir)/pkgconfig
+# Where the first Python looks for modules below the prefix. The package of NumPy is for that of the system alone.
+PYTHONS := $(or $(PYTHON),python3 /usr/bin/python3)
+python_folders = import sys; [print(d) for d in sys.path if d.startswith("$(prefix)/lib") and d.endswith("-packages")]
+pythondir ?= $(or $(firstword $(shell for p in $(PYTHONS); do "$$p" -I -c '$(python_folders)' 2>/dev/null; done)), \
+    $(prefix)/lib/python3/dist-packages)
 INSTALL ?= install
 PKG_CONFIG ?= pkg-config
-# also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
+# also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR PYTHON; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
 
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
 PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
@@ -37,6 +42,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm,$(MAKECMDGOALS))),)
 
 define install_packages
+with_numpy() { for p in $(PYTHONS); do ! "$$p" -c 'import numpy' 2>/dev/null || return 0; done; return 1; }
 missing() {
     command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
     echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
@@ -46,6 +52,7 @@ missing() {
         command -v $$tool >/dev/null || echo $$tool | tr X x
     done
     test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
+    test -z '$(filter test test-full test-sanitize,$(MAKECMDGOALS))' || with_numpy || echo python3-numpy
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
     done
@@ -67,6 +74,8 @@ packages=$$(missing | tr '\n' ' ')
 test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
 test -n "$$packages" || exit 0
 if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
+# Without NumPy the tests of the Python module are left out.
+command -v apt-get >/dev/null && $$root true 2>/dev/null || test "$$packages" != 'python3-numpy ' || exit 0
 command -v apt-get >/dev/null && $$root true 2>/dev/null ||
     stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'
 echo "Installing the packages that are missing (a minute or two): $$packages"
@@ -188,7 +197,7 @@ TEMPLATES := cli/study/page.html cli/study/plots.gp
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -390,6 +399,11 @@ test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppre
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
 test: $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
+# Python is not built with sanitizers: gcc's come before all other libraries, clang's are none.
+PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
+    $$($(CC) -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0)
+WITH_NUMPY = $(firstword $(shell for p in $(PYTHONS); do "$$p" -c 'import numpy' 2>/dev/null && echo "$$p"; done))
+test: $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so)
 test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
@@ -397,6 +411,8 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	    sed -n 's/.*\<\(sph2d_[a-z0-9_]*\)([^)]*\*.*/\1/p'); do \
 	    grep -q "$$f(" tests/test_null*.c || { echo "tests/test_null.c lacks $$f"; exit 1; }; done
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
+	$(if $(and $(SANITIZE),$(CLANG)),,$(hush)SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
+	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD))
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
@@ -576,6 +592,8 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)rm -rf $(STAGING); mkdir -p $(STAGING)/run
 	$(hush)$(MAKE) install $(STAGE) >/dev/null
 	$(hush)sed -i 's|^prefix=.*|prefix=$(STAGING)/usr|' $(STAGING)/usr/lib/pkgconfig/*.pc; \
+	module=$$(find $(STAGING)/usr -name sph2d.py); test -n "$$module" || { echo 'install: sph2d.py is missing'; exit 1; }; \
+	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/*} '$(WITH_NUMPY)' examples/embed.py >$(STAGING)/run/log || exit 1; \
 	export PKG_CONFIG_PATH=$(STAGING)/usr/lib/pkgconfig LD_LIBRARY_PATH=$(STAGING)/usr/lib; \
 	for static in '' --static; do \
 	    test -z "$$static" || rm $(STAGING)/usr/lib/*.so*; \
@@ -645,7 +663,7 @@ DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.g
     $(foreach e,yaml csv py md,examples/*/*.$(e))))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
-	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' \
+	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)' \
 	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
 	    $(sort $(foreach f,$(DOC_FILES),'$D$(docdir)/$(patsubst ./,,$(dir $(f)))'))
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
@@ -653,6 +671,7 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
 	cp -P $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so.$(SOMAJOR) $(BUILD)/$(l).so) '$D$(libdir)'
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
+	$(INSTALL) -m 644 python/sph2d.py '$D$(pythondir)'
 	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in >'$D$(pkgconfigdir)/$(l).pc' &&) true
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
@@ -665,6 +684,7 @@ uninstall: ## the reverse of install, with the same settings
 	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
 	rm -f '$D$(bashcompletiondir)/sph2d' '$D$(zshcompletiondir)/_sph2d'
+	rm -f '$D$(pythondir)/sph2d.py' '$D$(pythondir)/__pycache__'/sph2d.*.pyc
 	rm -rf '$D$(includedir)/sph2d' '$D$(docdir)'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
@@ -683,7 +703,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^=]*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@printf '%s\n' '' 'Settings: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS' \
 	    '  DESTDIR prefix bindir libdir includedir datadir mandir docdir pkgconfigdir bashcompletiondir' \
-	    '  zshcompletiondir INSTALL PKG_CONFIG' \
+	    '  zshcompletiondir pythondir INSTALL PKG_CONFIG PYTHON' \
 	    '  BUILD=build RENDER=0 OPENMP=0 SHARED=1 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \

@@ -139,6 +139,10 @@ cp "$tree/tests/cli/terminal.py" "$tree/tests/package/complete.py" user/home/use
 as_user 'touch scene.yaml && python3 complete.py'
 echo 'completions: ok'
 
+install_in user python.log "$(package python3-sph2d)"
+as_user 'python3 /usr/share/doc/sph2d/examples/embed.py && python3 -c "import sph2d; sph2d.Renderer(64, 64)"'
+echo 'python: ok'
+
 install_in user dev.log "$(package libsph2d-dev)" gcc libc6-dev pkgconf
 page 3 libsph2d 'libsph2d-study'
 # shellcheck disable=SC2016 # the inner shell expands it
@@ -153,7 +157,7 @@ as_user 'pkg-config --exists --print-errors "sph2d = '"$version"'" sph2d-io sph2
     done'
 echo 'programs: ok'
 
-quietly purge.log inside user apt-get -q -y purge sph2d libsph2d0 libsph2d-dev
+quietly purge.log inside user apt-get -q -y purge sph2d libsph2d0 libsph2d-dev python3-sph2d
 left=$(cd user && find . -name '*sph2d*' ! -path './packages/*' ! -path './home/*')
 [ -z "$left" ] || fail "purge leaves $left"
 rm -rf builder user

@@ -1,0 +1,1237 @@
+# SPDX-License-Identifier: MIT
+"""Simulate liquids in two dimensions: the libraries of sph2d, with NumPy views of their particles.
+
+    import sph2d
+
+    sim = sph2d.Simulation({"domain": {"min": [0, 0], "max": [1, 1]}, "spacing": 0.02,
+                            "blocks": [{"box": {"min": [0, 0], "max": [0.4, 0.6]}}]})
+    sim.run_to(0.5)
+    print(sim.fluid.x.max(), sim.summary().compression_p99)
+
+Scenes are dicts with the keys of scene files (sph2d-scene(5)), or the files themselves. All numbers are in SI units;
+masses, forces and energies are per metre of depth.
+
+Views. The arrays of Simulation.fluid, walls and field() are the library's own memory: nothing is copied, and they
+cannot be written to. They show the particles of the moment at which they were taken, so take them again after every
+step, and copy() what is to be kept. An old view never dangles, not after steps that need more memory nor after close():
+the memory lives as long as a view of it. But after a step it may hold other particles, in another order, or another
+quantity.
+
+Threads. Calls release Python's lock, so that simulations run side by side in threads. One simulation is used by one
+thread at a time: others wait for its step to end. HDF5 is not thread-safe; calls of this module that use it wait for
+each other, but h5py, where it shares HDF5 with this module, must not be used by another thread at the same time.
+
+The libraries are looked for in the folder that the environment variable SPH2D_LIBRARY_DIR names, and nowhere else if it
+is set; else in the folders `lib` beside this file and above it, as `make install` puts them; then by the system's
+loader. libsph2d and libsph2d-io must be there, libsph2d-contacts for scenes with bodies, libsph2d-render for pictures.
+"""
+import collections
+import collections.abc
+import ctypes
+import functools
+import json
+import math
+import operator
+import os
+import pathlib
+import re
+import sys
+import sysconfig
+import threading
+import warnings
+import weakref
+
+import numpy as np
+
+__all__ = ["BodyState", "Densities", "Diagnostic", "Error", "Particles", "Plan", "Renderer", "Sample", "Scene",
+           "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary"]
+__version__ = "0.1.0"
+
+# ---- what is used of the headers -------------------------------------------------------------------------------------
+# Declarations of C as they are in include/sph2d, which tests/python/test_layout.py lets the compiler compare with
+# those.
+
+_TYPES_TEXT = """
+typedef enum sph2d_status { SPH2D_OK = 0, SPH2D_INVALID = 1 } sph2d_status;
+typedef enum sph2d_code { SPH2D_CODE_GENERAL = 0 } sph2d_code;
+typedef enum sph2d_severity { SPH2D_ERROR = 0, SPH2D_WARNING = 1 } sph2d_severity;
+typedef enum sph2d_type { SPH2D_F64 = 0, SPH2D_U64 = 1 } sph2d_type;
+typedef enum sph2d_group { SPH2D_GROUP_FLUID = 0, SPH2D_GROUP_WALL = 1, SPH2D_GROUP_RUN = 2,
+    SPH2D_GROUP_OUTLINE = 3 } sph2d_group;
+typedef enum sph2d_side { SPH2D_SIDE_WALL = 0 } sph2d_side;
+typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0 } sph2d_switch;
+typedef enum sph2d_shape_kind { SPH2D_SHAPE_BOX = 1, SPH2D_SHAPE_DISC = 2, SPH2D_SHAPE_POLYGON = 3 } sph2d_shape_kind;
+typedef enum sph2d_style { SPH2D_STYLE_METABALLS = 0, SPH2D_STYLE_POINTS = 1 } sph2d_style;
+typedef enum sph2d_isa { SPH2D_ISA_AUTO = 0, SPH2D_ISA_BASELINE = 1, SPH2D_ISA_AVX2 = 2,
+    SPH2D_ISA_AVX512 = 3 } sph2d_isa;
+typedef enum sph2d_probe_kind { SPH2D_PROBE_ENERGY = 0 } sph2d_probe_kind;
+typedef enum sph2d_key_kind { SPH2D_KEY_NUMBER = 0, SPH2D_KEY_COUNT = 1, SPH2D_KEY_COUNTS2 = 2, SPH2D_KEY_TEXT = 3,
+    SPH2D_KEY_WORD = 4, SPH2D_KEY_POINT = 5, SPH2D_KEY_POINTS = 6, SPH2D_KEY_PATH = 7, SPH2D_KEY_POSES = 8,
+    SPH2D_KEY_NUMBERS = 9, SPH2D_KEY_GROUP = 10, SPH2D_KEY_LIST = 11 } sph2d_key_kind;
+typedef struct sph2d_vec2 { double x, y; } sph2d_vec2;
+typedef struct sph2d_box { sph2d_vec2 min, max; } sph2d_box;
+typedef struct sph2d_disc { sph2d_vec2 center; double radius; } sph2d_disc;
+typedef struct sph2d_points { const sph2d_vec2 *items; size_t count; } sph2d_points;
+typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_disc disc; sph2d_points polygon; } sph2d_shape;
+typedef struct sph2d_particle { double x, y; double vx, vy; double density; } sph2d_particle;
+typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
+typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
+typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; double radius; const char *color;
+    sph2d_vec2 color_range; sph2d_switch caption; } sph2d_frames;
+typedef struct sph2d_diagnostic { sph2d_severity severity; sph2d_code code; char path[96]; char file[256];
+    int line, column; char excerpt[160]; char message[320]; char hint[480]; } sph2d_diagnostic;
+typedef struct sph2d_report { size_t count; size_t dropped; size_t errors; sph2d_diagnostic items[20]; } sph2d_report;
+typedef struct sph2d_key { const char *name; sph2d_key_kind kind; bool required; size_t offset; size_t count_offset;
+    double min, max; bool min_excluded; bool zero_is_unset; bool nan_is_unset; size_t choice_offset; int choice;
+    const char *const *words; const struct sph2d_keys *keys; bool as_mapping; const char *unit;
+    const char *default_text; const char *text; bool stands_alone; int feature; void *preset; } sph2d_key;
+typedef struct sph2d_keys { const sph2d_key *items; size_t count; size_t size; void *set_default; } sph2d_keys;
+typedef struct sph2d_plan { size_t fluid_particles; size_t wall_particles; size_t places_left_free; double area_asked;
+    double area_left_out; double most_left_out; size_t most_left_out_block; double area_placed; double particle_mass;
+    double support_radius; double sound_speed; char sound_speed_formula[160]; double head; double impact_compression;
+    double time_step; const char *time_step_limit; double steps; double memory; double snapshots, frames;
+    double disk; } sph2d_plan;
+typedef struct sph2d_allocator { void *resize; void *user; } sph2d_allocator;
+typedef struct sph2d_sim_options { size_t struct_size; int threads; sph2d_isa isa; sph2d_allocator allocator;
+    bool profile; } sph2d_sim_options;
+typedef struct sph2d_view { size_t count; const double *x, *y; const double *vx, *vy; const double *ax, *ay;
+    const double *density; const double *pressure; const uint64_t *id; } sph2d_view;
+typedef struct sph2d_sample { double velocity[2]; double pressure; double density; double neighbours; } sph2d_sample;
+typedef struct sph2d_body_state { sph2d_vec2 center; double angle; sph2d_vec2 velocity; double rate; sph2d_vec2 force;
+    double torque; } sph2d_body_state;
+typedef struct sph2d_summary { double time; uint64_t steps; uint64_t particle_steps; uint64_t particles;
+    double compression_p99; double compression_mean; double compression_max; double kinetic, potential; double elastic;
+    double energy_start; double energy_rise; double energy_error; double energy_error_rise; double energy_walls;
+    double energy_forces; double energy_viscous; double energy_diffused; double energy_stopped; double bodies;
+    double energy_contacts; double energy_pressed; double energy_scale; double density_apart; double energy_fed;
+    double momentum[2]; double speed_max; uint64_t fed, blocked; uint64_t drained; uint64_t let_in, let_out;
+    uint64_t left_open[4]; uint64_t backstop_hits; uint64_t reflections; uint64_t iterations; uint64_t unconverged;
+    uint64_t limited_by[4]; double time_step_min, time_step_max; double neighbours; } sph2d_summary;
+typedef struct sph2d_densities { double reported; double counted; sph2d_status status; } sph2d_densities;
+typedef struct sph2d_array { sph2d_group group; const char *name; const char *description; signed char unit[3];
+    sph2d_type type; unsigned components; size_t count; size_t stride; const void *data[2]; } sph2d_array;
+typedef struct sph2d_state { uint64_t version; const sph2d_array *arrays; size_t array_count; } sph2d_state;
+typedef struct sph2d_override { const char *path, *value; } sph2d_override;
+typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_version; const char *method;
+    const char *isa; const char *scene_text; double time; double time_step; uint64_t steps; sph2d_box domain;
+    sph2d_boundary boundary; double spacing; double support_radius; double sound_speed;
+    sph2d_frames frames; } sph2d_snapshot_info;
+typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; const char *gl;
+    void *get_proc_address; const char *shader_dir; } sph2d_render_options;
+typedef struct sph2d_picture { sph2d_box view; double radius; size_t count; const double *x, *y; const double *values;
+    double value_min, value_max; const char *value_label; size_t outline_count;
+    const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
+    const char *caption; const char *notes; } sph2d_picture;
+"""
+
+_VERSION_TEXT = "const char *sph2d_version(void);"
+
+_FUNCTIONS_TEXT = {
+    "sph2d": _VERSION_TEXT + """
+const char *sph2d_status_name(sph2d_status status);
+const char *sph2d_status_text(sph2d_status status);
+const char *sph2d_code_text(sph2d_code code);
+void sph2d_report_clear(sph2d_report *report);
+size_t sph2d_diagnostic_format(const sph2d_diagnostic *diagnostic, char *buffer, size_t size);
+const sph2d_keys *sph2d_scene_keys(void);
+sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report);
+sph2d_sim_options sph2d_sim_options_default(void);
+const char *sph2d_isa_name(sph2d_isa isa);
+sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
+    sph2d_report *report);
+sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
+    sph2d_sim **sim, sph2d_report *report);
+void sph2d_sim_destroy(sph2d_sim *sim);
+sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
+double sph2d_sim_time(const sph2d_sim *sim);
+uint64_t sph2d_sim_steps(const sph2d_sim *sim);
+double sph2d_sim_time_step(const sph2d_sim *sim);
+sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);
+int sph2d_sim_threads(const sph2d_sim *sim);
+size_t sph2d_sim_memory(const sph2d_sim *sim);
+const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
+sph2d_allocator sph2d_shared_allocator(void);
+void sph2d_shared_hold(const void *block);
+void sph2d_shared_release(const void *block);
+sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
+sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
+size_t sph2d_field_count(sph2d_group group);
+sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
+bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out);
+sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
+sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
+sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *particles, size_t count, size_t *added);
+sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed);
+sph2d_body_state sph2d_sim_body(const sph2d_sim *sim, size_t index);
+sph2d_body_state sph2d_sim_obstacle(const sph2d_sim *sim, size_t index);
+sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec2 velocity, double rate);
+const char *sph2d_probe_columns(sph2d_probe_kind kind);
+size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[12]);
+sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
+sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
+""",
+    "sph2d-io": """
+sph2d_status sph2d_scene_file_read(const char *path, const sph2d_override *overrides, size_t override_count,
+    sph2d_scene_file **file, sph2d_report *report);
+sph2d_status sph2d_scene_file_read_open(int descriptor, const char *name, const sph2d_override *overrides,
+    size_t override_count, sph2d_scene_file **file, sph2d_report *report);
+void sph2d_scene_file_destroy(sph2d_scene_file *file);
+const sph2d_scene *sph2d_scene_file_scene(const sph2d_scene_file *file);
+const char *sph2d_scene_file_text(const sph2d_scene_file *file);
+void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic);
+sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
+    sph2d_report *report);
+sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report);
+sph2d_status sph2d_snapshot_read_unchecked(const char *path, sph2d_snapshot **snapshot, sph2d_report *report);
+void sph2d_snapshot_destroy(sph2d_snapshot *snapshot);
+sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot);
+sph2d_state sph2d_snapshot_state(const sph2d_snapshot *snapshot);
+const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name);
+sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_override *more, size_t more_count,
+    sph2d_scene_file **file, sph2d_report *report);
+""",
+    "sph2d-contacts": "sph2d_status sph2d_contacts_attach(sph2d_sim *sim);",
+    "sph2d-render": """
+sph2d_render_options sph2d_render_options_default(void);
+sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_renderer **renderer,
+    sph2d_report *report);
+void sph2d_renderer_destroy(sph2d_renderer *renderer);
+sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d_picture *picture, sph2d_report *report);
+const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer);
+sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
+""",
+}
+
+_TYPES = {"double": ctypes.c_double, "uint64_t": ctypes.c_uint64, "size_t": ctypes.c_size_t, "int": ctypes.c_int,
+          "unsigned": ctypes.c_uint, "bool": ctypes.c_bool, "char": ctypes.c_char, "signed char": ctypes.c_byte,
+          "void": None}
+_BASE = r"((?:(?:const|struct|signed|unsigned) )*\w+) "
+_DECLARATOR = r"((?:\*(?:const )?)*)(\w*)(?:\[(\d+)\])?"
+
+
+def _type_of(base, stars):
+    """The ctypes type of a C type. All pointers but those to texts are addresses."""
+    base = base.replace("const ", "")
+    if stars == "*" and base == "char":
+        return ctypes.c_char_p
+    return ctypes.c_void_p if stars else _TYPES[base]
+
+
+def _members_of(body):
+    """(name, type) of each member of a struct."""
+    for member in filter(str.strip, body.split(";")):
+        base, declarators = re.fullmatch(_BASE + "(.*)", " ".join(member.split())).groups()
+        for declarator in declarators.split(", "):
+            stars, name, length = re.fullmatch(_DECLARATOR, declarator).groups()
+            kind = _type_of(base, stars)
+            yield name, kind * int(length) if length else kind
+
+
+def _declare_types(text):
+    """Adds enums to _TYPES, their enumerators to _ENUM, and structs to both _TYPES and _STRUCT, without the prefix."""
+    for what, name, body in re.findall(r"typedef (enum|struct) (\w+) \{(.*?)\} \2;", text, re.DOTALL):
+        if what == "enum":
+            _TYPES[name] = ctypes.c_int
+            for constant in body.split(","):
+                key, value = constant.split("=")
+                _ENUM[key.strip()[len("SPH2D_"):]] = int(value)
+        else:
+            _TYPES[name] = type(name, (ctypes.Structure,), {"_fields_": list(_members_of(body))})
+            _STRUCT[name[len("sph2d_"):]] = _TYPES[name]
+
+
+def _declare_functions(library, text):
+    """Sets arguments and result of the functions of a library that is loaded."""
+    for base, stars, name, parameters in re.findall(_BASE + r"(\**)(\w+)\(([^)]*)\);", text):
+        function = getattr(library, name)
+        function.restype = _type_of(base, stars)
+        arguments = []
+        for parameter in () if parameters == "void" else parameters.split(","):
+            base, declarator = re.fullmatch(_BASE + "(.*)", " ".join(parameter.split())).groups()
+            stars, _, length = re.fullmatch(_DECLARATOR, declarator).groups()
+            arguments.append(_type_of(base, stars or ("*" if length else "")))
+        function.argtypes = arguments
+
+
+_ENUM, _STRUCT = {}, {}
+_declare_types(_TYPES_TEXT)
+_OK = _ENUM["OK"]
+
+# ---- the libraries ---------------------------------------------------------------------------------------------------
+
+
+def _find_folder():
+    """The folder with libsph2d; None: the system's loader finds it."""
+    given = os.environ.get("SPH2D_LIBRARY_DIR")
+    if given:
+        return pathlib.Path(given).absolute()
+    below = ["", "lib", "lib64", "lib/" + (sysconfig.get_config_var("MULTIARCH") or "")]
+    for parent in pathlib.Path(__file__).resolve().parents:
+        for folder in below:
+            if (parent / folder / "libsph2d.so.0").exists():
+                return parent / folder
+    return None
+
+
+def _load(name):
+    """A library with its functions declared. Errors: OSError, AttributeError for one that has not all of them,
+    ImportError for another version."""
+    file = f"lib{name}.so.0"
+    library = ctypes.CDLL(str(_FOLDER / file) if _FOLDER else file)
+    if name == "sph2d":
+        _check_version(library)
+    _declare_functions(library, _FUNCTIONS_TEXT[name])
+    return library
+
+
+def _check_version(library):
+    _declare_functions(library, _VERSION_TEXT)
+    version = library.sph2d_version().decode()
+    # While the major number is 0, a new minor number may change the interface.
+    if version.split(".")[:2] != __version__.split(".")[:2]:
+        raise ImportError(f"the Python module {__file__} is of sph2d {__version__}, libsph2d in {_WHERE} of {version}: "
+                          "install both from the same source, or set SPH2D_LIBRARY_DIR to the folder of the right "
+                          "library")
+
+
+def _load_core():
+    """libsph2d and libsph2d-io. Errors: ImportError where they are missing or of another version."""
+    try:
+        core, files = _load("sph2d"), _load("sph2d-io")
+    except OSError as error:
+        raise ImportError(f"no libsph2d and libsph2d-io in {_WHERE}: {error}; install them with `make install`, or set "
+                          "SPH2D_LIBRARY_DIR to their folder") from error
+    except AttributeError as error:
+        raise ImportError(f"libsph2d or libsph2d-io in {_WHERE} is older than the Python module {__file__}: {error}; "
+                          "install both from the same source") from error
+    if core.sph2d_sim_options_default().struct_size != ctypes.sizeof(_STRUCT["sim_options"]):
+        raise ImportError(f"libsph2d in {_WHERE} has structs other than those of the Python module {__file__}: install "
+                          "both from the same source")
+    return core, files
+
+
+def _load_optional(name, status, what):
+    """A library that is only needed for something. Errors: Error, which says what for."""
+    if name not in _LOADED:
+        try:
+            _LOADED[name] = _load(name)
+        except (OSError, AttributeError) as error:
+            raise _failure(status, f"no lib{name} in {_WHERE}, which is needed {what}: {error}") from error
+    return _LOADED[name]
+
+
+_FOLDER = _find_folder()
+_WHERE = _FOLDER or "the folders of the system's loader"
+_CORE, _IO = _load_core()
+_LOADED = {}
+# libsph2d-io may be used by one thread at a time.
+_IO_LOCK = threading.RLock()
+
+
+def _status_texts():
+    """Sentences for statuses, by name."""
+    texts = {}
+    while "UNKNOWN" not in texts:
+        status = len(texts)
+        texts[_CORE.sph2d_status_name(status).decode()] = _CORE.sph2d_status_text(status).decode()
+    return texts
+
+
+_STATUS_TEXTS = _status_texts()
+
+# ---- errors ----------------------------------------------------------------------------------------------------------
+
+Diagnostic = collections.namedtuple("Diagnostic",
+                                    "severity code path file line column excerpt message hint text")
+Diagnostic.__doc__ = """One sentence of a report.
+
+severity: "error" or "warning"; code: "S104", as `sph2d help codes` lists them; path: key of the scene,
+"blocks[0].box.max", "" for none; file, line, column, excerpt: where it was written, counted from 1, "" and 0 if
+unknown; message: what is wrong; hint: what to do about it; text: all of it as the command prints it."""
+
+
+class Error(Exception):
+    """A call of the library failed. str() gives all sentences of its report.
+
+    status: the library's, "SCENE", "GUARD", "NOINPUT", "FORMAT", "CANTCREAT", "IO", "RENDER", "INVALID", "NOMEM";
+    diagnostics: tuple of Diagnostic, errors and warnings, in the order in which they were found; dropped: how many more
+    there were than fit into a report, 20."""
+
+    def __init__(self, status, diagnostics=(), dropped=0):
+        super().__init__(status, diagnostics, dropped)
+        self.status, self.diagnostics, self.dropped = status, diagnostics, dropped
+
+    def __str__(self):
+        lines = [diagnostic.text for diagnostic in self.diagnostics] or [_STATUS_TEXTS[self.status]]
+        return "\n".join(lines + [f"and {self.dropped} more"] * (self.dropped > 0))
+
+
+class SceneWarning(UserWarning):
+    """Something in a scene that is allowed, but probably not meant; the text says what to do."""
+
+
+def _failure(status, message):
+    """An Error with a sentence of this module's own."""
+    return Error(status, (Diagnostic("error", "G000", "", "", 0, 0, "", message, "", message),))
+
+
+def _diagnostic(item):
+    text = ctypes.create_string_buffer(_CORE.sph2d_diagnostic_format(ctypes.byref(item), None, 0) + 1)
+    _CORE.sph2d_diagnostic_format(ctypes.byref(item), text, len(text))
+    severity = "warning" if item.severity == _ENUM["WARNING"] else "error"
+    return Diagnostic(severity, _CORE.sph2d_code_text(item.code).decode(), _python(item.path), _python(item.file),
+                      item.line, item.column, _python(item.excerpt), _python(item.message), _python(item.hint),
+                      _python(text.value))
+
+
+def _warn(text):
+    """Warns of what the caller of this module did."""
+    frame, level = sys._getframe(), 1
+    here = frame.f_code.co_filename
+    while frame and frame.f_code.co_filename == here:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(text, SceneWarning, stacklevel=level)
+
+
+def _tell(status, report, scene=None):
+    """Raises an Error if a call failed, else warns of what its report has; of each thing in a scene once."""
+    if scene:
+        with _IO_LOCK:
+            for item in report.items[:report.count]:
+                _IO.sph2d_scene_file_locate(scene._file, ctypes.byref(item))
+    found = tuple(_diagnostic(item) for item in report.items[:report.count])
+    if status != _OK:
+        raise Error(_CORE.sph2d_status_name(status).decode(), found, report.dropped)
+    told = scene._told if scene else set()
+    for diagnostic in found:
+        if (diagnostic.path, diagnostic.message) not in told:
+            told.add((diagnostic.path, diagnostic.message))
+            _warn(diagnostic.text)
+
+
+# ---- values between C and Python -------------------------------------------------------------------------------------
+
+# The named tuple of each struct that is handed out.
+_RECORDS = {}
+
+
+def _record(name, without=()):
+    """A named tuple with the fields of a struct."""
+    kind = _STRUCT[name]
+    members = [member for member, _ in kind._fields_ if member not in without]
+    _RECORDS[kind] = collections.namedtuple("".join(map(str.title, name.split("_"))), members)
+    return _RECORDS[kind]
+
+
+Summary, Plan, BodyState, Box, Boundary = map(_record, ("summary", "plan", "body_state", "box", "boundary"))
+Densities, SnapshotInfo = _record("densities", ["status"]), _record("snapshot_info", ["frames"])
+Summary.__doc__ = "Totals and errors of a run: the fields of sph2d_summary, documented in sph2d/sim.h."
+Plan.__doc__ = "Size and derived parameters of a scene: the fields of sph2d_plan, documented in sph2d/scene.h."
+BodyState.__doc__ = """Where a body or obstacle is, and how it moves: center [m], of mass, of an obstacle the point
+about which it turns; angle since the start [rad], velocity of the center [m/s], rate [rad/s], anticlockwise; force of
+the liquid [N/m] and its torque [N], in the mean over the last step, 0 for obstacles. Documented in sph2d/sim.h."""
+Densities.__doc__ = """Mean density inside the liquid over rest density: `reported` by the particles, and `counted` from
+their number. NaN if fewer than 20 particles are inside."""
+SnapshotInfo.__doc__ = """What a snapshot says of itself: the fields of sph2d_snapshot_info but `frames`, documented in
+sph2d/io.h. The sides of `boundary` are words."""
+
+
+def _python(value):
+    """A value of C as one of Python: points and arrays are tuples, structs are named tuples."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    if isinstance(value, ctypes.Array):
+        return tuple(value)
+    if isinstance(value, _STRUCT["vec2"]):
+        return value.x, value.y
+    if type(value) in _RECORDS:
+        record = _RECORDS[type(value)]
+        return record(*(_python(getattr(value, name)) for name in record._fields))
+    return value
+
+
+def _vec2(point):
+    x, y = point
+    return _STRUCT["vec2"](x, y)
+
+
+def _path_bytes(path):
+    """The name of a file for C, where a zero byte would end it."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("a name of a file has no zero byte")
+    return name
+
+
+def _json(value, indent=""):
+    """A value as JSON, a key per line, so that a message shows the line of its key."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return '"on"' if value else '"off"'
+    inner = indent + " "
+    if isinstance(value, collections.abc.Mapping):
+        items = [f"{json.dumps(str(key))}: {_json(item, inner)}" for key, item in value.items()]
+        return "{\n" + inner + f",\n{inner}".join(items) + f"\n{indent}}}" if items else "{}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_json(item, inner) for item in value) + "]"
+    return json.dumps(os.fspath(value) if isinstance(value, os.PathLike) else value)
+
+
+def _overrides(changes):
+    changes = [(str(key).encode(), _json(value).encode()) for key, value in (changes or {}).items()]
+    if any(b"\0" in key for key, _ in changes):
+        raise ValueError("a path of a key has no zero byte")
+    return (_STRUCT["override"] * len(changes))(*changes)
+
+
+def _whole(name, value, low, high):
+    """A whole number within limits; C would cut off what is beyond those of its type."""
+    value = operator.index(value)
+    if not low <= value <= high:
+        raise ValueError(f"{name} must be {low} to {high}, not {value}")
+    return value
+
+
+class _Borrowed:
+    """Memory of an owner as a read-only array of NumPy, which keeps the owner alive."""
+
+    def __init__(self, owner, kind, address, count, stride=1):
+        self.owner = owner
+        self.__array_interface__ = {"version": 3, "typestr": kind, "shape": (count,), "strides": (8 * stride,),
+                                    "data": (address, True)}
+
+
+_F64, _U64 = np.dtype(np.float64).str, np.dtype(np.uint64).str
+
+
+def _copy(kind, address, count, stride=1):
+    """`count` values, or one for all where the stride is 0, that cannot be written to."""
+    values = np.frombuffer(ctypes.string_at(address, 8 * (count if stride else 1)) if count else b"", kind)
+    return values if stride or not count else np.broadcast_to(values, count)
+
+
+def _group(name):
+    groups = {"fluid": _ENUM["GROUP_FLUID"], "wall": _ENUM["GROUP_WALL"], "run": _ENUM["GROUP_RUN"],
+              "outline": _ENUM["GROUP_OUTLINE"]}
+    if name not in groups:
+        raise ValueError(f"a group is one of {', '.join(groups)}, not {name!r}")
+    return groups[name]
+
+
+def _components(array, view):
+    """The array of an sph2d_array, or a tuple of two. view(kind, address, count, stride) makes them."""
+    kind = _U64 if array.type == _ENUM["U64"] else _F64
+    made = tuple(view(kind, address, array.count, array.stride) for address in array.data[:array.components])
+    return made if len(made) > 1 else made[0]
+
+
+class Particles:
+    """Particles, one value each, as arrays that cannot be written to. len() is their number.
+
+    x, y: position [m]; vx, vy: velocity [m/s]; ax, ay: acceleration [m/s^2], None for walls; density [kg/m^3]; pressure
+    [Pa]; id: a particle's permanent number. None stands for what there is not."""
+
+    __slots__ = ("x", "y", "vx", "vy", "ax", "ay", "density", "pressure", "id")
+
+    def __init__(self, **arrays):
+        for name in self.__slots__:
+            setattr(self, name, arrays.get(name))
+
+    def __len__(self):
+        return len(self.x)
+
+    def __repr__(self):
+        return f"<sph2d.Particles: {len(self)}>"
+
+
+Sample = collections.namedtuple("Sample", "velocity pressure density neighbours")
+Sample.__doc__ = """The liquid at points: velocity [m/s], shape (..., 2); pressure [Pa], density [kg/m^3] and the number
+of particles within the support radius, shape (...). NaN where no particle is within it."""
+
+# ---- scenes ----------------------------------------------------------------------------------------------------------
+
+
+def _keys_at(address):
+    keys = _STRUCT["keys"].from_address(address)
+    return list((_STRUCT["key"] * keys.count).from_address(keys.items))
+
+
+def _words_of(key):
+    words = []
+    while ctypes.c_char_p.from_address(key.words + 8 * len(words)).value is not None:
+        words.append(ctypes.c_char_p.from_address(key.words + 8 * len(words)).value.decode())
+    return words
+
+
+@functools.lru_cache(maxsize=None)
+def _words(path):
+    """The words of a key, "run.frames.style"."""
+    address = _CORE.sph2d_scene_keys()
+    for name in path.split("."):
+        key = next(key for key in _keys_at(address) if key.name.decode() == name)
+        address = key.keys
+    return _words_of(key)
+
+
+# Numbers of an item of a list, by kind.
+_WIDTHS = {_ENUM["KEY_POINTS"]: 2, _ENUM["KEY_PATH"]: 3, _ENUM["KEY_POSES"]: 4, _ENUM["KEY_NUMBERS"]: 1}
+
+
+def _list_value(key, owner):
+    """The value of a key of a list kind in the struct at address `owner`."""
+    items = ctypes.c_void_p.from_address(owner + key.offset).value
+    count = ctypes.c_size_t.from_address(owner + key.count_offset).value if items else 0
+    if key.kind == _ENUM["KEY_LIST"]:
+        size = _STRUCT["keys"].from_address(key.keys).size
+        return [_group_value(key.keys, items + k * size) for k in range(count)]
+    width = _WIDTHS[key.kind]
+    numbers = list((ctypes.c_double * (count * width)).from_address(items)) if count else []
+    return numbers if width == 1 else [tuple(numbers[k:k + width]) for k in range(0, count * width, width)]
+
+
+def _key_value(key, owner):
+    """The value of a key in the struct at address `owner`; None: not given."""
+    at = owner + key.offset
+    if key.kind == _ENUM["KEY_GROUP"]:
+        return _group_value(key.keys, at)
+    if key.kind == _ENUM["KEY_TEXT"]:
+        text = ctypes.c_char_p.from_address(at).value
+        return None if text is None else _python(text)
+    if key.kind == _ENUM["KEY_WORD"]:
+        return _words_of(key)[ctypes.c_int.from_address(at).value]
+    if key.kind == _ENUM["KEY_COUNTS2"]:
+        return tuple((ctypes.c_uint64 * 2).from_address(at))
+    if key.kind == _ENUM["KEY_POINT"]:
+        point = _python(_STRUCT["vec2"].from_address(at))
+        return None if key.nan_is_unset and math.isnan(point[0]) else point
+    if key.kind in (_ENUM["KEY_NUMBER"], _ENUM["KEY_COUNT"]):
+        number = (ctypes.c_double if key.kind == _ENUM["KEY_NUMBER"] else ctypes.c_uint64).from_address(at).value
+        unset = key.nan_is_unset and math.isnan(number) or key.zero_is_unset and number == 0
+        return None if unset else number
+    return _list_value(key, owner)
+
+
+def _group_value(keys, owner):
+    chosen = (key for key in _keys_at(keys)
+              if key.choice == 0 or ctypes.c_int.from_address(owner + key.choice_offset).value == key.choice)
+    return {key.name.decode(): _key_value(key, owner) for key in chosen}
+
+
+def _own(owner, destroy, address):
+    """Has `destroy` called for what the library made, when `owner` is gone; at the end of the process not at all, as
+    other threads may be using it."""
+    finalizer = weakref.finalize(owner, destroy, address)
+    finalizer.atexit = False
+    return finalizer
+
+
+def _destroy_scene(file):
+    with _IO_LOCK:
+        _IO.sph2d_scene_file_destroy(file)
+
+
+def _destroy_snapshot(snapshot):
+    with _IO_LOCK:
+        _IO.sph2d_snapshot_destroy(snapshot)
+
+
+class Scene:
+    """A scene that was read and checked.
+
+    source: a dict (any mapping) with the keys of a scene file, or the name of a scene file. Values of a dict are what
+    YAML has: numbers, texts, lists, dicts; tuples, arrays of NumPy, paths and True and False (for on and off) are
+    taken, too. Files that it names are relative to the current folder, those of a scene file to its folder.
+    set: a dict of changes on top, from paths of keys to values: {"fluid.density": 900, "blocks[0].velocity": [1, 0]}.
+
+    Errors: Error with status SCENE, with every fault of the scene; NOINPUT; NOMEM. Warns with SceneWarning."""
+
+    def __init__(self, source, set=None):
+        changes, report, file = _overrides(set), _STRUCT["report"](), ctypes.c_void_p()
+        rest = changes, len(changes), ctypes.byref(file), ctypes.byref(report)
+        with _IO_LOCK:
+            if isinstance(source, collections.abc.Mapping):
+                with open(os.memfd_create("scene"), "w+b", buffering=0) as text:
+                    text.write(_json(source).encode())
+                    text.seek(0)
+                    status = _IO.sph2d_scene_file_read_open(text.fileno(), b"scene", *rest)
+            else:
+                status = _IO.sph2d_scene_file_read(_path_bytes(source), *rest)
+        self._take(file.value, status, report)
+
+    def _take(self, file, status, report):
+        self._told = set()
+        if status == _OK:
+            self._file = file
+            _own(self, _destroy_scene, file)
+            with _IO_LOCK:
+                self._address = _IO.sph2d_scene_file_scene(file)
+        _tell(status, report, self if status == _OK else None)
+
+    @property
+    def text(self):
+        """The text as it was read; of a dict as JSON."""
+        with _IO_LOCK:
+            return _python(_IO.sph2d_scene_file_text(self._file))
+
+    def as_dict(self):
+        """Every key of the scene as a nested dict, with its default where it was not given; None: no value, the method
+        derives one or does without. Of keys that exclude each other only the one that is given. What files gave is
+        in place of their names, for motions and histories."""
+        return _group_value(_CORE.sph2d_scene_keys(), self._address)
+
+    def plan(self):
+        """Its Plan. Places the particles to make it. Errors: Error with status SCENE, NOMEM."""
+        plan, report = _STRUCT["plan"](), _STRUCT["report"]()
+        status = _CORE.sph2d_scene_plan(self._address, ctypes.byref(plan), ctypes.byref(report))
+        _tell(status, report, self)
+        return _python(plan)
+
+
+# ---- simulations -----------------------------------------------------------------------------------------------------
+
+
+class _Block:
+    """A block of a simulation's memory, which lives at least as long as this."""
+
+    def __init__(self, address):
+        _CORE.sph2d_shared_hold(address)
+        self.address = address
+
+    def __del__(self, _release=_CORE.sph2d_shared_release):
+        _release(self.address)
+
+
+class Simulation:
+    """A simulation: its scene, its particles, its clock.
+
+    source, set: a Scene, or what makes one. threads: largest number of threads, 1 to 1024; default 0: the number of
+    processors that the process may use; results are the same bits for any number. isa: instruction set, "baseline",
+    "avx2" or "avx512"; default "auto": the widest that the processor has.
+
+    contacts: whether bodies meet each other and walls (libsph2d-contacts), default True; False: they pass through each
+    other and through walls.
+
+    Memory is freed with the last reference to it, or by close(); a simulation is a context manager, too. Afterwards all
+    calls raise ValueError. Errors: as of Scene, and Error with status INVALID, NOMEM; ValueError for other threads or
+    an unknown isa. Warns with SceneWarning."""
+
+    def __init__(self, source, set=None, *, threads=0, isa="auto", contacts=True):
+        if isinstance(source, Scene) and set:
+            raise TypeError("`set` changes a scene as it is read: Scene(source, set)")
+        self._create(source if isinstance(source, Scene) else Scene(source, set), None, threads, isa, contacts)
+
+    def _create(self, scene, state, threads, isa, contacts):
+        self._scene, self._keys, self._sim = scene, scene.as_dict(), None
+        self._lock, self._report = threading.RLock(), _STRUCT["report"]()
+        options = _CORE.sph2d_sim_options_default()
+        options.threads, options.isa = _whole("threads", threads, 0, 1024), _isa_of(isa)
+        options.allocator = _CORE.sph2d_shared_allocator()
+        function, from_state = _CORE.sph2d_sim_create, ()
+        if state is not None:
+            function, from_state = _CORE.sph2d_sim_restore, (ctypes.byref(state),)
+        made = ctypes.c_void_p()
+        try:
+            status = function(scene._address, ctypes.byref(options), *from_state, ctypes.byref(made),
+                              ctypes.byref(self._report))
+        finally:  # Ctrl-C is raised after the call
+            if made:
+                self._sim, self._destroy = made.value, _own(self, _CORE.sph2d_sim_destroy, made.value)
+        _tell(status, self._report, scene)
+        if contacts and self._keys["bodies"]:
+            what = "for contacts of bodies (contacts=False does without)"
+            library = _load_optional("sph2d-contacts", "INVALID", what)
+            library.sph2d_contacts_attach(self._sim)
+
+    # -- its life
+
+    def close(self):
+        """Frees the simulation; views that were taken stay as they are. Twice is fine."""
+        with self._lock:
+            if self._sim:
+                self._sim = None
+                self._destroy()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __repr__(self):
+        if not self._sim:
+            return "<sph2d.Simulation, closed>"
+        return f"<sph2d.Simulation of {self._keys['name']!r}: {len(self.fluid)} particles, t = {self.time:g} s>"
+
+    def _get(self, function, *arguments):
+        """Calls a function of the library with the simulation."""
+        with self._lock:
+            if not self._sim:
+                raise ValueError("the simulation is closed")
+            return function(self._sim, *arguments)
+
+    def _steer(self, message, function, *arguments):
+        status = self._get(function, *arguments)
+        if status == _ENUM["INVALID"]:
+            raise _failure("INVALID", message)
+        if status != _OK:
+            raise Error(_CORE.sph2d_status_name(status).decode())
+
+    # -- steps
+
+    def step(self):
+        """Advances by one time step. Errors: Error with status GUARD when a guard stops the run (the particles stay as
+        they are, and every later step fails the same way), NOMEM."""
+        with self._lock:
+            _CORE.sph2d_report_clear(ctypes.byref(self._report))
+            status = self._get(_CORE.sph2d_sim_step, ctypes.byref(self._report))
+            if status != _OK or self._report.count:
+                _tell(status, self._report, self._scene)
+
+    def run_to(self, time):
+        """Steps until the time [s] is reached; the last step may pass it. Errors: as of step(); ValueError if the time
+        is not finite."""
+        if not math.isfinite(time):
+            raise ValueError(f"a time must be finite, not {time}")
+        while self.time * (1 + 1e-12) < time:  # as `sph2d run` ends
+            self.step()
+
+    def advance(self, duration):
+        """Steps for a duration [s]: run_to(time + duration)."""
+        self.run_to(self.time + duration)
+
+    # -- what it is
+
+    @property
+    def time(self):
+        """Simulated time [s]."""
+        return self._get(_CORE.sph2d_sim_time)
+
+    @property
+    def steps(self):
+        """Steps taken."""
+        return self._get(_CORE.sph2d_sim_steps)
+
+    @property
+    def time_step(self):
+        """Length of the next step [s]."""
+        return self._get(_CORE.sph2d_sim_time_step)
+
+    @property
+    def threads(self):
+        """The largest number of threads that share a step."""
+        return self._get(_CORE.sph2d_sim_threads)
+
+    @property
+    def isa(self):
+        """The instruction set in use, "avx2"."""
+        return _CORE.sph2d_isa_name(self._get(_CORE.sph2d_sim_isa)).decode()
+
+    @property
+    def memory(self):
+        """Memory allocated [bytes]."""
+        return self._get(_CORE.sph2d_sim_memory)
+
+    @property
+    def plan(self):
+        """The Plan of the scene when the simulation was created."""
+        with self._lock:
+            return _python(_STRUCT["plan"].from_address(self._get(_CORE.sph2d_sim_plan)))
+
+    @property
+    def scene(self):
+        """The Scene."""
+        return self._scene
+
+    def summary(self):
+        """Totals and errors of the run so far: a Summary."""
+        return _python(self._get(_CORE.sph2d_sim_summary))
+
+    def densities(self):
+        """The Densities now. Takes the time of a few steps. Errors: Error with status NOMEM."""
+        made = self._get(_CORE.sph2d_sim_densities)
+        if made.status != _OK:
+            raise Error(_CORE.sph2d_status_name(made.status).decode())
+        return _python(made)
+
+    # -- particles
+
+    def _view(self, kind, address, count, stride=1):
+        if not address:
+            return None
+        if count == 0 or stride == 0:  # one value for all is inside a struct
+            return _copy(kind, address, count, stride)
+        return np.asarray(_Borrowed(_Block(address), kind, address, count))
+
+    def _particles(self, function):
+        with self._lock:
+            view = self._get(function)
+            kinds = {name: _U64 if name == "id" else _F64 for name in Particles.__slots__}
+            return Particles(**{name: self._view(kind, getattr(view, name), view.count)
+                                for name, kind in kinds.items()})
+
+    @property
+    def fluid(self):
+        """The particles of the liquid now: Particles, whose arrays are views (see the module)."""
+        return self._particles(_CORE.sph2d_sim_fluid)
+
+    @property
+    def walls(self):
+        """The boundary particles now, like `fluid`."""
+        return self._particles(_CORE.sph2d_sim_walls)
+
+    def field(self, name, group="fluid"):
+        """A field by its name in snapshots, "Pressures", of a group "fluid" or "wall": a view (see the module); of
+        points a tuple of two. Of group "outline", the corners of walls and bodies now, it is a copy. Errors: KeyError,
+        which lists the names; ValueError for another group."""
+        group = _group(group)
+        view = _copy if group == _ENUM["GROUP_OUTLINE"] else self._view
+        with self._lock:
+            fields = [self._get(_CORE.sph2d_field, group, k) for k in range(_CORE.sph2d_field_count(group))]
+            for field in fields:
+                if field.name.decode() == name:
+                    return _components(field, view)
+        raise KeyError(f"{name!r} is not one of {', '.join(field.name.decode() for field in fields)}")
+
+    def sample(self, points):
+        """The liquid at points [m], shape (..., 2): a Sample, of third order inside liquid. Errors: ValueError for
+        another shape."""
+        points = np.asarray(points, float)
+        if points.shape[-1:] != (2,):
+            raise ValueError(f"points have shape (..., 2), not {points.shape}")
+        flat = points.reshape(-1, 2)
+        out = np.empty((len(flat), 5))
+        with self._lock:
+            for k, (x, y) in enumerate(flat.tolist()):
+                self._get(_CORE.sph2d_sim_sample, _STRUCT["vec2"](x, y), out.ctypes.data + 40 * k)
+        out = out.reshape(*points.shape[:-1], 5)
+        return Sample(out[..., :2], *(out[..., k][()] for k in (2, 3, 4)))
+
+    # -- steering
+
+    def set_gravity(self, gravity):
+        """Sets gravity (x, y) [m/s^2] from the next step on. Errors: Error with status INVALID when not finite."""
+        self._steer("gravity must be finite", _CORE.sph2d_sim_set_gravity, _vec2(gravity))
+
+    def set_pointer(self, at, radius, acceleration):
+        """Attracts liquid within a radius [m] to a point [m] by an acceleration [m/s^2], or repels it if that is
+        negative; 0 ends it. Errors: Error with status INVALID for values that are not finite or out of range."""
+        self._steer("the pointer needs a finite place and acceleration, and a radius above 0",
+                    _CORE.sph2d_sim_set_pointer, _vec2(at), radius, acceleration)
+
+    def add_particles(self, points, velocity=(0, 0), density=0):
+        """Adds liquid at points [m], shape (n, 2), where there is room: in the domain, 0.75 spacings from other
+        particles and from walls, in no solid. velocity [m/s] and density [kg/m^3], 0 for rest density, are those of all
+        or of shape (n, 2) and (n,). Returns how many were added; they count as `fed`. Errors: ValueError for other
+        shapes; Error with status INVALID for values that are not finite or out of range, GUARD, NOMEM."""
+        points = np.asarray(points, float)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise ValueError(f"points have shape (n, 2), not {points.shape}")
+        rows, added = np.empty((len(points), 5)), ctypes.c_size_t()
+        rows[:, :2], rows[:, 2:4], rows[:, 4] = points, velocity, density
+        self._steer("particles need finite places and velocities, and densities that are finite and not below 0",
+                    _CORE.sph2d_sim_add_particles, rows.ctypes.data, len(rows), ctypes.byref(added))
+        return added.value
+
+    def remove_particles(self, shape):
+        """Removes the liquid in a shape, written as that of a drain: {"box": {"min": [0, 0], "max": [1, 1]}}, {"disc":
+        {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many particles were
+        removed; they count as `drained`. Errors: ValueError for another shape; Error with status INVALID for values that
+        are not finite or out of range, GUARD, NOMEM."""
+        made, _corners = _shape(shape)
+        removed = ctypes.c_size_t()
+        self._steer("a shape needs finite values, min below max, a radius above 0, 3 to 10000 corners",
+                    _CORE.sph2d_sim_remove_particles, ctypes.byref(made), ctypes.byref(removed))
+        return removed.value
+
+    def _index(self, key, what):
+        """The index of a body, obstacle or probe by name or number."""
+        items = self._keys[what]
+        if isinstance(key, str):
+            for k, item in enumerate(items):
+                if item["name"] == key:
+                    return k
+            names = ", ".join(item["name"] for item in items if item["name"]) or "none"
+            raise KeyError(f"the scene's {what} have no name {key!r}; names: {names}")
+        if not 0 <= operator.index(key) < len(items):
+            raise IndexError(f"{key} is not the number of one of {len(items)} {what}")
+        return operator.index(key)
+
+    def body(self, which):
+        """The BodyState of a body, by name or number. Errors: KeyError, IndexError."""
+        return _python(self._get(_CORE.sph2d_sim_body, self._index(which, "bodies")))
+
+    def obstacle(self, which):
+        """The BodyState of an obstacle, by name or number. Errors: KeyError, IndexError."""
+        return _python(self._get(_CORE.sph2d_sim_obstacle, self._index(which, "obstacles")))
+
+    def set_body_velocity(self, which, velocity, rate=0.0):
+        """Sets the velocity [m/s] and angular velocity [rad/s] of a body from the next step on, like a blow. Errors:
+        KeyError, IndexError; Error with status INVALID for values that are not finite."""
+        self._steer("velocity and rate of a body must be finite", _CORE.sph2d_sim_set_body_velocity,
+                    self._index(which, "bodies"), _vec2(velocity), rate)
+
+    # -- measuring and saving
+
+    def probe(self, which):
+        """Evaluates a probe of the scene now, by name or number: a dict from its columns, "pressure [Pa]", to values,
+        NaN for those that are not defined. Errors: KeyError, IndexError; Error with status NOMEM."""
+        index = self._index(which, "probes")
+        kind = _words("probes.kind").index(self._keys["probes"][index]["kind"])
+        columns = _CORE.sph2d_probe_columns(kind).decode().split(",")
+        values = (ctypes.c_double * 12)()
+        count = self._get(_CORE.sph2d_sim_probe, index, values)
+        if count == 0:
+            raise Error("NOMEM")
+        return dict(zip(columns, values[:count]))
+
+    def write_snapshot(self, path, compress=0):
+        """Writes all that is needed to go on, as HDF5 (docs/snapshots.md), whole or not at all. compress: deflate
+        level, 0 to 9. Errors: Error with status CANTCREAT, IO, NOMEM; ValueError for another level."""
+        report, name = _STRUCT["report"](), _path_bytes(path)
+        compress = _whole("compress", compress, 0, 9)
+        with self._lock, _IO_LOCK:
+            status = self._get(_IO.sph2d_snapshot_write, self._scene._file, compress, name, ctypes.byref(report))
+        _tell(status, report)
+
+
+def _shape(shape):
+    """A shape for C, and its corners, which must live as long."""
+    made, corners = _STRUCT["shape"](), None
+    try:
+        (name, value), = shape.items()
+        made.kind = _ENUM["SHAPE_" + name.upper()]
+        if name == "box":
+            made.box.min, made.box.max = _vec2(value["min"]), _vec2(value["max"])
+        elif name == "disc":
+            made.disc.center, made.disc.radius = _vec2(value["center"]), value["radius"]
+        else:
+            corners = np.array(value, float).reshape(-1, 2)
+            made.polygon.items, made.polygon.count = corners.ctypes.data, len(corners)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"a shape is a box, disc or polygon as of a drain, not {shape!r}") from error
+    return made, corners
+
+
+def _isa_of(name):
+    sets = {"auto": _ENUM["ISA_AUTO"]}
+    for isa in ("ISA_BASELINE", "ISA_AVX2", "ISA_AVX512"):
+        sets[_CORE.sph2d_isa_name(_ENUM[isa]).decode()] = _ENUM[isa]
+    if name not in sets:
+        raise ValueError(f"isa is one of {', '.join(sets)}, not {name!r}")
+    return sets[name]
+
+
+# ---- snapshots -------------------------------------------------------------------------------------------------------
+
+
+class _SnapshotMemory:
+    """A snapshot of the library, as long as anything uses it."""
+
+    def __init__(self, address):
+        self.address = address
+        _own(self, _destroy_snapshot, address)
+
+
+class Snapshot:
+    """A snapshot that was read into memory, where it does not change; it is freed with the last reference to it or to
+    one of its arrays.
+
+    path: the file. checked: whether its checksum must be right, default True; False reads files that another program
+    has changed, which must come from a source that is trusted. Errors: Error with status NOINPUT, FORMAT, NOMEM."""
+
+    def __init__(self, path, checked=True):
+        report, made, name = _STRUCT["report"](), ctypes.c_void_p(), _path_bytes(path)
+        read = _IO.sph2d_snapshot_read if checked else _IO.sph2d_snapshot_read_unchecked
+        with _IO_LOCK:
+            status = read(name, ctypes.byref(made), ctypes.byref(report))
+        if status == _OK:
+            self._memory = _SnapshotMemory(made.value)
+        _tell(status, report)
+
+    @property
+    def info(self):
+        """Its SnapshotInfo."""
+        with _IO_LOCK:
+            info = _python(_IO.sph2d_snapshot_get_info(self._memory.address))
+        words = _words("boundary.left")
+        return info._replace(boundary=Boundary(*(words[side] for side in info.boundary)))
+
+    def _arrays(self):
+        state = _IO.sph2d_snapshot_state(self._memory.address)
+        return (_STRUCT["array"] * state.array_count).from_address(state.arrays)
+
+    def names(self, group="fluid"):
+        """The names of the arrays of a group: "fluid", "wall", "run" or "outline"."""
+        wanted = _group(group)
+        with _IO_LOCK:
+            return [array.name.decode() for array in self._arrays() if array.group == wanted]
+
+    def field(self, name, group="fluid"):
+        """An array by name, read-only, without a copy; of points a tuple of two. Errors: KeyError, which lists the
+        names; ValueError for another group."""
+        with _IO_LOCK:
+            found = _IO.sph2d_snapshot_array(self._memory.address, _group(group), name.encode())
+        if not found:
+            raise KeyError(f"{name!r} is not one of {', '.join(self.names(group))}")
+        return _components(_STRUCT["array"].from_address(found), self._view)
+
+    def _view(self, kind, address, count, stride):
+        if count == 0:
+            return _copy(kind, address, count)
+        return np.asarray(_Borrowed(self._memory, kind, address, count, stride))
+
+    def _particles(self, group):
+        names, made = self.names(group), {}
+        for keys, name in ((("x", "y"), "Coordinates"), (("vx", "vy"), "Velocities"), (("ax", "ay"), "Accelerations"),
+                           (("density",), "Densities"), (("pressure",), "Pressures"), (("id",), "ParticleIDs")):
+            if name in names:
+                arrays = self.field(name, group)
+                made.update(zip(keys, arrays if len(keys) > 1 else (arrays,)))
+        return Particles(**made)
+
+    @property
+    def fluid(self):
+        """The particles of the liquid."""
+        return self._particles("fluid")
+
+    @property
+    def walls(self):
+        """The boundary particles."""
+        return self._particles("wall")
+
+    def scene(self, set=None):
+        """The Scene that it was written with, with changes on top as of Scene. Errors: as of Scene, and Error with
+        status FORMAT when it holds none."""
+        scene, changes = Scene.__new__(Scene), _overrides(set)
+        report, file = _STRUCT["report"](), ctypes.c_void_p()
+        with _IO_LOCK:
+            status = _IO.sph2d_snapshot_scene(self._memory.address, changes, len(changes), ctypes.byref(file),
+                                              ctypes.byref(report))
+        scene._take(file.value, status, report)
+        return scene
+
+    def resume(self, *, threads=0, contacts=True):
+        """A Simulation that goes on from here, bit for bit, with the instruction set of the snapshot; arguments as of
+        Simulation. Errors: as of Simulation and scene()."""
+        sim = Simulation.__new__(Simulation)
+        with _IO_LOCK:
+            state = _IO.sph2d_snapshot_state(self._memory.address)
+        sim._create(self.scene(), state, threads, "auto", contacts)
+        return sim
+
+
+# ---- pictures --------------------------------------------------------------------------------------------------------
+
+
+def _within(particles, info):
+    """Which particles are not in the reservoirs behind openings: within four spacings of sides that are walls."""
+    (left, bottom), (right, top) = info.domain
+    beyond, kept = 4 * info.spacing, np.ones(len(particles), bool)
+    for side, values, low, high in (("left", particles.x, left, np.inf), ("right", particles.x, -np.inf, right),
+                                    ("bottom", particles.y, bottom, np.inf), ("top", particles.y, -np.inf, top)):
+        if getattr(info.boundary, side) == "wall":
+            kept &= (values >= low - beyond) & (values <= high + beyond)
+    return kept
+
+
+_Space = collections.namedtuple("_Space", "domain boundary spacing")
+
+
+def _space_of(source):
+    if isinstance(source, Snapshot):
+        return source.info
+    keys = source._keys
+    return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"])
+
+
+class Renderer:
+    """Draws pictures without a window (libsph2d-render); used by one thread at a time.
+
+    width, height: size [pixels], 16 to 16384, default 1280 x 720. style: "metaballs", a liquid surface, the default, or
+    "points". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works. close() frees it; it is
+    a context manager, too. Errors: Error with status RENDER, also where the library is missing, and NOMEM; ValueError
+    for another size or style."""
+
+    def __init__(self, width=1280, height=720, style="metaballs", gl=None):
+        library = _load_optional("sph2d-render", "RENDER", "for pictures")
+        words = _words("run.frames.style")
+        if style not in words:
+            raise ValueError(f"style is one of {', '.join(words)}, not {style!r}")
+        options = library.sph2d_render_options_default()
+        if options.struct_size != ctypes.sizeof(options):
+            raise _failure("RENDER", "libsph2d-render has structs other than those of the Python module: install both "
+                           "from the same source")
+        options.width, options.height = _whole("width", width, 16, 16384), _whole("height", height, 16, 16384)
+        options.style = words.index(style)
+        options.gl = gl.encode() if gl else None
+        made, report = ctypes.c_void_p(), _STRUCT["report"]()
+        status = library.sph2d_renderer_create(ctypes.byref(options), ctypes.byref(made), ctypes.byref(report))
+        self._library, self._lock, self._renderer = library, threading.RLock(), made.value
+        self._shape = height, width, 4
+        if status == _OK:
+            self._destroy = _own(self, library.sph2d_renderer_destroy, self._renderer)
+        self._default_radius = 0.5 if words.index(style) == _ENUM["STYLE_POINTS"] else 2
+        _tell(status, report)
+
+    def close(self):
+        """Frees it. Twice is fine."""
+        with self._lock:
+            if self._renderer:
+                self._renderer = None
+                self._destroy()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def _call(self, function, *arguments):
+        if not self._renderer:
+            raise ValueError("the renderer is closed")
+        report = _STRUCT["report"]()
+        _tell(function(self._renderer, *arguments, ctypes.byref(report)), report)
+
+    def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None, notes=None):
+        """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green, blue,
+        255, top row first.
+
+        values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: one colour. label: text at
+        their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and largest. view:
+        corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its walls. radius: of a
+        metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a line of ASCII text below
+        the picture, beside a scale bar; default None: no strip. notes: lines of it in a box; default None. Errors: Error
+        with status INVALID, RENDER, NOMEM; ValueError for values of another shape."""
+        space, fluid = _space_of(source), source.fluid
+        kept = _within(fluid, space)
+        arrays = {"x": fluid.x[kept], "y": fluid.y[kept]}
+        arrays["outline_x"], arrays["outline_y"] = source.field("Coordinates", "outline")
+        arrays["outline_id"] = source.field("OutlineIDs", "outline")
+        arrays["outline_liquid"] = source.field("LiquidSides", "outline")
+        if values is not None:
+            if np.shape(values) != (len(fluid),):
+                raise ValueError(f"values have shape ({len(fluid)},), not {np.shape(values)}")
+            arrays["values"] = np.asarray(values, float)[kept]
+        picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
+        picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
+        (left, bottom), (right, top) = space.domain
+        thick = max(space.spacing, 0.008 * max(right - left, top - bottom))  # as in frames of the command
+        low, high = ((left - thick, bottom - thick), (right + thick, top + thick)) if view is None else view
+        picture.view.min, picture.view.max = _vec2(low), _vec2(high)
+        picture.radius = self._default_radius * space.spacing if radius is None else radius
+        picture.wall_thickness = thick
+        picture.value_min, picture.value_max = value_range
+        picture.value_label, picture.caption, picture.notes = (
+            None if text is None else text.encode("ascii", "replace") for text in (label, caption, notes))
+        with self._lock:
+            self._call(self._library.sph2d_renderer_draw, ctypes.byref(picture))
+            pixels = self._library.sph2d_renderer_pixels(self._renderer)
+            return np.frombuffer(ctypes.string_at(pixels, math.prod(self._shape)), np.uint8).reshape(self._shape)
+
+    def write_png(self, path):
+        """Writes the last picture as an RGB PNG, whole or not at all. Errors: Error with status INVALID (nothing
+        drawn), CANTCREAT, IO, NOMEM."""
+        name = _path_bytes(path)
+        with self._lock:
+            self._call(self._library.sph2d_renderer_write_png, name)
