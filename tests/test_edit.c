@@ -132,6 +132,15 @@ START_TEST(liquid_is_removed_with_its_energy)
     const sph2d_shape none = {.kind = SPH2D_SHAPE_BOX, .box = {{5, 5}, {6, 6}}};
     ck_assert_int_eq(sph2d_sim_remove_particles(sim, &none, &removed), SPH2D_OK);
     ck_assert_uint_eq(removed, 0);
+    const sph2d_shape bad[] = {{.kind = SPH2D_SHAPE_NONE},
+                               {.kind = SPH2D_SHAPE_BOX, .box = {{1, 0}, {0, 1}}},
+                               {.kind = SPH2D_SHAPE_BOX, .box = {{0, 0}, {1, NAN}}},
+                               {.kind = SPH2D_SHAPE_DISC, .disc = {{0, 0}, -1}},
+                               {.kind = SPH2D_SHAPE_DISC, .disc = {{0, INFINITY}, 1}},
+                               {.kind = SPH2D_SHAPE_POLYGON, .polygon = {NULL, 3}},
+                               {.kind = SPH2D_SHAPE_POLYGON, .polygon = {&(sph2d_vec2){0, 0}, 1}}};
+    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k)
+        ck_assert_int_eq(sph2d_sim_remove_particles(sim, &bad[k], NULL), SPH2D_INVALID);
     const sph2d_shape all = {.kind = SPH2D_SHAPE_BOX, .box = {{-1, -1}, {3, 3}}};
     ck_assert_int_eq(sph2d_sim_remove_particles(sim, &all, NULL), SPH2D_OK);
     ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 0);

@@ -193,7 +193,8 @@ SPH2D_API sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_parti
                                                size_t *added);
 
 /** Removes all particles of liquid in a shape between steps; `removed`, which may be NULL, is how many there were. They
- *  count as `drained`, their energy as energy_fed. Errors: as above. */
+ *  count as `drained`, their energy as energy_fed. Errors: SPH2D_INVALID for NULL, or a shape with values that are not
+ *  finite, of no kind, or without area; SPH2D_NOMEM, SPH2D_GUARD after a guard has stopped the run. */
 SPH2D_API sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed);
 
 /* ---- bodies ------------------------------------------------------------------------------------------------------ */

@@ -73,11 +73,38 @@ sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *parti
     return status == SPH2D_OK ? settle(sim) : status;
 }
 
+static bool is_point(sph2d_vec2 p)
+{
+    return isfinite(p.x) && isfinite(p.y);
+}
+
+static bool is_shape(const sph2d_shape *shape)
+{
+    enum { MOST_CORNERS = 10000 };
+    const sph2d_box *b = &shape->box;
+    const sph2d_points *corners = &shape->polygon;
+    switch (shape->kind) {
+    case SPH2D_SHAPE_BOX:
+        return is_point(b->min) && is_point(b->max) && b->min.x < b->max.x && b->min.y < b->max.y;
+    case SPH2D_SHAPE_DISC:
+        return is_point(shape->disc.center) && shape->disc.radius > 0 && isfinite(shape->disc.radius);
+    case SPH2D_SHAPE_POLYGON:
+        if (!corners->items || corners->count < 3 || corners->count > MOST_CORNERS)
+            return false;
+        for (size_t k = 0; k < corners->count; ++k)
+            if (!is_point(corners->items[k]))
+                return false;
+        return true;
+    default:
+        return false;
+    }
+}
+
 sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed)
 {
     if (removed)
         *removed = 0;
-    if (!sim || !shape)
+    if (!sim || !shape || !is_shape(shape))
         return SPH2D_INVALID;
     if (sim->stopped != SPH2D_OK)
         return sim->stopped;
