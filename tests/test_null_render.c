@@ -27,6 +27,7 @@ START_TEST(renderers)
     check_refused(sph2d_renderer_draw(NULL, &picture, &report), "renderer");
     check_refused(sph2d_renderer_draw_to(NULL, 0, 0, 0, &picture, &report), "renderer");
     check_refused(sph2d_renderer_write_png(NULL, "x.png", &report), "picture");
+    ck_assert(!sph2d_renderer_locate(NULL, 0, 0, &(sph2d_vec2){0, 0}));
     sph2d_renderer_destroy(NULL);
     ck_assert_ptr_null(sph2d_renderer_pixels(NULL));
     ck_assert_ptr_null(sph2d_renderer_gl(NULL));

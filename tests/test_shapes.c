@@ -203,6 +203,40 @@ START_TEST(metaballs_have_colors)
 }
 END_TEST
 
+/** A pixel is found where its place was drawn, beside a colour bar and above a caption, too. */
+START_TEST(pixels_have_places)
+{
+    splash *s = make_splash(3.0);
+    sph2d_renderer *renderer = make_renderer(NULL, 640, 360, SPH2D_STYLE_POINTS);
+    sph2d_vec2 at;
+    ck_assert(!sph2d_renderer_locate(renderer, 1, 1, &at));
+    s->picture.caption = "below";
+    s->picture.outline_count = 0;
+    s->picture.count = 1;
+    s->x[0] = 3.3;
+    s->y[0] = 3.6;
+    s->values[0] = 1;
+    s->picture.value_max = 1;
+    const unsigned char *pixels = draw(renderer, &s->picture);
+    double x = 0, y = 0, count = 0; /* the middle of the yellow dot; the bar is on the right */
+    for (int row = 0; row < 360; ++row)
+        for (int column = 0; column < 400; ++column) {
+            const unsigned char *p = pixels + 4 * (row * 640 + column);
+            const bool yellow = p[0] > 200 && p[2] < 100;
+            x += yellow * (column + 0.5);
+            y += yellow * (row + 0.5);
+            count += yellow;
+        }
+    ck_assert_double_gt(count, 10);
+    ck_assert(sph2d_renderer_locate(renderer, x / count, y / count, &at));
+    ck_assert_double_eq_tol(at.x, 3.3, 0.002);
+    ck_assert_double_eq_tol(at.y, 3.6, 0.002);
+    ck_assert(!sph2d_renderer_locate(renderer, 1, 1, NULL));
+    sph2d_renderer_destroy(renderer);
+    free(s);
+}
+END_TEST
+
 /** A renderer with a context of its own draws into no framebuffer of the caller. */
 START_TEST(own_contexts_draw_into_memory_alone)
 {
@@ -228,6 +262,7 @@ Suite *suite_shapes(void)
     tcase_add_test(cases, a_caption_has_a_strip_of_its_own);
     tcase_add_test(cases, notes_stay_in_their_box);
     tcase_add_test(cases, metaballs_have_colors);
+    tcase_add_test(cases, pixels_have_places);
     tcase_add_test(cases, own_contexts_draw_into_memory_alone);
     suite_add_tcase(suite, cases);
     return suite;
