@@ -33,6 +33,22 @@ typedef struct game {
 int game_open(game *g, const cli_options *options, const sph2d_sim_options *sim_options);
 void game_close(game *g);
 
+/** Shows a message for some seconds; a failure's first diagnostic, and drops the report. */
+__attribute__((format(printf, 2, 3))) void game_tell(game *g, const char *format, ...);
+void game_tell_report(game *g, sph2d_status status, sph2d_report *report);
+
+/** Starts a template of `sph2d init`. Errors: as sph2d_sim_create; the game goes on as it was. */
+sph2d_status game_open_template(game *g, size_t index, sph2d_report *report);
+
+/** Sets what follows from a new scene: style, reach of the hand. */
+void game_take_scene(game *g);
+
+/** What mouse and keys do, some lines. */
+extern const char game_help[];
+
+/** Frames of a film for each second of it. */
+enum { GAME_FILM_RATE = 30 };
+
 /** Does what a key says. */
 void game_key(game *g, int key);
 

@@ -27,7 +27,7 @@ class Threads(unittest.TestCase):
         try:
             thread.start()
             counts = []
-            for _ in range(5):
+            while len(counts) < 500 and max(counts, default=0) < 20:  # a busy machine may run the counter late
                 start = count[0]
                 sph2d._CORE.sph2d_sim_step(sim._sim, None)
                 counts.append(count[0] - start)
@@ -35,7 +35,7 @@ class Threads(unittest.TestCase):
             stop.set()
             sys.setswitchinterval(before)
             thread.join()
-        self.assertGreater(max(counts), 100)
+        self.assertGreaterEqual(max(counts), 20)  # 0 or 1 with the lock taken
 
     def test_two_at_once(self):
         def run(scene, out):

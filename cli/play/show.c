@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/** @file show.c
+ *  The picture of what is played, and the frames of a film. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../clock.h"
+#include "game.h"
+
+/* How long a message is shown [s]. */
+static const double message_time = 4;
+
+/* The line below the picture. */
+static void write_caption(const game *g, double pictures, char *out, size_t size)
+{
+    const live *l = &g->live;
+    char pace[64];
+    if (l->stopped != SPH2D_OK)
+        snprintf(pace, sizeof pace, "stopped; R starts again");
+    else if (g->paused)
+        snprintf(pace, sizeof pace, "paused");
+    else
+        snprintf(pace, sizeof pace, "%.2f x the clock", g->rate * l->ratio);
+    snprintf(out, size, "%.40s   t = %.2f s   %s   %zu particles   %.0f pictures/s   %s%s",
+             g->style.name ? g->style.name : "", sph2d_sim_time(l->sim), pace, sph2d_sim_fluid(l->sim).count, pictures,
+             hand_name(g->hand.tool), g->recording[0] ? "   filming" : "");
+}
+
+/* Makes the picture, with a range of colours that only widens. */
+static sph2d_status make_picture(game *g, sph2d_picture *picture, sph2d_report *report)
+{
+    const particle_source source = {.sim = g->live.sim};
+    frame_style style = g->style;
+    if (style.frames.color && style.frames.color_range.x == 0 && style.frames.color_range.y == 0) {
+        sph2d_status status = frame_widen_range(&source, &style, &g->buffers, &g->color_range, report);
+        if (status != SPH2D_OK)
+            return status;
+        if (g->color_range.x < g->color_range.y)
+            style.frames.color_range = g->color_range;
+    }
+    return frame_make(&source, &style, &g->buffers, picture, report);
+}
+
+/* Adds the reach of the hand while it acts, and the wall that it draws, as lines. */
+static sph2d_status add_hand(game *g, sph2d_picture *picture)
+{
+    enum { CIRCLE = 49 };
+    const hand *h = &g->hand;
+    const size_t own = picture->outline_count, most = own + CIRCLE + HAND_MOST_CORNERS;
+    if (most > g->corner_capacity) {
+        double *corners = realloc(g->corners, 2 * most * sizeof *corners);
+        g->corners = corners ? corners : g->corners;
+        uint64_t *marks = realloc(g->marks, 2 * most * sizeof *marks);
+        g->marks = marks ? marks : g->marks;
+        if (!corners || !marks)
+            return SPH2D_NOMEM;
+        g->corner_capacity = most;
+    }
+    double *x = g->corners, *y = x + most;
+    uint64_t *id = g->marks, *liquid = id + most, next = own > 0 ? picture->outline_id[own - 1] + 1 : 0;
+    size_t count = own;
+    memcpy(x, picture->outline_x, own * sizeof *x);
+    memcpy(y, picture->outline_y, own * sizeof *y);
+    memcpy(id, picture->outline_id, own * sizeof *id);
+    memcpy(liquid, picture->outline_liquid, own * sizeof *liquid);
+    for (size_t k = 0; k < CIRCLE && (h->down || h->pushes) && h->tool != HAND_WALL; ++k, ++count) {
+        const double angle = 6.283185307179586 * (double)(k % (CIRCLE - 1)) / (CIRCLE - 1);
+        x[count] = h->at.x + h->radius * cos(angle);
+        y[count] = h->at.y + h->radius * sin(angle);
+        id[count] = next;
+        liquid[count] = SPH2D_OUTLINE_LIQUID_BOTH;
+    }
+    for (size_t k = 0; k < h->corner_count; ++k, ++count) {
+        x[count] = h->corners[k].x;
+        y[count] = h->corners[k].y;
+        id[count] = next + 1;
+        liquid[count] = SPH2D_OUTLINE_LIQUID_BOTH;
+    }
+    picture->outline_count = count;
+    picture->outline_x = x;
+    picture->outline_y = y;
+    picture->outline_id = id;
+    picture->outline_liquid = liquid;
+    return SPH2D_OK;
+}
+
+/* Writes a frame of the film when its time has come. */
+static void record(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
+{
+    if (g->recording[0] == '\0' || sph2d_sim_time(g->live.sim) < g->next_frame)
+        return;
+    sph2d_report report = {0};
+    char path[64];
+    snprintf(path, sizeof path, "%s/frame_%06u.png", g->recording, g->recorded);
+    sph2d_picture frame = *picture;
+    frame.notes = NULL;
+    sph2d_status status = sph2d_renderer_draw(renderer, &frame, &report);
+    if (status == SPH2D_OK)
+        status = sph2d_renderer_write_png(renderer, path, &report);
+    g->recorded += status == SPH2D_OK;
+    g->next_frame += g->rate / GAME_FILM_RATE;
+    if (status != SPH2D_OK)
+        g->recording[0] = '\0';
+    game_tell_report(g, status, &report);
+}
+
+void game_show(game *g, sph2d_renderer *renderer, double pictures)
+{
+    sph2d_report report = {0};
+    sph2d_picture picture;
+    char caption[240], notes[1200];
+    sph2d_status status = make_picture(g, &picture, &report);
+    write_caption(g, pictures, caption, sizeof caption);
+    const bool news = g->message[0] != '\0' && clock_wall() - g->told < message_time;
+    snprintf(notes, sizeof notes, "%s%s%s", news ? g->message : "", news && g->help ? "\n" : "",
+             g->help ? game_help : "");
+    if (status == SPH2D_OK)
+        status = add_hand(g, &picture);
+    picture.caption = caption;
+    picture.notes = notes[0] != '\0' ? notes : NULL;
+    if (status == SPH2D_OK)
+        record(g, renderer, &picture);
+    if (status == SPH2D_OK)
+        status = sph2d_renderer_draw_to(renderer, 0, 0, 0, &picture, &report);
+    game_tell_report(g, status, &report);
+}
