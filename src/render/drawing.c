@@ -4,11 +4,11 @@
  *  patches that are copied to the target. */
 #include "render/drawing.h"
 
-#include <stdint.h>
 #include <string.h>
 
 #include "render/caption.h"
 #include "render/colorbar.h"
+#include "render/hash.h"
 #include "render/points.h"
 #include "render/shader.h"
 
@@ -165,21 +165,13 @@ void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *pictu
 
 /* ---- texts on what is shown -------------------------------------------------------------------------------------- */
 
-/* Continues a hash (FNV-1a) by some bytes. */
-static uint64_t hash(uint64_t so_far, const void *bytes, size_t size)
-{
-    for (size_t i = 0; i < size; ++i)
-        so_far = (so_far ^ ((const unsigned char *)bytes)[i]) * UINT64_C(1099511628211);
-    return so_far;
-}
-
 /* A mark of what a part shows: writing takes longer than drawing the liquid, so that it is done only for news. */
 static uint64_t mark_of(const sph2d_picture *picture, const sph2d__layout *at, int part)
 {
     const char *text = part == LEGEND ? picture->value_label : part == STRIP ? picture->caption : picture->notes;
     const double numbers[5] = {part, at->min, at->max, at->view.scale, at->right + 1e6 * at->below};
-    return hash(hash(UINT64_C(14695981039346656037), numbers, sizeof numbers), text ? text : "",
-                text ? strlen(text) : 0);
+    return sph2d__hash(sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers), text ? text : "",
+                       text ? strlen(text) : 0);
 }
 
 /* Writes a part on the scratch pad, and uploads it to its place in the patch. */

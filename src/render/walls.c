@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "render/hash.h"
 #include "render/shader.h"
 #include "sph2d/field.h"
 
@@ -147,18 +148,41 @@ void sph2d__walls_cover(sph2d__cover *cover, const sph2d__view *view, const sph2
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
+/* A mark of what is drawn: walls at rest are the same in every frame. */
+static uint64_t mark_of(const sph2d__view *view, const sph2d_picture *p)
+{
+    const size_t count = p->outline_count;
+    const double numbers[6] = {view->middle.x, view->middle.y, view->center.x,
+                               view->center.y, view->scale,    p->wall_thickness};
+    uint64_t mark = sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers);
+    mark = sph2d__hash(mark, p->outline_x, count * sizeof *p->outline_x);
+    mark = sph2d__hash(mark, p->outline_y, count * sizeof *p->outline_y);
+    mark = sph2d__hash(mark, p->outline_id, count * sizeof *p->outline_id);
+    return sph2d__hash(mark, p->outline_liquid, count * sizeof *p->outline_liquid);
+}
+
+/* Covers the pixels anew, and uploads them to the texture that is bound. */
+static void renew(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture)
+{
+    sph2d__cover *cover = &walls->cover;
+    sph2d__cover_clear(cover, (int)view->width, (int)view->height);
+    sph2d__walls_cover(cover, view, picture, picture->wall_thickness);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, cover->width, cover->height, 0, GL_RED, GL_UNSIGNED_BYTE, cover->pixels);
+    sph2d__tiles_find_bytes(&walls->tiles, cover->pixels, cover->width, cover->height);
+}
+
 void sph2d__walls_draw(const sph2d__gl *gl, sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
                        const sph2d__view *view, const sph2d_picture *picture)
 {
     if (picture->outline_count == 0)
         return;
-    sph2d__cover *cover = &walls->cover;
-    sph2d__cover_clear(cover, target->width, target->height);
-    sph2d__walls_cover(cover, view, picture, picture->wall_thickness);
+    const uint64_t mark = mark_of(view, picture);
     sph2d__target_bind(gl, target);
     gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, cover->width, cover->height, 0, GL_RED, GL_UNSIGNED_BYTE, cover->pixels);
+    if (mark != walls->mark)
+        renew(gl, walls, view, picture);
+    walls->mark = mark;
     gl->Enable(GL_BLEND);
     gl->BlendEquation(GL_FUNC_ADD);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
@@ -166,7 +190,6 @@ void sph2d__walls_draw(const sph2d__gl *gl, sph2d__walls *walls, sph2d__dots *do
     sph2d__program_set_int(gl, walls->program, "cover", 0);
     sph2d__program_set_vec2(gl, walls->program, "image_size", target->width, target->height);
     sph2d__program_set_float(gl, walls->program, "tile", SPH2D__TILE);
-    sph2d__tiles_find_bytes(&walls->tiles, cover->pixels, cover->width, cover->height);
     sph2d__tiles_draw(gl, &walls->tiles, dots);
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }

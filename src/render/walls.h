@@ -14,6 +14,7 @@ typedef struct sph2d__walls {
     GLuint program, texture;
     sph2d__cover cover;
     sph2d__tiles tiles;
+    uint64_t mark; /**< of what is in the texture */
 } sph2d__walls;
 
 /** Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
