@@ -317,7 +317,7 @@ $(BUILD)/sph2d: $(PASS_OBJ) $(CLI_OBJ) $(ARCHIVES) $(BUILD)/variant
 $(BUILD)/sph2d: IN_ARCHIVES = $(PASS_OBJ)
 else
 $(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES:.a=.so) $(BUILD)/variant
-	$(call link,,-L$(BUILD) $(patsubst $(BUILD)/lib%.a,-l%,$(ARCHIVES)) -lm)
+	$(call link,,-L$(BUILD) $(patsubst $(BUILD)/lib%.a,-l%,$(ARCHIVES)) -lm $(call pc_libs,$(GLFW)))
 endif
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))

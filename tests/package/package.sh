@@ -130,6 +130,9 @@ as_user 'sph2d init tank -q --template drop && sph2d check tank/scene.yaml -q
     sph2d resume out -q --set run.until=0.15 && sph2d info out | grep -q "^state  *finished"
     sph2d render out/snapshot_000001.h5 -o drawn -q --style points --color speed
     sph2d run /usr/share/doc/sph2d/examples/sprinkler/scene.yaml -o example -q --no-frames --set run.until=0.05'
+# shellcheck disable=SC2016 # the inner shell expands it
+as_user 'code=0; sph2d play tank/scene.yaml 2>said || code=$?
+    test $code = 69 && grep -q "no window can be opened" said' # there is no display
 page 1 sph2d 'simulate liquids in two dimensions' && page 5 sph2d-scene 'dynamic_viscosity'
 ! inside user man -w 3 libsph2d 2>/dev/null || fail 'the page of the libraries is in the wrong package'
 echo 'command: ok'
