@@ -11,8 +11,9 @@
 #include "../threads.h"
 #include "game.h"
 
-/* Pictures a second at most, and the part of their time that steps may take; then the size of the window at first. */
-static const double MOST_PICTURES = 60, STEPS_PART = 0.9;
+/* Pictures a second: at most, and those for which steps are cut short where the machine is slow; but steps have this long
+ * in any case [s]. Then the size of the window at first. */
+static const double MOST_PICTURES = 60, WANTED_PICTURES = 34, LEAST_STEPPING = 0.006;
 enum { WIDTH = 960, HEIGHT = 540 };
 
 /* The longest that is taken for one turn of the loop, as after the window was dragged [s]. */
@@ -62,7 +63,7 @@ static bool turn(loop *p, game *g, sph2d_report *report, sph2d_status *status)
     const bool visible = input.width >= 16 && input.height >= 16;
     if (visible)
         game_hand(g, p->renderer, &input);
-    game_advance(g, since, STEPS_PART * fmax(1 / MOST_PICTURES, 2 * p->drawing));
+    game_advance(g, since, fmax(1 / WANTED_PICTURES - p->drawing, LEAST_STEPPING));
     p->played += g->paused ? 0 : since * g->rate;
     p->simulated += fmax(sph2d_sim_time(g->live.sim) - from, 0);
     if (!visible)
