@@ -934,10 +934,10 @@ class Simulation:
         return added.value
 
     def remove_particles(self, shape):
-        """Removes the liquid in a shape, written as that of a drain: {"box": {"min": [0, 0], "max": [1, 1]}}, {"disc":
-        {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many particles were
-        removed; they count as `drained`. Errors: ValueError for another shape; Error with status INVALID for values that
-        are not finite or out of range, GUARD, NOMEM."""
+        """Removes the liquid in a shape, written as that of a drain: {"box": {"min": [0, 0], "max": [1, 1]}},
+        {"disc": {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many
+        particles were removed; they count as `drained`. Errors: ValueError for another shape; Error with status
+        INVALID for values that are not finite or out of range, GUARD, NOMEM."""
         made, _corners = _shape(shape)
         removed = ctypes.c_size_t()
         self._steer("a shape needs finite values, min below max, a radius above 0, 3 to 10000 corners",
@@ -1193,16 +1193,17 @@ class Renderer:
         report = _STRUCT["report"]()
         _tell(function(self._renderer, *arguments, ctypes.byref(report)), report)
 
-    def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None, notes=None):
-        """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green, blue,
-        255, top row first.
+    def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None,
+             notes=None):
+        """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
+        blue, 255, top row first.
 
-        values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: one colour. label: text at
-        their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and largest. view:
-        corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its walls. radius: of a
-        metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a line of ASCII text below
-        the picture, beside a scale bar; default None: no strip. notes: lines of it in a box; default None. Errors: Error
-        with status INVALID, RENDER, NOMEM; ValueError for values of another shape."""
+        values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: one colour. label:
+        text at their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and
+        largest. view: corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its
+        walls. radius: of a metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a
+        line of ASCII text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
+        box; default None. Errors: Error with status INVALID, RENDER, NOMEM; ValueError for values of another shape."""
         space, fluid = _space_of(source), source.fluid
         kept = _within(fluid, space)
         arrays = {"x": fluid.x[kept], "y": fluid.y[kept]}
