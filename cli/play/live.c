@@ -17,23 +17,31 @@
 /* What a slow machine may be behind before time is left out [s of the clock]. */
 static const double MOST_BEHIND = 0.1;
 
-static sph2d_status create(live *l, sph2d_report *report)
+/* Puts a simulation that was made, with its contacts, in place of the present one; or frees it. */
+static sph2d_status take(live *l, sph2d_sim *sim, sph2d_status made)
 {
-    sph2d_sim *sim = NULL;
-    sph2d_status status = sph2d_sim_create(&l->scene, &l->options, &sim, report);
-    if (status == SPH2D_OK)
-        status = sph2d_contacts_attach(sim);
+    const sph2d_status status = made == SPH2D_OK ? sph2d_contacts_attach(sim) : made;
     if (status != SPH2D_OK) {
         sph2d_sim_destroy(sim);
         return status;
     }
     sph2d_sim_destroy(l->sim);
     l->sim = sim;
-    l->due = sph2d_sim_time(sim);
-    l->stopped = SPH2D_OK;
-    l->ratio = 1;
-    l->pace = 0;
     return SPH2D_OK;
+}
+
+static sph2d_status create(live *l, sph2d_report *report)
+{
+    sph2d_sim *sim = NULL;
+    const sph2d_status made = sph2d_sim_create(&l->scene, &l->options, &sim, report);
+    const sph2d_status status = take(l, sim, made);
+    if (status == SPH2D_OK) {
+        l->due = sph2d_sim_time(sim);
+        l->stopped = SPH2D_OK;
+        l->ratio = 1;
+        l->pace = 0;
+    }
+    return status;
 }
 
 sph2d_status live_open(live *l, sph2d_scene_file *file, const sph2d_sim_options *options, sph2d_report *report)
@@ -111,17 +119,11 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
 static sph2d_status go_on(live *l, const sph2d_scene *scene, const sph2d_state *state, sph2d_report *report)
 {
     sph2d_sim *sim = NULL;
-    sph2d_status status = sph2d_sim_restore(scene, &l->options, state, &sim, report);
+    const sph2d_status made = sph2d_sim_restore(scene, &l->options, state, &sim, report);
+    const sph2d_status status = take(l, sim, made);
     if (status == SPH2D_OK)
-        status = sph2d_contacts_attach(sim);
-    if (status != SPH2D_OK) {
-        sph2d_sim_destroy(sim);
-        return status;
-    }
-    sph2d_sim_destroy(l->sim);
-    l->sim = sim;
-    l->scene = *scene;
-    return SPH2D_OK;
+        l->scene = *scene;
+    return status;
 }
 
 sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report)
