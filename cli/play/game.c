@@ -10,9 +10,6 @@
 #include <string.h>
 
 #include "../clock.h"
-#include "../exit.h"
-#include "../message.h"
-#include "../scene_input.h"
 #include "../templates.h"
 
 void game_tell(game *g, const char *format, ...)
@@ -33,6 +30,11 @@ void game_tell_report(game *g, sph2d_status status, sph2d_report *report)
     sph2d_report_clear(report);
 }
 
+game game_new(const cli_options *options, const sph2d_sim_options *sim_options)
+{
+    return (game){.options = options, .sim_options = *sim_options, .rate = 1, .help = true};
+}
+
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 void game_take_scene(game *g)
@@ -47,7 +49,7 @@ void game_take_scene(game *g)
     g->hand = hand_for(&g->live.scene);
 }
 
-static sph2d_status open_file(game *g, sph2d_scene_file *file, sph2d_report *report)
+sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *report)
 {
     live next;
     const sph2d_status status = live_open(&next, file, &g->sim_options, report);
@@ -81,26 +83,19 @@ sph2d_status game_open_template(game *g, size_t index, sph2d_report *report)
     }
     free(overrides);
     free(text);
-    return status == SPH2D_OK ? open_file(g, file, report) : status;
+    return status == SPH2D_OK ? game_open_file(g, file, report) : status;
 }
 
-int game_open(game *g, const cli_options *options, const sph2d_sim_options *sim_options)
+sph2d_status game_open_text(game *g, const char *text, size_t length, const char *name, sph2d_report *report)
 {
-    *g = (game){.options = options, .sim_options = *sim_options, .rate = 1, .help = true};
-    sph2d_report report = {0};
     sph2d_scene_file *file = NULL;
-    sph2d_status status;
-    if (options->operand_count == 0)
-        status = game_open_template(g, 0, &report);
-    else {
-        status = scene_input_read(options, &file, &report);
-        if (status == SPH2D_OK) {
-            sph2d_report_clear(&report); /* creating the simulation repeats warnings */
-            status = open_file(g, file, &report);
-        }
+    const sph2d_status status = sph2d_scene_file_parse(text, length, name, NULL, 0, &file, report);
+    if (status != SPH2D_OK) {
+        sph2d_scene_file_destroy(file);
+        return status;
     }
-    message_report(status, &report, g->live.file);
-    return exit_of_status(status);
+    sph2d_report_clear(report); /* creating the simulation repeats warnings */
+    return game_open_file(g, file, report);
 }
 
 void game_close(game *g)

@@ -29,13 +29,19 @@ typedef struct game {
     double next_frame;      /**< simulated time of the next one [s] */
 } game;
 
-/** Starts with a scene file, or without one with the first template. Returns an exit code; problems are reported. */
-int game_open(game *g, const cli_options *options, const sph2d_sim_options *sim_options);
+/** Without a scene yet. */
+game game_new(const cli_options *options, const sph2d_sim_options *sim_options);
 void game_close(game *g);
 
 /** Shows a message for some seconds; a failure's first diagnostic, and drops the report. */
 __attribute__((format(printf, 2, 3))) void game_tell(game *g, const char *format, ...);
 void game_tell_report(game *g, sph2d_status status, sph2d_report *report);
+
+/** Starts a scene, and takes the file also after a failure. Errors: as sph2d_sim_create; the game goes on as it was. */
+sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *report);
+
+/** Starts the scene of a text under a name. Errors: as sph2d_scene_file_parse and game_open_file. */
+sph2d_status game_open_text(game *g, const char *text, size_t length, const char *name, sph2d_report *report);
 
 /** Starts a template of `sph2d init`. Errors: as sph2d_sim_create; the game goes on as it was. */
 sph2d_status game_open_template(game *g, size_t index, sph2d_report *report);
@@ -48,6 +54,12 @@ extern const char game_help[];
 
 /** Frames of a film for each second of it. */
 enum { GAME_FILM_RATE = 30 };
+
+/** Keeps the scene with its liquid, and begins or ends a film: files here, downloads on a page. */
+void game_save(game *g);
+void game_film(game *g);
+/** Adds a picture to the film when its time has come. */
+void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture);
 
 /** Does what a key says. */
 void game_key(game *g, int key);

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "../templates.h"
 #include "game.h"
@@ -21,48 +20,6 @@ const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its re
                          "M metaballs, points  C colour\n"
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
-
-/* A folder that does not exist yet, NAME_000 and on; false with a message where none can be made. */
-static bool make_folder(game *g, const char *name, char out[32])
-{
-    for (int k = 0; k < 1000; ++k) {
-        snprintf(out, 32, "%.20s_%03d", name, k);
-        if (mkdir(out, 0777) == 0)
-            return true;
-        struct stat there;
-        if (stat(out, &there) != 0)
-            break;
-    }
-    game_tell(g, "cannot make a folder '%.20s_000' here", name);
-    return false;
-}
-
-static void save(game *g)
-{
-    char folder[32];
-    sph2d_report report = {0};
-    if (!make_folder(g, "played", folder))
-        return;
-    const sph2d_status status = live_save(&g->live, folder, &report);
-    game_tell_report(g, status, &report);
-    if (status == SPH2D_OK)
-        game_tell(g, "saved in '%s': scene.yaml, and a snapshot that 'sph2d resume %s' goes on from", folder, folder);
-}
-
-static void film(game *g)
-{
-    if (g->recording[0] != '\0') {
-        game_tell(g, "%u frames in '%s': ffmpeg -framerate %d -i %s/frame_%%06d.png film.mp4", g->recorded,
-                  g->recording, GAME_FILM_RATE, g->recording);
-        g->recording[0] = '\0';
-    } else if (make_folder(g, "film", g->recording)) {
-        g->recorded = 0;
-        g->next_frame = sph2d_sim_time(g->live.sim);
-        game_tell(g, "filming into '%s'; F ends it", g->recording);
-    } else {
-        g->recording[0] = '\0';
-    }
-}
 
 static void change_fluid(game *g, const sph2d_scene *scene, const char *name, double value, const char *unit)
 {
@@ -246,10 +203,10 @@ void game_key(game *g, int key)
         fit(g);
         break;
     case 'S':
-        save(g);
+        game_save(g);
         break;
     case 'F':
-        film(g);
+        game_film(g);
         break;
     case 'H':
         g->help = !g->help;

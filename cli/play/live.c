@@ -245,26 +245,3 @@ sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, sph
     l->corner_count += count;
     return SPH2D_OK;
 }
-
-/* ---- saving ------------------------------------------------------------------------------------------------------ */
-
-sph2d_status live_save(live *l, const char *folder, sph2d_report *report)
-{
-    const size_t size = sph2d_scene_text(&l->scene, NULL, 0) + 1;
-    char *text = size > 1 ? malloc(size) : NULL;
-    if (!text)
-        return SPH2D_NOMEM;
-    sph2d_scene_text(&l->scene, text, size);
-    char path[4096];
-    sph2d_scene_file *file = NULL;
-    snprintf(path, sizeof path, "%s/scene.yaml", folder);
-    sph2d_status status = sph2d_text_write(path, text, size - 1, report);
-    if (status == SPH2D_OK)
-        status = sph2d_scene_file_parse(text, size - 1, path, NULL, 0, &file, report);
-    snprintf(path, sizeof path, "%s/snapshot_000000.h5", folder);
-    if (status == SPH2D_OK)
-        status = sph2d_snapshot_write(l->sim, file, 0, path, report);
-    sph2d_scene_file_destroy(file);
-    free(text);
-    return status;
-}

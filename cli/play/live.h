@@ -44,8 +44,4 @@ sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report
  *  sph2d_sim_create. */
 sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, sph2d_report *report);
 
-/** Writes `scene.yaml` and `snapshot_000000.h5` into a folder that exists, by which the run can be resumed. Errors: as
- *  sph2d_snapshot_write. */
-sph2d_status live_save(live *l, const char *folder, sph2d_report *report);
-
 #endif

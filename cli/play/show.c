@@ -86,26 +86,6 @@ static sph2d_status add_hand(game *g, sph2d_picture *picture)
     return SPH2D_OK;
 }
 
-/* Writes a frame of the film when its time has come. */
-static void record(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
-{
-    if (g->recording[0] == '\0' || sph2d_sim_time(g->live.sim) < g->next_frame)
-        return;
-    sph2d_report report = {0};
-    char path[64];
-    snprintf(path, sizeof path, "%s/frame_%06u.png", g->recording, g->recorded);
-    sph2d_picture frame = *picture;
-    frame.notes = NULL;
-    sph2d_status status = sph2d_renderer_draw(renderer, &frame, &report);
-    if (status == SPH2D_OK)
-        status = sph2d_renderer_write_png(renderer, path, &report);
-    g->recorded += status == SPH2D_OK;
-    g->next_frame += g->rate / GAME_FILM_RATE;
-    if (status != SPH2D_OK)
-        g->recording[0] = '\0';
-    game_tell_report(g, status, &report);
-}
-
 void game_show(game *g, sph2d_renderer *renderer, double pictures)
 {
     sph2d_report report = {0};
@@ -121,7 +101,7 @@ void game_show(game *g, sph2d_renderer *renderer, double pictures)
     picture.caption = caption;
     picture.notes = notes[0] != '\0' ? notes : NULL;
     if (status == SPH2D_OK)
-        record(g, renderer, &picture);
+        game_film_frame(g, renderer, &picture);
     if (status == SPH2D_OK)
         status = sph2d_renderer_draw_to(renderer, 0, 0, 0, &picture, &report);
     game_tell_report(g, status, &report);

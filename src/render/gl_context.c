@@ -96,7 +96,7 @@ sph2d_status sph2d__gl_borrow(sph2d_gl_loader get_proc_address, sph2d__gl_contex
         return SPH2D_OK;
     *context = (sph2d__gl_context){0};
     sph2d_diagnostic_hint(sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL, "%s", why),
-                          "make a context of OpenGL 3.3 or newer current before the call");
+                          "make a context of OpenGL 3.3, OpenGL ES 3.0 or newer current before the call");
     return SPH2D_RENDER;
 }
 

@@ -4,6 +4,14 @@
 #include "render/gl_loader.h"
 
 #include <stdio.h>
+#include <string.h>
+
+/* What OpenGL ES has only by extensions. */
+static bool blends_floats(const sph2d__gl *gl)
+{
+    const char *extensions = (const char *)gl->GetString(GL_EXTENSIONS);
+    return extensions && strstr(extensions, "EXT_float_blend") && strstr(extensions, "OES_texture_float_linear");
+}
 
 /* OSMesa returns a pointer for any name, so a pointer does not show that a function exists. The version is checked
  * first, by two functions that every OpenGL has. */
@@ -19,10 +27,13 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
     GLint major = 0, minor = 0;
     gl->GetIntegerv(GL_MAJOR_VERSION, &major);
     gl->GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (!version || major < 3 || (major == 3 && minor < 3)) {
-        snprintf(why, size, "OpenGL 3.3 is needed, %s has %s", context->name, version ? version : "none");
+    gl->es = version && strstr(version, "OpenGL ES");
+    if (!version || major < 3 || (major == 3 && minor < 3 && !gl->es)) {
+        snprintf(why, size, "OpenGL 3.3 or OpenGL ES 3.0 is needed, %s has %s", context->name,
+                 version ? version : "none");
         return false;
     }
+    gl->half = gl->es && !blends_floats(gl);
     return true;
 }
 

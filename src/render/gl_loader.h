@@ -72,6 +72,8 @@ typedef struct sph2d__gl {
 #define SPH2D__GL_MEMBER(name, type) type name;
     SPH2D__GL_MAP(SPH2D__GL_MEMBER)
 #undef SPH2D__GL_MEMBER
+    bool es;   /**< OpenGL ES, as in browsers */
+    bool half; /**< 32-bit floats cannot be blended and interpolated, 16-bit ones can */
 } sph2d__gl;
 
 /** Opens the context "osmesa" or "egl", or with NULL the first that works, makes it current and loads its functions.
@@ -82,7 +84,7 @@ sph2d_status sph2d__gl_open(const char *wanted, sph2d__gl_context *context, sph2
 sph2d_status sph2d__gl_borrow(sph2d_gl_loader get_proc_address, sph2d__gl_context *context, sph2d__gl *gl,
                               sph2d_report *report);
 
-/** Fills `gl` from the current context and checks that it is OpenGL 3.3 or newer. On failure `why` has a message. */
+/** Fills `gl` from the current context and checks that it is OpenGL 3.3 or OpenGL ES 3.0, or newer. On failure `why` has a message. */
 bool sph2d__gl_load(sph2d__gl *gl, const sph2d__gl_context *context, char *why, size_t size);
 
 /** Clears OpenGL's pending errors, so that the next sph2d__gl_check reports only new ones. */

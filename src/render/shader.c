@@ -142,6 +142,18 @@ static void report_log(sph2d_report *report, const source *from, const char *log
                          "the shader '%s' does not compile, and OpenGL does not say why", from->file);
 }
 
+/* OpenGL ES compiles the same text with another first line. */
+static const char
+    DESKTOP_LINE[] = "#version 330 core\n",
+    ES_LINES[] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n#line 2\n";
+
+static void set_source(const sph2d__gl *gl, GLuint shader, const char *text)
+{
+    const bool exchange = gl->es && strncmp(text, DESKTOP_LINE, sizeof DESKTOP_LINE - 1) == 0;
+    const GLchar *parts[2] = {exchange ? ES_LINES : "", exchange ? text + sizeof DESKTOP_LINE - 1 : text};
+    gl->ShaderSource(shader, 2, parts, NULL);
+}
+
 static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *name, GLenum type, GLuint *shader,
                             sph2d_report *report)
 {
@@ -149,7 +161,7 @@ static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *na
     sph2d_status status = dir ? read_file(dir, name, &from, report) : read_built_in(name, &from, report);
     if (status == SPH2D_OK) {
         *shader = gl->CreateShader(type);
-        gl->ShaderSource(*shader, 1, (const GLchar *const *)&from.text, NULL);
+        set_source(gl, *shader, from.text);
         gl->CompileShader(*shader);
         GLint compiled = GL_FALSE;
         gl->GetShaderiv(*shader, GL_COMPILE_STATUS, &compiled);

@@ -90,13 +90,15 @@ sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *targ
     return status == SPH2D_OK ? finish(gl, target, "making the picture", report) : status;
 }
 
-/* R32F, not R16F: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats is as fast. */
+/* R32F, not R16F, where it can be: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats
+ * is as fast. */
 sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int channels, GLint filter,
                                         GLsizei width, GLsizei height, sph2d_report *report)
 {
     *target = (sph2d__target){.width = width, .height = height};
-    const sph2d_status status = create_texture(gl, target, channels == 1 ? GL_R32F : GL_RGBA32F,
-                                               channels == 1 ? GL_RED : GL_RGBA, GL_FLOAT, filter, report);
+    const GLint one = gl->half ? GL_R16F : GL_R32F, four = gl->half ? GL_RGBA16F : GL_RGBA32F;
+    const sph2d_status status = create_texture(gl, target, channels == 1 ? one : four, channels == 1 ? GL_RED : GL_RGBA,
+                                               GL_FLOAT, filter, report);
     return status == SPH2D_OK ? finish(gl, target, "making the field of the metaballs", report) : status;
 }
 

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/** @file turn.c
+ *  One turn of the loop around a window or a page. */
+#include "turn.h"
+
+#include <math.h>
+
+#include "../clock.h"
+
+/* Pictures a second for which steps are cut short where the machine is slow; but steps have this long in any case [s]. */
+static const double WANTED_PICTURES = 34, LEAST_STEPPING = 0.006;
+
+/* The longest that is taken for one turn, as after the window was dragged [s]. */
+static const double LONGEST_TURN = 0.1;
+
+/* Makes the renderer anew for a window of another size, or another style. */
+static sph2d_status fit_renderer(turning *t, const game *g, const play_input *input, sph2d_gl_loader loader,
+                                 sph2d_report *report)
+{
+    if (t->renderer && t->width == input->width && t->height == input->height && t->style == g->style.frames.style)
+        return SPH2D_OK;
+    sph2d_renderer_destroy(t->renderer);
+    t->renderer = NULL;
+    sph2d_render_options options = sph2d_render_options_default();
+    options.width = t->width = input->width;
+    options.height = t->height = input->height;
+    options.style = t->style = g->style.frames.style;
+    options.shader_dir = g->options->shader_dir;
+    options.get_proc_address = loader;
+    return sph2d_renderer_create(&options, &t->renderer, report);
+}
+
+static void average(double *mean, double value)
+{
+    *mean += 0.1 * (value - *mean);
+}
+
+sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_loader loader, double since,
+                       sph2d_report *report)
+{
+    const double begun = clock_wall(), passed = fmin(since, LONGEST_TURN), from = sph2d_sim_time(g->live.sim);
+    const bool visible = input->width >= 16 && input->height >= 16;
+    for (int k = 0; k < input->key_count; ++k)
+        game_key(g, input->keys[k]);
+    if (visible)
+        game_hand(g, t->renderer, input);
+    game_advance(g, passed, fmax(1 / WANTED_PICTURES - t->drawing, LEAST_STEPPING));
+    t->played += g->paused ? 0 : passed * g->rate;
+    t->simulated += fmax(sph2d_sim_time(g->live.sim) - from, 0);
+    t->draws = clock_wall();
+    average(&t->stepping, t->draws - begun);
+    if (!visible)
+        return SPH2D_OK;
+    const sph2d_status status = fit_renderer(t, g, input, loader, report);
+    if (status != SPH2D_OK)
+        return status;
+    game_show(g, t->renderer, t->pictures);
+    return SPH2D_OK;
+}
+
+void turn_shown(turning *t)
+{
+    const double now = clock_wall();
+    average(&t->drawing, now - t->draws);
+    ++t->shown;
+    if (t->counted == 0)
+        t->counted = now;
+    if (now - t->counted >= 1) {
+        t->pictures = (double)(t->shown - t->shown_then) / (now - t->counted);
+        t->counted = now;
+        t->shown_then = t->shown;
+    }
+}
+
+void turn_end(turning *t)
+{
+    sph2d_renderer_destroy(t->renderer);
+    t->renderer = NULL;
+}
