@@ -22,6 +22,7 @@ bool sph2d__layers_find_earlier(sph2d_sim *sim, sph2d__near *earlier)
     double *x = sph2d__alloc(&sim->memory, w->count + 1, sizeof *x);
     double *y = sph2d__alloc(&sim->memory, w->count + 1, sizeof *y);
     size_t count = 0;
+    *earlier = (sph2d__near){0}; /* freed after a failure, too */
     for (size_t i = 0; x && y && i < w->count; ++i) {
         bool sliver = w->mass[i] > 0 && w->mass[i] < half;
         x[count] = w->x[i];
