@@ -39,7 +39,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
 
 define install_packages
 with_numpy() { for p in $(PYTHONS); do ! "$$p" -c 'import numpy' 2>/dev/null || return 0; done; return 1; }
@@ -52,6 +52,9 @@ missing() {
         command -v $$tool >/dev/null || echo $$tool | tr X x
     done
     test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
+    test -z '$(filter web test-web,$(MAKECMDGOALS))' || command -v emcc >/dev/null ||
+        printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
+    test -z '$(filter test-web,$(MAKECMDGOALS))' || command -v '$(or $(CHROMIUM),chromium)' >/dev/null || echo chromium
     test -z '$(filter test test-full test-sanitize,$(MAKECMDGOALS))' || with_numpy || echo python3-numpy
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
@@ -151,7 +154,7 @@ IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml libxxhash)
 CONTACTS_FLAGS := -Iinclude -Isrc
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
-CLI_FLAGS := -Iinclude -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER) \
+CLI_FLAGS := -Iinclude -Icli -I$(BUILD)/gen $(if $(WITH_RENDER),,-DSPH2D_NO_RENDER) \
     $(call pc_cflags,$(GLFW))
 TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $(WITH_RENDER),libpng)) \
     $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
@@ -196,8 +199,9 @@ FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 # One opens a window.
 EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sort $(wildcard examples/*.c))))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
+PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run cli/completions/sph2d.bash $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
+SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
     tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh examples/*.sh))
 
@@ -221,7 +225,7 @@ IO_OBJ := $(call objects,$(IO_SRC))
 STUDY_OBJ := $(call objects,$(STUDY_SRC))
 CONTACTS_OBJ := $(call objects,$(CONTACTS_SRC))
 RENDER_OBJ := $(if $(WITH_RENDER),$(call objects,$(RENDER_SRC)) $(OBJ)/gen/shaders.o)
-CLI_OBJ := $(call objects,$(CLI_SRC)) $(OBJ)/gen/study_templates.o
+CLI_OBJ := $(call objects,$(CLI_SRC)) $(OBJ)/gen/study_templates.o $(if $(GLFW),$(OBJ)/gen/play_scenes.o)
 TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
@@ -373,6 +377,14 @@ $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/s
 	printf '\nconst struct sph2d__shader_source sph2d__shader_sources[] = {\n'; \
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
 	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
+$(BUILD)/gen/play_scenes.c: $(PLAY_SCENES) Makefile $(wildcard cli/play/scenes)
+	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "play/scenes.h"\n\n'; \
+	for f in $(PLAY_SCENES); do \
+	    echo "static const char scene_$$(basename $$f .yaml)[] = {"; $(call bytes_of,$$f); \
+	done; \
+	printf '\nconst play_scene play_scenes[] = {\n'; \
+	for f in $(PLAY_SCENES); do n=$$(basename $$f .yaml); echo "    {\"$${n#*_}\", scene_$$n},"; done; \
+	printf '};\nconst size_t play_scene_count = $(words $(PLAY_SCENES));\n'; } >$@
 $(BUILD)/gen/study_templates.c: $(TEMPLATES) Makefile
 	$(call say,GEN,$@)mkdir -p $(@D) && for f in $(TEMPLATES); do \
 	    echo "extern const char study_$$(basename $$f | tr . _)[];"; \
@@ -384,6 +396,7 @@ packages:
 	@printf '%s\n' 'sph2d: $(MISSING) is missing. "make demo" and "make test" install it; or run:' \
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
+include cli/web/web.mk
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) \
     $(BENCH_OBJ) $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
 

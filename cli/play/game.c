@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../clock.h"
-#include "../templates.h"
+#include "scenes.h"
 
 void game_tell(game *g, const char *format, ...)
 {
@@ -54,6 +54,8 @@ sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *repor
     live next;
     const sph2d_status status = live_open(&next, file, &g->sim_options, report);
     if (status != SPH2D_OK) {
+        for (size_t i = 0; i < report->count; ++i)
+            sph2d_scene_file_locate(file, &report->items[i]); /* before the file is gone */
         live_close(&next);
         return status;
     }
@@ -63,39 +65,23 @@ sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *repor
     return SPH2D_OK;
 }
 
-/* Templates are played by the method that takes the longest steps, 2 % compressible, but for what --set says. */
-static const sph2d_override PLAYED[] = {{"method.name", "constraint"}, {"method.max_compression", "0.02"}};
-enum { PLAYED_COUNT = sizeof PLAYED / sizeof PLAYED[0] };
-
-sph2d_status game_open_template(game *g, size_t index, sph2d_report *report)
-{
-    const scene_template *from = &scene_templates[index];
-    size_t length = 0, count = g->options->override_count;
-    sph2d_scene_file *file = NULL;
-    char *text = scene_template_text(from, from->name, &length);
-    sph2d_override *overrides = malloc((PLAYED_COUNT + count) * sizeof *overrides);
-    sph2d_status status = SPH2D_NOMEM;
-    if (text && overrides) {
-        memcpy(overrides, PLAYED, sizeof PLAYED);
-        if (count > 0)
-            memcpy(overrides + PLAYED_COUNT, g->options->overrides, count * sizeof *overrides);
-        status = sph2d_scene_file_parse(text, length, from->name, overrides, PLAYED_COUNT + count, &file, report);
-    }
-    free(overrides);
-    free(text);
-    return status == SPH2D_OK ? game_open_file(g, file, report) : status;
-}
-
 sph2d_status game_open_text(game *g, const char *text, size_t length, const char *name, sph2d_report *report)
 {
     sph2d_scene_file *file = NULL;
-    const sph2d_status status = sph2d_scene_file_parse(text, length, name, NULL, 0, &file, report);
+    const sph2d_status status =
+        sph2d_scene_file_parse(text, length, name, g->options->overrides, g->options->override_count, &file, report);
     if (status != SPH2D_OK) {
         sph2d_scene_file_destroy(file);
         return status;
     }
     sph2d_report_clear(report); /* creating the simulation repeats warnings */
     return game_open_file(g, file, report);
+}
+
+sph2d_status game_open_number(game *g, size_t number, sph2d_report *report)
+{
+    const play_scene *from = &play_scenes[number];
+    return game_open_text(g, from->text, strlen(from->text), from->name, report);
 }
 
 void game_close(game *g)

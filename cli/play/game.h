@@ -22,6 +22,7 @@ typedef struct game {
     sph2d_vec2 color_range; /**< of all that was shown of this field */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
+    bool told_elsewhere;    /**< messages are not for the picture */
     char message[400];      /**< the last thing to tell ... */
     double told;            /**< ... and when, on the clock [s] */
     char recording[32];     /**< the folder of a film; empty for none */
@@ -43,8 +44,8 @@ sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *repor
 /** Starts the scene of a text under a name. Errors: as sph2d_scene_file_parse and game_open_file. */
 sph2d_status game_open_text(game *g, const char *text, size_t length, const char *name, sph2d_report *report);
 
-/** Starts a template of `sph2d init`. Errors: as sph2d_sim_create; the game goes on as it was. */
-sph2d_status game_open_template(game *g, size_t index, sph2d_report *report);
+/** Starts one of play_scenes. Errors: as game_open_text. */
+sph2d_status game_open_number(game *g, size_t number, sph2d_report *report);
 
 /** Sets what follows from a new scene: style, reach of the hand. */
 void game_take_scene(game *g);
@@ -60,6 +61,22 @@ void game_save(game *g);
 void game_film(game *g);
 /** Adds a picture to the film when its time has come. */
 void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture);
+
+/** What can be set while it runs: the size of gravity [m/s^2], viscosity [Pa s], surface tension [N/m], the largest
+ *  compression (a part of the density), and the rate, simulated seconds for one of the clock. */
+typedef enum game_quantity {
+    GAME_GRAVITY,
+    GAME_VISCOSITY,
+    GAME_TENSION,
+    GAME_COMPRESSION,
+    GAME_RATE
+} game_quantity;
+double game_get(const game *g, game_quantity quantity);
+void game_set(game *g, game_quantity quantity, double value);
+
+/** Sets gravity [m/s^2]; and its size in the scene's file, or on Earth where that has none. */
+void game_pull(game *g, double x, double y);
+double game_usual_gravity(const game *g);
 
 /** Does what a key says. */
 void game_key(game *g, int key);

@@ -5,15 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../templates.h"
 #include "game.h"
+#include "scenes.h"
 
 /* The fields that colour the liquid, in turn. */
 static const char *const colors[] = {NULL, "speed", "Pressures"};
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
 const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its reach\n"
-                         "P pull  O pour  E wipe  W wall   1 to 4 scenes  R again\n"
+                         "P pull  O pour  E wipe  W wall   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
@@ -21,14 +21,8 @@ const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its re
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
 
-static void change_fluid(game *g, const sph2d_scene *scene, const char *name, double value, const char *unit)
-{
-    sph2d_report report = {0};
-    const sph2d_status status = live_change(&g->live, scene, &report);
-    game_tell_report(g, status, &report);
-    if (status == SPH2D_OK)
-        game_tell(g, "%s %.3g %s", name, value, unit);
-}
+/* The first step from none [Pa s], [N/m]. */
+static const double LEAST_VISCOSITY = 1e-3, LEAST_TENSION = 1;
 
 /* A step of a factor of two, from `least` on or to 0 below it. */
 static double scaled(double value, double factor, double least)
@@ -39,34 +33,16 @@ static double scaled(double value, double factor, double least)
     return value < 0.99 * least ? 0 : value;
 }
 
-static void scale_viscosity(game *g, double factor)
+/* Multiplies what can be set. */
+static void scale(game *g, game_quantity quantity, double factor, double least)
 {
-    sph2d_scene scene = g->live.scene;
-    scene.fluid.dynamic_viscosity = scaled(scene.fluid.dynamic_viscosity, factor, 1e-3);
-    change_fluid(g, &scene, "viscosity", scene.fluid.dynamic_viscosity, "Pa s");
-}
-
-static void scale_tension(game *g, double factor)
-{
-    sph2d_scene scene = g->live.scene;
-    scene.fluid.surface_tension = scaled(scene.fluid.surface_tension, factor, 1);
-    change_fluid(g, &scene, "surface tension", scene.fluid.surface_tension, "N/m");
-}
-
-static void scale_stiffness(game *g, double factor)
-{
-    sph2d_scene scene = g->live.scene;
-    const double now = scene.method.max_compression > 0 ? scene.method.max_compression : 0.01;
-    scene.method.max_compression = fmin(fmax(now / factor, 1e-4), 0.2);
-    change_fluid(g, &scene, "compression of at most", 100 * scene.method.max_compression, "%");
+    game_set(g, quantity, scaled(game_get(g, quantity), factor, least));
 }
 
 static void turn_gravity(game *g, double x, double y)
 {
-    const sph2d_vec2 own = sph2d_scene_file_scene(g->live.file)->gravity;
-    const double size = hypot(own.x, own.y) > 0 ? hypot(own.x, own.y) : 9.81;
-    g->live.scene.gravity = (sph2d_vec2){size * x, size * y};
-    sph2d_sim_set_gravity(g->live.sim, g->live.scene.gravity);
+    const double size = game_usual_gravity(g);
+    game_pull(g, size * x, size * y);
 }
 
 static void next_color(game *g)
@@ -110,8 +86,8 @@ static void fit(game *g)
 static void open_number(game *g, size_t number)
 {
     sph2d_report report = {0};
-    if (number < scene_template_count)
-        game_tell_report(g, game_open_template(g, number, &report), &report);
+    if (number < play_scene_count)
+        game_tell_report(g, game_open_number(g, number, &report), &report);
 }
 
 static void one_step(game *g)
@@ -151,10 +127,10 @@ void game_key(game *g, int key)
         break;
     case '+':
     case '=':
-        g->rate = fmin(2 * g->rate, 64);
+        scale(g, GAME_RATE, 2, 0);
         break;
     case '-':
-        g->rate = fmax(g->rate / 2, 1.0 / 1024);
+        scale(g, GAME_RATE, 0.5, 0);
         break;
     case PLAY_KEY_LEFT:
         turn_gravity(g, -1, 0);
@@ -172,22 +148,22 @@ void game_key(game *g, int key)
         turn_gravity(g, 0, 0);
         break;
     case 'V':
-        scale_viscosity(g, 2);
+        scale(g, GAME_VISCOSITY, 2, LEAST_VISCOSITY);
         break;
     case 'B':
-        scale_viscosity(g, 0.5);
+        scale(g, GAME_VISCOSITY, 0.5, LEAST_VISCOSITY);
         break;
     case 'T':
-        scale_tension(g, 2);
+        scale(g, GAME_TENSION, 2, LEAST_TENSION);
         break;
     case 'Y':
-        scale_tension(g, 0.5);
+        scale(g, GAME_TENSION, 0.5, LEAST_TENSION);
         break;
     case 'K':
-        scale_stiffness(g, 2);
+        scale(g, GAME_COMPRESSION, 0.5, 0);
         break;
     case 'L':
-        scale_stiffness(g, 0.5);
+        scale(g, GAME_COMPRESSION, 2, 0);
         break;
     case 'M':
         g->style.frames.style =

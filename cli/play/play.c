@@ -65,7 +65,7 @@ static int open_game(game *g, const cli_options *options, const sph2d_sim_option
     sph2d_scene_file *file = NULL;
     sph2d_status status;
     if (options->operand_count == 0)
-        status = game_open_template(g, 0, &report);
+        status = game_open_number(g, 0, &report);
     else {
         status = scene_input_read(options, &file, &report);
         if (status == SPH2D_OK) {

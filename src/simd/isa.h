@@ -26,6 +26,14 @@ sph2d_isa sph2d__isa_choose(sph2d_isa wish);
                : isa == SPH2D_ISA_AVX2 ? &name##_avx2##tail                                                            \
                                        : &name##_baseline##tail;                                                       \
     }
+#elif defined(SPH2D__SMALL) /* for pages: the copies for floats are those for doubles */
+#define SPH2D__COPIES(type, name, tail)                                                                                \
+    extern const type name##_baseline;                                                                                 \
+    static inline const type *name##_find##tail(sph2d_isa isa)                                                         \
+    {                                                                                                                  \
+        (void)isa;                                                                                                     \
+        return &name##_baseline;                                                                                       \
+    }
 #else
 #define SPH2D__COPIES(type, name, tail)                                                                                \
     extern const type name##_baseline##tail;                                                                           \

@@ -102,12 +102,16 @@ static terms terms_of(const sph2d__system *s, sph2d_kernel kernel)
  * blocks; for syrups only with the usual terms. */
 #define OF_DETAIL(X, detail) X(detail, 0, 0, 0, 0) X(detail, 0, 1, 0, 0) X(detail, 1, 0, 0, 0) X(detail, 1, 1, 0, 0)
 #define WITH_EDDIES(X) X(SHIFT, 0, 1, 1, 0) X(SHIFT, 1, 1, 1, 0) X(SHIFT, 0, 1, 1, 1)
+#ifdef SPH2D__SMALL /* a small library has none */
+#define FOR_COPIES(X)
+#else
 #define FOR_COPIES(X)                                                                                                  \
     OF_DETAIL(X, NONE)                                                                                                 \
     OF_DETAIL(X, GRADIENT)                                                                                             \
     OF_DETAIL(X, EIGENVALUE)                                                                                           \
     OF_DETAIL(X, SHIFT)                                                                                                \
     WITH_EDDIES(X)
+#endif
 
 /* The kernel of nearly all scenes. */
 static const sph2d_kernel USUAL = SPH2D_KERNEL_WENDLAND_C2;

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/** @file absent.c
+ *  What a page does not have: snapshots, threads on processors of their own, files. */
+#define _GNU_SOURCE
+#include <emscripten.h>
+#include <errno.h>
+#include <pthread.h>
+#include <sched.h>
+
+#include "../play/game.h"
+
+/* ---- files ------------------------------------------------------------------------------------------------------- */
+
+sph2d_status sph2d_snapshot_read(const char *path, sph2d_snapshot **snapshot, sph2d_report *report)
+{
+    *snapshot = NULL;
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_OPEN, NULL, "a page reads no snapshots, such as '%s'", path);
+    return SPH2D_NOINPUT;
+}
+
+void sph2d_snapshot_destroy(sph2d_snapshot *snapshot)
+{
+    (void)snapshot;
+}
+
+const sph2d_array *sph2d_snapshot_array(const sph2d_snapshot *snapshot, sph2d_group group, const char *name)
+{
+    (void)snapshot;
+    (void)group;
+    (void)name;
+    return NULL;
+}
+
+sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot)
+{
+    (void)snapshot;
+    return (sph2d_snapshot_info){0};
+}
+
+/* Scenes and films become downloads, which the page's script makes of keys itself. */
+void game_save(game *g)
+{
+    (void)g;
+}
+
+void game_film(game *g)
+{
+    (void)g;
+}
+
+void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
+{
+    (void)g;
+    (void)renderer;
+    (void)picture;
+}
+
+/* ---- processors: one thread, which is where it is ---------------------------------------------------------------- */
+
+int sched_getcpu(void)
+{
+    return 0;
+}
+
+int sched_getaffinity(pid_t process, size_t size, cpu_set_t *set)
+{
+    (void)process;
+    (void)size;
+    (void)set;
+    errno = ENOSYS;
+    return -1;
+}
+
+int sched_setaffinity(pid_t process, size_t size, const cpu_set_t *set)
+{
+    return sched_getaffinity(process, size, (cpu_set_t *)set);
+}
+
+int pthread_getaffinity_np(pthread_t thread, size_t size, cpu_set_t *set)
+{
+    (void)thread;
+    (void)size;
+    (void)set;
+    return ENOSYS;
+}
+
+int pthread_setaffinity_np(pthread_t thread, size_t size, const cpu_set_t *set)
+{
+    (void)thread;
+    (void)size;
+    (void)set;
+    return ENOSYS;
+}
+
+int __sched_cpucount(size_t size, const cpu_set_t *set) /* of CPU_COUNT */
+{
+    (void)size;
+    (void)set;
+    return 1;
+}

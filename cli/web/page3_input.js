@@ -1,0 +1,81 @@
+// Pointers, keys and sliders.
+const canvas = document.getElementById('canvas');
+const pointer = {x: 0, y: 0, buttons: 0, scroll: 0};
+
+function moveTo(event) {
+    const box = canvas.getBoundingClientRect(), scale = canvas.width / box.width;
+    pointer.x = (event.clientX - box.left) * scale;
+    pointer.y = (event.clientY - box.top) * scale;
+}
+
+// One finger or the left button uses the tool; two fingers, the right button or Shift push.
+function startPointer() {
+    const touches = new Set();
+    canvas.addEventListener('pointerdown', (event) => {
+        canvas.focus({preventScroll: true});
+        canvas.setPointerCapture(event.pointerId);
+        touches.add(event.pointerId);
+        moveTo(event);
+        pointer.buttons = touches.size > 1 || event.button === 2 || event.shiftKey ? 2 : 1;
+        event.preventDefault();
+    });
+    canvas.addEventListener('pointermove', moveTo);
+    const lift = (event) => {
+        touches.delete(event.pointerId);
+        if (touches.size === 0) pointer.buttons = 0;
+    };
+    canvas.addEventListener('pointerup', lift);
+    canvas.addEventListener('pointercancel', lift);
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('wheel', (event) => {
+        pointer.scroll -= Math.sign(event.deltaY);
+        event.preventDefault();
+    }, {passive: false});
+}
+
+const ARROWS = {ArrowLeft: 256, ArrowRight: 257, ArrowDown: 258, ArrowUp: 259}; // as in cli/play/window.h
+
+function startKeys(special) {
+    window.addEventListener('keydown', (event) => {
+        const typing = /^(TEXTAREA|SELECT|INPUT)$/.test(event.target.tagName);
+        if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+        const name = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+        if (special[name]) special[name]();
+        else if (ARROWS[name]) sph2d._page_key(ARROWS[name]);
+        else if (name.length === 1 && name !== 'Q') key(name);
+        else return;
+        if (name === ' ' || ARROWS[name]) event.preventDefault(); // neither a button nor the page's scrolling
+    });
+}
+
+// Sliders of powers of ten, but for gravity and the pace, which is a power of two; the least of some is nothing.
+const sliders = {
+    gravity: {what: 0, value: (s) => s, place: (v) => v},
+    viscosity: {what: 1, value: (s) => (s <= -4 ? 0 : 10 ** s), place: (v) => (v > 0 ? Math.log10(v) : -4)},
+    tension: {what: 2, value: (s) => (s <= -1 ? 0 : 10 ** s), place: (v) => (v > 0 ? Math.log10(v) : -1)},
+    compression: {what: 3, value: (s) => 10 ** s, place: (v) => Math.log10(v)},
+    rate: {what: 4, value: (s) => 2 ** s, place: (v) => Math.log2(v), id: 'pace'},
+};
+
+function startSliders() {
+    for (const [name, slider] of Object.entries(sliders)) {
+        slider.input = document.getElementById(slider.id || name);
+        slider.output = slider.input.nextElementSibling;
+        slider.input.oninput = () => {
+            slider.until = performance.now() + 300; // the hand is on it
+            slider.output.textContent = textOf(name, slider.value(Number(slider.input.value)));
+        };
+        slider.input.onchange = () => sph2d._page_set(slider.what, slider.value(Number(slider.input.value)));
+    }
+}
+
+const textOf = (name, value) => Number((name === 'compression' ? 100 * value : value).toPrecision(3)).toString();
+
+// Sliders follow what keys and scenes change.
+function showSliders(now) {
+    for (const [name, slider] of Object.entries(sliders)) {
+        if (slider.until > performance.now() || document.activeElement === slider.input) continue;
+        slider.input.value = slider.place(now[name]);
+        slider.output.textContent = textOf(name, now[name]);
+    }
+}

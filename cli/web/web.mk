@@ -1,0 +1,70 @@
+# The page: the library, the renderer and play, compiled by Emscripten into one HTML file that needs no server.
+# Included by the Makefile.
+
+WEB := $(BUILD)/web
+EMCC ?= emcc
+# Where Debian's Emscripten finds its helpers.
+WEB_ENV := NODE_PATH=/usr/share/nodejs NODE_OPTIONS=
+WEB_LIBS := $(WEB)/sources
+# Snapshots are HDF5, which a page has no use for; what is left refuses them (no_files.c).
+WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/trailer.c src/files/series.c \
+    src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
+WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
+    cli/frame.c cli/text.c cli/json.c $(addprefix cli/play/,game.c hand.c keys.c live.c quantities.c show.c turn.c) \
+    $(sort $(wildcard cli/web/*.c))
+WEB_GEN := $(BUILD)/gen/shaders.c $(BUILD)/gen/play_scenes.c
+WEB_OBJ := $(patsubst %.c,$(WEB)/obj/%.o,$(filter-out $(PASS_SRC),$(WEB_SRC)) $(WEB_GEN:$(BUILD)/%=%)) \
+    $(PASS_SRC:%.c=$(WEB)/obj/%.baseline.o)
+WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd128 -fno-math-errno -ffp-contract=off -MMD -MP \
+    -Wno-unknown-pragmas -Wno-pass-failed -Iinclude -Isrc -Icli -I$(BUILD)/gen -I$(WEB)/headers \
+    -I$(WEB_LIBS)/libfyaml/include -I$(WEB_LIBS)/chipmunk/include
+# What steps is compiled for speed, what parses and draws for size.
+WEB_FAST := src/base/% src/particles/% src/flows/% src/boundary/% src/methods/% src/sim/%
+web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Os)
+WEB_LINK := -O3 -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
+    -sALLOW_MEMORY_GROWTH=1 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sSUPPORT_LONGJMP=0 -sTOTAL_STACK=1MB \
+    -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free
+
+web: $(WEB)/index.html ## the page to play in a browser, BUILD/web/index.html
+
+test-web: $(WEB)/index.html $(WEB)/state $(BUILD)/sph2d ## the page in a real Chromium (CHROMIUM=chromium)
+	$(hush)CHROMIUM='$(or $(CHROMIUM),chromium)' node tests/web/page.js $(WEB)/index.html $(WEB)/state $(BUILD)/sph2d $(WEB)/test
+$(WEB)/state: $(OBJ)/tests/web/state.o $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a
+	$(call link,,$(CONTACTS_LIBS) $(IO_LIBS) $(CORE_LIBS))
+$(OBJ)/tests/web/state.o: PART = -Iinclude
+.PHONY: web test-web
+
+web_compile = $(call say,EMCC,$<)mkdir -p $(@D) && $(WEB_ENV) $(EMCC) $(WEB_FLAGS) $(1) -c -o $@ $<
+
+$(WEB_LIBS)/fetched: cli/web/sources.sh
+	$(call say,GET,libfyaml and chipmunk)cli/web/sources.sh $(WEB_LIBS) && touch $@
+# Headers of OpenGL without those of the system beside them; and what libfyaml's configure would find.
+$(WEB)/headers/made: | $(WEB_LIBS)/fetched
+	$(hush)mkdir -p $(@D)/GL $(@D)/KHR && gl=$$($(PKG_CONFIG) --variable=includedir $(firstword $(GL))) && \
+	cp "$$gl"/GL/glcorearb.h $(@D)/GL && cp "$$gl"/KHR/khrplatform.h $(@D)/KHR && \
+	printf '#define VERSION "%s"\n' "$$(sed -n 's/^AC_INIT.*/&/p' $(WEB_LIBS)/libfyaml/configure.ac | tr -dc 0-9.)" \
+	    >$(@D)/config.h && touch $@
+$(WEB_OBJ): | $(WEB)/headers/made
+$(WEB)/obj/%_pass.baseline.o: %_pass.c
+	$(call web_compile,-O3 -DSPH2D__ISA=baseline)
+$(WEB)/obj/gen/%.o: $(BUILD)/gen/%.c
+	$(call web_compile,-Os)
+$(WEB)/obj/%.o: %.c
+	$(call web_compile,$(call web_speed,$<))
+# The two libraries as they are, each as one archive.
+$(WEB)/libfyaml.a: $(WEB)/headers/made
+	$(call say,EMCC,libfyaml)mkdir -p $(WEB)/obj/libfyaml && cd $(WEB)/obj/libfyaml && rm -f ./*.o && \
+	$(WEB_ENV) $(EMCC) -Os -DNDEBUG -DHAVE_CONFIG_H -D_GNU_SOURCE -w -I$(abspath $(WEB)/headers) \
+	    -I$(abspath $(WEB_LIBS))/libfyaml/include -I$(abspath $(WEB_LIBS))/libfyaml/src/xxhash \
+	    -c $(abspath $(WEB_LIBS))/libfyaml/src/lib/*.c $(abspath $(WEB_LIBS))/libfyaml/src/xxhash/*.c && \
+	$(WEB_ENV) emar qcs $(abspath $@) ./*.o
+$(WEB)/libchipmunk.a: $(WEB)/headers/made
+	$(call say,EMCC,chipmunk)mkdir -p $(WEB)/obj/chipmunk && cd $(WEB)/obj/chipmunk && rm -f ./*.o && \
+	$(WEB_ENV) $(EMCC) -O2 -DNDEBUG -w -I$(abspath $(WEB_LIBS))/chipmunk/include \
+	    -c $$(ls $(abspath $(WEB_LIBS))/chipmunk/src/*.c | grep -v Hasty) && \
+	$(WEB_ENV) emar qcs $(abspath $@) ./*.o
+$(WEB)/sph2d.js: $(WEB_OBJ) $(WEB)/libfyaml.a $(WEB)/libchipmunk.a cli/web/web.mk
+	$(call say,LINK,$@)$(WEB_ENV) $(EMCC) $(WEB_LINK) -o $@ $(filter %.o %.a,$^)
+$(WEB)/index.html: $(WEB)/sph2d.js cli/web/assemble.js cli/web/index.html cli/web/page.css cli/web/unpack.js $(wildcard cli/web/page*.js)
+	$(call say,GEN,$@)node cli/web/assemble.js $@ $(WEB)/sph2d
+-include $(shell test -d $(WEB)/obj && find $(WEB)/obj -name '*.d')
