@@ -27,6 +27,7 @@ enum {
     OPTION_SHADER_DIR,
     OPTION_SIZE,
     OPTION_STYLE,
+    OPTION_LOOK,
     OPTION_RADIUS,
     OPTION_COLOR,
     OPTION_RANGE,
@@ -48,6 +49,7 @@ enum {
 static const char *const isa_words[] = {"auto", "baseline", "avx2", "avx512", NULL};
 static const char *const progress_words[] = {"auto", "always", "never", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
+static const char *const look_words[] = {"water", "flat", "glass", "ink", NULL};
 static const char *const gl_words[] = {"osmesa", "egl", NULL};
 
 static const option_row rows[] = {
@@ -76,6 +78,7 @@ static const option_row rows[] = {
     {OPTION_TEMPLATE, "template", "NAME", CLI_INIT, "the template to use; 'sph2d help init' lists them"},
     {OPTION_SIZE, "size", "WxH", CLI_RENDER | CLI_PLAY, "size of the frames or the window in pixels"},
     {OPTION_STYLE, "style", "NAME", CLI_RENDER | CLI_PLAY, "metaballs or points"},
+    {OPTION_LOOK, "look", "NAME", CLI_RENDER | CLI_PLAY, "of metaballs: water, flat, glass or ink"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
     {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, Pressures, Densities"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
@@ -108,6 +111,8 @@ const char *const *options_words(const option_row *row)
         return progress_words;
     case OPTION_STYLE:
         return style_words;
+    case OPTION_LOOK:
+        return look_words;
     case OPTION_GL:
         return gl_words;
     default:
@@ -217,6 +222,16 @@ static bool set_style(cli_options *options, const char *name, const char *value)
         return bad_value(name, "style", value, "metaballs or points");
     options->style = (sph2d_style)style;
     options->style_given = true;
+    return true;
+}
+
+static bool set_look(cli_options *options, const char *name, const char *value)
+{
+    int look = find_word(value, look_words);
+    if (look < 0)
+        return bad_value(name, "look", value, "water, flat, glass or ink");
+    options->look = (sph2d_look)look;
+    options->look_given = true;
     return true;
 }
 
@@ -339,6 +354,8 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
         return true;
     case OPTION_STYLE:
         return set_style(options, name, value);
+    case OPTION_LOOK:
+        return set_look(options, name, value);
     case OPTION_RADIUS:
         return set_radius(options, name, value);
     case OPTION_COLOR:

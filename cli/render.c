@@ -28,6 +28,8 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
     sph2d_style scene_style = frames->style;
     if (options->style_given)
         frames->style = options->style;
+    if (options->look_given)
+        frames->look = options->look;
     if (options->radius > 0)
         frames->radius = options->radius;
     else if (frames->style != scene_style)

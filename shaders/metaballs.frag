@@ -1,11 +1,13 @@
 #version 330 core
-// From the summed field to water: a soft threshold, the field as a height map, normals from its differences, light.
+// From the summed field to a liquid: a soft threshold, the field as a height map, and one of the looks WATER, FLAT, GLASS
+// and INK, which is defined above.
 //
 // Two heights are lit together. The field itself makes a rounded rim, as wide as a particle; it counts as flat where it
 // is full, so that the lattice of the particles does not show. The depth, the field of much wider balls on a coarse grid,
 // rises slowly behind the rim and gives the body its shape and its colour. Pixels run from the top left, y downwards.
 uniform sampler2D field;
 uniform sampler2D depth;
+uniform sampler2D walls;    // their cover
 uniform float radius;       // R [px]
 uniform float threshold;    // of the field: water
 uniform float texel;        // side of a square of the depth's grid [px]
@@ -16,9 +18,6 @@ uniform bool colored;       // by the particles' colours, which the field has, t
 layout(location = 0) out vec4 color;
 
 const float full = 0.36; // field from which the rim counts as flat
-const vec3 shallow = vec3(0.30, 0.70, 0.88);
-const vec3 deep = vec3(0.04, 0.36, 0.66);
-const vec3 sky = vec3(0.10, 0.16, 0.18);
 const vec3 to_light = normalize(vec3(-0.45, -0.75, 0.6));
 const vec3 to_viewer = vec3(0.0, 0.0, 1.0);
 
@@ -35,8 +34,10 @@ float rim(ivec2 pixel)
 }
 
 // How much the rim rises to the right and down, from eight places around a pixel.
-vec2 rim_rise(ivec2 here, int straight, int diagonal)
+vec2 rim_rise(ivec2 here)
 {
+    int straight = max(1, int(0.4 * radius + 0.51)); // .51: round radii are far from where this jumps
+    int diagonal = max(1, int(0.4 * 0.7071 * radius + 0.51));
     float right = rim(here + ivec2(straight, 0)), left = rim(here - ivec2(straight, 0));
     float below = rim(here + ivec2(0, straight)), above = rim(here - ivec2(0, straight));
     float a = rim(here + ivec2(diagonal, diagonal)) - rim(here - ivec2(diagonal, diagonal));
@@ -49,39 +50,156 @@ float depth_at(vec2 place)
     return textureLod(depth, place, 0.0).r / depth_inside;
 }
 
-// How much of a pixel is water: the field's slope tells over how many pixels it crosses the threshold.
-float cover(ivec2 here, float f)
+// How much the depth rises to the right and down, and its mean.
+vec3 depth_around()
 {
-    vec2 slope = 0.5 * vec2(field_at(here + ivec2(1, 0)) - field_at(here - ivec2(1, 0)),
-                            field_at(here + ivec2(0, 1)) - field_at(here - ivec2(0, 1)));
-    float soft = 0.9 * max(length(slope), 1.0e-4);
+    vec2 grid = 1.0 / vec2(textureSize(depth, 0));
+    vec2 place = (gl_FragCoord.xy / texel + margin) * grid;
+    float right = depth_at(place + vec2(grid.x, 0.0)), left = depth_at(place - vec2(grid.x, 0.0));
+    float below = depth_at(place + vec2(0.0, grid.y)), above = depth_at(place - vec2(0.0, grid.y));
+    return vec3(right - left, below - above, 0.25 * (right + left + below + above));
+}
+
+// How much the field rises over a pixel to the right and down.
+vec2 field_rise(ivec2 here)
+{
+    return 0.5 * vec2(field_at(here + ivec2(1, 0)) - field_at(here - ivec2(1, 0)),
+                      field_at(here + ivec2(0, 1)) - field_at(here - ivec2(0, 1)));
+}
+
+// How much of a pixel is water: the field's slope tells over how many pixels it crosses the threshold.
+float cover(float f, vec2 rise)
+{
+    float soft = 0.9 * max(length(rise), 1.0e-4);
     return smoothstep(threshold - soft, threshold + soft, f);
 }
+
+// The mean colour of the particles.
+vec3 mean_color(ivec2 here, float f)
+{
+    return texelFetch(field, here, 0).gba / f;
+}
+
+#ifdef WATER
+
+const vec3 shallow = vec3(0.30, 0.70, 0.88);
+const vec3 deep = vec3(0.04, 0.36, 0.66);
+const vec3 sky = vec3(0.10, 0.16, 0.18);
+
+vec4 look(ivec2 here, float f)
+{
+    vec3 around = depth_around();
+    float inside = smoothstep(0.1, 1.0, around.z);
+    vec3 normal = normalize(vec3(-1.1 * rim_rise(here) - 1.2 * around.xy, 0.8));
+    float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
+    float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
+    float covered = cover(f, field_rise(here));
+    if (colored) // little light, so that colours are those of the colour bar
+        return vec4(mean_color(here, f) * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
+    vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
+    return vec4(lit, covered);
+}
+
+#else
+
+// Width of lines [px].
+float line_width()
+{
+    ivec2 size = textureSize(field, 0);
+    return max(1.4, float(min(size.x, size.y)) / 300.0);
+}
+
+float wall_at(vec2 place)
+{
+    return texelFetch(walls, clamp(ivec2(place), ivec2(0), textureSize(walls, 0) - 1), 0).r;
+}
+
+// How far the surface is, by the field's slope [px], and 1 where it is free, 0 where it lies at a wall.
+vec2 surface(float f, vec2 rise)
+{
+    float slope = max(length(rise), 1.0e-4);
+    float far = max((f - threshold) / slope, 0.0);
+    vec2 beyond = gl_FragCoord.xy - rise / slope * (min(far, 0.5 * radius) + 1.5);
+    float wall = max(wall_at(beyond), wall_at(beyond - rise / slope * max(0.12 * radius, 1.0)));
+    return vec2(far, 1.0 - wall);
+}
+
+#endif
+
+#ifdef FLAT
+
+const vec3 paint = vec3(0.17, 0.51, 0.81);
+
+vec4 look(ivec2 here, float f)
+{
+    vec2 rise = field_rise(here), border = surface(f, rise);
+    float edge = border.y * clamp(line_width() + 0.5 - border.x, 0.0, 1.0);
+    vec3 plain = colored ? mean_color(here, f) : paint;
+    return vec4(plain * (1.0 - 0.3 * edge), cover(f, rise));
+}
+
+#endif
+
+#ifdef GLASS
+
+const vec3 thin = vec3(0.48, 0.79, 0.90);
+const vec3 thick = vec3(0.16, 0.56, 0.74);
+const vec3 shade = vec3(0.05, 0.34, 0.50);
+
+// Light that comes in at the upper left is bent and gathers at the other side; the rim mirrors what is around it.
+vec4 look(ivec2 here, float f)
+{
+    vec3 around = depth_around();
+    vec2 rise = field_rise(here), border = surface(f, rise);
+    float inside = smoothstep(0.1, 1.0, around.z);
+    vec3 normal = normalize(vec3(-1.6 * border.y * rim_rise(here) - 1.2 * around.xy, 0.8));
+    vec3 bent = refract(-to_viewer, normal, 0.75);
+    float gathered = dot(bent.xy, to_light.xy); // below 0 at the side of the light
+    float mirrored = pow(1.0 - normal.z, 2.0);
+    float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 90.0);
+    vec3 plain = colored ? mean_color(here, f) : mix(thin, thick, inside);
+    vec3 dark = colored ? 0.4 * plain : shade;
+    vec3 lit = gathered < 0.0 ? mix(plain, dark, -1.4 * gathered) : mix(plain, vec3(1.0), 1.1 * gathered);
+    float edge = border.y * clamp(0.6 * line_width() + 0.5 - border.x, 0.0, 1.0);
+    lit = mix(lit, vec3(1.0), 0.35 * mirrored) * (1.0 - 0.3 * edge) + gloss;
+    float opaque = mix(colored ? 0.9 : 0.6, 0.9, max(max(inside, edge), max(gloss, mirrored)));
+    return vec4(clamp(lit, 0.0, 1.0), cover(f, rise) * opaque);
+}
+
+#endif
+
+#ifdef INK
+
+const vec3 ink = vec3(0.08, 0.10, 0.14);
+
+// How much of a line, which is where `value` is a level, covers the pixel; `change` is that over a pixel.
+float level_line(float value, float level, float change, float wide)
+{
+    return clamp(0.5 * wide + 0.5 - abs(value - level) / max(change, 1.0e-4), 0.0, 1.0);
+}
+
+vec4 look(ivec2 here, float f)
+{
+    vec3 around = depth_around();
+    vec2 rise = field_rise(here), border = surface(f, rise);
+    float wide = line_width();
+    float line = border.y * clamp(wide + 0.5 - border.x, 0.0, 1.0);
+    float change = 0.5 * length(around.xy) / texel;
+    float below = 0.0;
+    for (int k = 0; k < 4 && !colored; ++k) { // ever thinner lines along the surface, as on old charts
+        float part = float(k) / 4.0;
+        below = max(below, (0.75 - 0.6 * part) * level_line(around.z, 0.66 + 0.32 * part, change, 0.5 * wide));
+    }
+    vec3 paper = colored ? mean_color(here, f) : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
+    return vec4(mix(paper, ink, max(line, below)), cover(f, rise));
+}
+
+#endif
 
 void main()
 {
     ivec2 here = ivec2(gl_FragCoord.xy);
     float f = field_at(here);
     if (f < 0.4 * threshold) discard;
-
-    vec2 grid = 1.0 / vec2(textureSize(depth, 0));
-    vec2 place = (gl_FragCoord.xy / texel + margin) * grid;
-    float right = depth_at(place + vec2(grid.x, 0.0)), left = depth_at(place - vec2(grid.x, 0.0));
-    float below = depth_at(place + vec2(0.0, grid.y)), above = depth_at(place - vec2(0.0, grid.y));
-    float inside = smoothstep(0.1, 1.0, 0.25 * (right + left + below + above));
-
-    int straight = max(1, int(0.4 * radius + 0.51)); // .51: round radii are far from where this jumps
-    int diagonal = max(1, int(0.4 * 0.7071 * radius + 0.51));
-    vec2 rise = 1.1 * rim_rise(here, straight, diagonal) + 1.2 * vec2(right - left, below - above);
-    vec3 normal = normalize(vec3(-rise, 0.8));
-
-    float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
-    float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
-    if (colored) { // little light, so that colours are those of the colour bar
-        vec3 mean = texelFetch(field, here, 0).gba / f;
-        color = vec4(mean * (0.74 + 0.3 * diffuse) + 0.12 * gloss, cover(here, f));
-        return;
-    }
-    vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
-    color = vec4(lit, cover(here, f));
+    color = look(here, f);
 }

@@ -97,8 +97,8 @@ END_TEST
 START_TEST(options_are_checked)
 {
     const sph2d_render_options fine = sph2d_render_options_default();
-    sph2d_render_options bad[7];
-    for (int i = 0; i < 7; ++i)
+    sph2d_render_options bad[8];
+    for (int i = 0; i < 8; ++i)
         bad[i] = fine;
     bad[0].struct_size = 0;
     bad[1].width = 15;
@@ -107,7 +107,8 @@ START_TEST(options_are_checked)
     bad[4].style = (sph2d_style)7;
     bad[5].height = 0;
     bad[6].gl = "";
-    for (int i = 0; i < 7; ++i) {
+    bad[7].look = (sph2d_look)(SPH2D_LOOK_INK + 1);
+    for (int i = 0; i < 8; ++i) {
         sph2d_report report = {0};
         sph2d_renderer *renderer = (sph2d_renderer *)&report; /* must become NULL */
         ck_assert_int_eq(sph2d_renderer_create(&bad[i], &renderer, &report), SPH2D_INVALID);

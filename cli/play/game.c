@@ -43,6 +43,7 @@ void game_take_scene(game *g)
     style.name = g->live.scene.name; /* the file's: simulations come and go */
     style.frames.caption = SPH2D_SWITCH_ON;
     style.frames.style = g->options->style_given ? g->options->style : style.frames.style;
+    style.frames.look = g->options->look_given ? g->options->look : style.frames.look;
     style.frames.color = g->options->color ? g->options->color : style.frames.color;
     g->style = style;
     g->color_range = (sph2d_vec2){INFINITY, -INFINITY};

@@ -17,7 +17,7 @@ const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its re
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
-                         "M metaballs, points  C colour\n"
+                         "M metaballs, points  N look  C colour\n"
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
 
@@ -55,6 +55,16 @@ static void next_color(game *g)
     g->style.frames.color_range = (sph2d_vec2){0, 0};
     g->color_range = (sph2d_vec2){INFINITY, -INFINITY};
     game_tell(g, "colour: %s", g->style.frames.color ? g->style.frames.color : "one");
+}
+
+static void next_look(game *g)
+{
+    enum { LOOKS = SPH2D_LOOK_INK + 1 };
+    static const char *const names[LOOKS] = {"water", "flat", "glass", "ink"};
+    sph2d_frames *frames = &g->style.frames;
+    frames->look = (sph2d_look)((frames->look + 1) % LOOKS);
+    frames->style = SPH2D_STYLE_METABALLS; /* points have none */
+    game_tell(g, "look: %s", names[frames->look]);
 }
 
 static void restart(game *g)
@@ -168,6 +178,9 @@ void game_key(game *g, int key)
     case 'M':
         g->style.frames.style =
             g->style.frames.style == SPH2D_STYLE_POINTS ? SPH2D_STYLE_METABALLS : SPH2D_STYLE_POINTS;
+        break;
+    case 'N':
+        next_look(g);
         break;
     case 'C':
         next_color(g);

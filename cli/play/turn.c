@@ -17,18 +17,21 @@ static const double USED = 0.9;
 /* The longest that is taken for one turn, as after the window was dragged [s]. */
 static const double LONGEST_TURN = 0.1;
 
-/* Makes the renderer anew for a window of another size, or another style. */
+/* Makes the renderer anew for a window of another size, another style or look. */
 static sph2d_status fit_renderer(turning *t, const game *g, const play_input *input, sph2d_gl_loader loader,
                                  sph2d_report *report)
 {
-    if (t->renderer && t->width == input->width && t->height == input->height && t->style == g->style.frames.style)
+    const sph2d_frames *frames = &g->style.frames;
+    if (t->renderer && t->width == input->width && t->height == input->height && t->style == frames->style &&
+        t->look == frames->look)
         return SPH2D_OK;
     sph2d_renderer_destroy(t->renderer);
     t->renderer = NULL;
     sph2d_render_options options = sph2d_render_options_default();
     options.width = t->width = input->width;
     options.height = t->height = input->height;
-    options.style = t->style = g->style.frames.style;
+    options.style = t->style = frames->style;
+    options.look = t->look = frames->look;
     options.shader_dir = g->options->shader_dir;
     options.get_proc_address = loader;
     return sph2d_renderer_create(&options, &t->renderer, report);

@@ -10,7 +10,8 @@
 typedef struct turning {
     sph2d_renderer *renderer;
     unsigned width, height;   /**< of the renderer */
-    sph2d_style style;        /**< ... and its style */
+    sph2d_style style;        /**< ... its style ... */
+    sph2d_look look;          /**< ... and its look */
     double stepping, drawing; /**< time of a turn's steps and of its picture, in the mean over some [s] */
     double draws;             /**< when the last picture was begun [s] */
     double pictures;          /**< a second, in the last second ... */

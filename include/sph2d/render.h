@@ -22,7 +22,7 @@
  *
  *  The calls then need that context current, and leave it current. They change the bound framebuffer, viewport,
  *  program, vertex array and array buffer, blending, the scissor test, the clear colour, the pixel alignment, and the
- *  textures of units 0 and 1.
+ *  textures of units 0 to 2.
  *
  *  The same picture gives the same pixels with the same version of the OpenGL driver. Mesa's software drivers used by
  *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card if it finds one. */
@@ -54,6 +54,9 @@ typedef struct sph2d_render_options {
 
     /** A liquid surface or dots; default metaballs. */
     sph2d_style style;
+
+    /** Shading of metaballs; default water. */
+    sph2d_look look;
 
     /** Kind of OpenGL context, "osmesa" or "egl"; default NULL: the first that this build has and that works. */
     const char *gl;

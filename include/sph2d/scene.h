@@ -841,6 +841,9 @@ typedef struct sph2d_frames {
     /** A liquid surface or dots; default metaballs. */
     sph2d_style style;
 
+    /** Shading of metaballs; default water. */
+    sph2d_look look;
+
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 

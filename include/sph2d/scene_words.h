@@ -437,6 +437,21 @@ typedef enum sph2d_style {
     SPH2D_STYLE_POINTS = 1
 } sph2d_style;
 
+/** Shading of metaballs. */
+typedef enum sph2d_look {
+    /** Blue water under light from the upper left, darker with depth. */
+    SPH2D_LOOK_WATER = 0,
+
+    /** One colour with a slightly darker edge. */
+    SPH2D_LOOK_FLAT = 1,
+
+    /** Translucent, with refracted light and highlights. */
+    SPH2D_LOOK_GLASS = 2,
+
+    /** A dark line on white paper, and lines of equal depth below the surface; for print. */
+    SPH2D_LOOK_INK = 3
+} sph2d_look;
+
 #ifdef __cplusplus
 }
 #endif

@@ -12,8 +12,13 @@
 #include "render/points.h"
 #include "render/shader.h"
 
-/* Colours of the background, inside the view and outside. */
-static const unsigned char inside[3] = {246, 249, 251}, outside[3] = {231, 235, 239};
+/* Colours of the background, inside the view and outside; of paper for ink. */
+static const unsigned char inside[3] = {246, 249, 251}, outside[3] = {231, 235, 239}, paper[3] = {255, 255, 255};
+
+static bool on_paper(const sph2d__drawing *self)
+{
+    return self->style == SPH2D_STYLE_METABALLS && self->look == SPH2D_LOOK_INK;
+}
 
 sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir, sph2d_report *report)
 {
@@ -24,10 +29,11 @@ sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir,
     if (status == SPH2D_OK)
         status = sph2d__dots_create(gl, &self->dots, report);
     if (status == SPH2D_OK)
-        status =
-            sph2d__program_build(gl, shader_dir, (const char *[2]){"points", "points"}, &self->points_program, report);
+        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"points", "points"}, NULL,
+                                      &self->points_program, report);
     if (status == SPH2D_OK && self->style == SPH2D_STYLE_METABALLS)
-        status = sph2d__metaballs_create(gl, &self->metaballs, shader_dir, self->width, self->height, report);
+        status =
+            sph2d__metaballs_create(gl, &self->metaballs, shader_dir, self->look, self->width, self->height, report);
     if (status == SPH2D_OK)
         status = sph2d__walls_create(gl, &self->walls, shader_dir, self->width, self->height, report);
     if (status == SPH2D_OK)
@@ -76,12 +82,13 @@ static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const unsigned c
 }
 
 /* A light background, slightly darker outside the view. */
-static void draw_background(const sph2d__gl *gl, const sph2d__target *target, const sph2d__view *view, sph2d_box box)
+static void draw_background(const sph2d__drawing *self, const sph2d__view *view, sph2d_box box)
 {
-    sph2d__target_bind(gl, target);
+    const sph2d__gl *gl = &self->gl;
+    sph2d__target_bind(gl, &self->target);
     gl->Enable(GL_SCISSOR_TEST);
-    fill_box(gl, (sph2d__pixel_box){0, 0, target->width, target->height}, outside);
-    fill_box(gl, sph2d__view_cover(view, box), inside);
+    fill_box(gl, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : outside);
+    fill_box(gl, sph2d__view_cover(view, box), on_paper(self) ? paper : inside);
     gl->Disable(GL_SCISSOR_TEST);
 }
 
@@ -97,7 +104,7 @@ static sph2d_status draw_liquid(sph2d__drawing *self, const sph2d_picture *pictu
                                    .value_max = at->max};
     if (self->style == SPH2D_STYLE_METABALLS)
         return sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid, picture,
-                                     report);
+                                     self->walls.texture, report);
     sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, fluid, picture->radius);
     return SPH2D_OK;
 }
@@ -106,11 +113,12 @@ sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *pic
                                   sph2d_report *report)
 {
     const sph2d__gl *gl = &self->gl;
-    draw_background(gl, &self->target, &at->view, picture->view);
+    draw_background(self, &at->view, picture->view);
     gl->Enable(GL_SCISSOR_TEST); /* no wall behind the numbers */
     gl->Scissor(0, 0, self->width - at->right, self->height - at->below);
+    sph2d__walls_find(gl, &self->walls, &at->view, picture);
     const sph2d_status status = draw_liquid(self, picture, at, report);
-    sph2d__walls_draw(gl, &self->walls, &self->dots, &self->target, &at->view, picture);
+    sph2d__walls_draw(gl, &self->walls, &self->dots, &self->target, picture);
     gl->Disable(GL_SCISSOR_TEST);
     return status;
 }
@@ -180,8 +188,9 @@ static void renew_part(sph2d__drawing *self, const sph2d_picture *picture, const
 {
     const sph2d__gl *gl = &self->gl;
     const sph2d__canvas canvas = {pixels, self->width, self->height};
+    const unsigned char *ground = on_paper(self) ? paper : outside;
     sph2d__canvas_fill(&canvas, box.x, box.y, box.width, box.height,
-                       (sph2d__ink){outside[0], outside[1], outside[2], 1.0});
+                       (sph2d__ink){ground[0], ground[1], ground[2], 1.0});
     write_part(&canvas, picture, at, part);
     gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);

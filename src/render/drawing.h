@@ -10,10 +10,11 @@
 /** Colour bar, caption, notes. */
 enum { SPH2D__TEXTS = 3 };
 
-/** What drawing needs in OpenGL, for images of one size and style. */
+/** What drawing needs in OpenGL, for images of one size, style and look. */
 typedef struct sph2d__drawing {
     int width, height; /**< [px] */
     sph2d_style style;
+    sph2d_look look;
     bool shown; /**< in the caller's framebuffer */
     sph2d__gl gl;
     sph2d__dots dots;

@@ -30,6 +30,10 @@ static const double depth_ratio = 9.0, texels_per_radius = 6.0;
 static const double finest_texel = 4.0; /* [px] */
 enum { MARGIN = 2 };                    /* texels around the image, to interpolate with at its edge */
 
+/* What metaballs.frag knows a look by. */
+static const char *const look_names[] = {
+    [SPH2D_LOOK_WATER] = "WATER", [SPH2D_LOOK_FLAT] = "FLAT", [SPH2D_LOOK_GLASS] = "GLASS", [SPH2D_LOOK_INK] = "INK"};
+
 /* Number of squares of `texel` pixels that cover a length. */
 static GLsizei texels(double pixels, double texel)
 {
@@ -43,14 +47,14 @@ static GLsizei depth_texels(GLsizei pixels)
 }
 
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
-                                     GLsizei width, GLsizei height, sph2d_report *report)
+                                     sph2d_look look, GLsizei width, GLsizei height, sph2d_report *report)
 {
     *balls = (sph2d__metaballs){.channels = 1};
-    sph2d_status status = sph2d__program_build(gl, shader_dir, (const char *[2]){"gradientball", "gradientball"},
+    sph2d_status status = sph2d__program_build(gl, shader_dir, (const char *[2]){"gradientball", "gradientball"}, NULL,
                                                &balls->ball_program, report);
     if (status == SPH2D_OK)
-        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "metaballs"}, &balls->surface_program,
-                                      report);
+        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "metaballs"}, look_names[look],
+                                      &balls->surface_program, report);
     if (status == SPH2D_OK)
         status = sph2d__target_create_float(gl, &balls->field, 1, GL_NEAREST, width, height, report);
     if (status == SPH2D_OK)
@@ -112,22 +116,28 @@ static void add_depth(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots 
     sph2d__lumps_draw(gl, &balls->lumps, dots, &wide, list);
 }
 
+static void bind_texture(const sph2d__gl *gl, int unit, GLuint texture)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+}
+
 /* Second pass: the field as water over the background, in the tiles found. */
 static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, double radius, double texel, bool colored)
+                         const sph2d__target *target, GLuint walls, double radius, double texel, bool colored)
 {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
     gl->UseProgram(program);
-    gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, balls->depth.texture);
-    gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D, balls->field.texture);
+    bind_texture(gl, 2, walls);
+    bind_texture(gl, 1, balls->depth.texture);
+    bind_texture(gl, 0, balls->field.texture);
     sph2d__program_set_vec2(gl, program, "image_size", target->width, target->height);
     sph2d__program_set_float(gl, program, "tile", SPH2D__TILE);
     sph2d__program_set_int(gl, program, "field", 0);
     sph2d__program_set_int(gl, program, "depth", 1);
+    sph2d__program_set_int(gl, program, "walls", 2);
     sph2d__program_set_int(gl, program, "colored", colored);
     sph2d__program_set_float(gl, program, "radius", radius);
     sph2d__program_set_float(gl, program, "threshold", threshold);
@@ -135,10 +145,8 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
     sph2d__program_set_float(gl, program, "margin", MARGIN);
     sph2d__program_set_float(gl, program, "depth_inside", field_inside * depth_ratio * depth_ratio);
     sph2d__tiles_draw(gl, &balls->tiles, dots);
-    gl->BindTexture(GL_TEXTURE_2D, 0); /* the next frame draws into them */
-    gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-    gl->ActiveTexture(GL_TEXTURE0);
+    for (int unit = 2; unit >= 0; --unit)
+        bind_texture(gl, unit, 0); /* the next frame draws into them */
 }
 
 /* Gives the field room for colours, or takes it: they make the first pass slower. */
@@ -154,7 +162,7 @@ static sph2d_status set_channels(const sph2d__gl *gl, sph2d__metaballs *balls, i
 
 sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
                                    const sph2d__target *target, const sph2d__view *view, sph2d__dot_list list,
-                                   const sph2d_picture *picture, sph2d_report *report)
+                                   const sph2d_picture *picture, GLuint walls, sph2d_report *report)
 {
     const sph2d_status status = set_channels(gl, balls, list.values ? 4 : 1, report);
     if (status != SPH2D_OK)
@@ -170,7 +178,7 @@ sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls,
     const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
     list.reach = wide * sqrt(0.5);
     add_depth(gl, balls, dots, view, &list, picture, wide, texel);
-    draw_surface(gl, balls, dots, target, pixels, texel, list.values);
+    draw_surface(gl, balls, dots, target, walls, pixels, texel, list.values);
     return SPH2D_OK;
 }
 

@@ -20,13 +20,13 @@ typedef struct sph2d__metaballs {
 
 /** Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
-                                     GLsizei width, GLsizei height, sph2d_report *report);
+                                     sph2d_look look, GLsizei width, GLsizei height, sph2d_report *report);
 
 /** Draws a list of particles over the contents of `target`; the list's reach is set here. The radius R and the walls are
- *  those of the picture. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
+ *  those of the picture, and `walls` the texture of their cover. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
 sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
                                    const sph2d__target *target, const sph2d__view *view, sph2d__dot_list list,
-                                   const sph2d_picture *picture, sph2d_report *report);
+                                   const sph2d_picture *picture, GLuint walls, sph2d_report *report);
 
 /** Frees it; it may be zeroed. */
 void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls);

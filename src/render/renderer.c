@@ -50,6 +50,8 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
         return invalid(report, "render options name a context and give one, by get_proc_address: give one of the two");
     if (options->style != SPH2D_STYLE_METABALLS && options->style != SPH2D_STYLE_POINTS)
         return invalid(report, "the style of the renderer is unknown");
+    if (options->look < SPH2D_LOOK_WATER || options->look > SPH2D_LOOK_INK)
+        return invalid(report, "the look of the renderer is unknown");
     if (options->width < SIDE_MIN || options->width > SIDE_MAX || options->height < SIDE_MIN ||
         options->height > SIDE_MAX) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
@@ -81,6 +83,7 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
     self->drawing.width = (int)options->width;
     self->drawing.height = (int)options->height;
     self->drawing.style = options->style;
+    self->drawing.look = options->look;
     self->drawing.shown = options->get_proc_address;
     status = options->get_proc_address
                  ? sph2d__gl_borrow(options->get_proc_address, &self->context, &self->drawing.gl, report)

@@ -143,25 +143,34 @@ static void report_log(sph2d_report *report, const source *from, const char *log
 }
 
 /* OpenGL ES compiles the same text with another first line. */
-static const char
-    DESKTOP_LINE[] = "#version 330 core\n",
-    ES_LINES[] = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n#line 2\n";
+static const char DESKTOP_LINE[] = "#version 330 core\n",
+                  ES_LINES[] =
+                      "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
-static void set_source(const sph2d__gl *gl, GLuint shader, const char *text)
+/* Hands over the text with what is defined after its first line; lines keep their numbers in messages. */
+static void set_source(const sph2d__gl *gl, GLuint shader, const char *text, const char *defined)
 {
+    char definition[NAME_SIZE + 32];
+    snprintf(definition, sizeof definition, "%s%s\n#line 2\n", defined ? "#define " : "", defined ? defined : "");
+    const size_t first = strncmp(text, "#version", 8) == 0 ? strcspn(text, "\n") + 1 : 0;
     const bool exchange = gl->es && strncmp(text, DESKTOP_LINE, sizeof DESKTOP_LINE - 1) == 0;
-    const GLchar *parts[2] = {exchange ? ES_LINES : "", exchange ? text + sizeof DESKTOP_LINE - 1 : text};
-    gl->ShaderSource(shader, 2, parts, NULL);
+    const bool whole = first == 0 || first > strlen(text); /* no first line to put anything after */
+    const GLchar *parts[3] = {exchange ? ES_LINES : text, definition, text + (whole ? 0 : first)};
+    const GLint lengths[3] = {exchange ? -1 : (GLint)first, -1, -1};
+    if (whole)
+        gl->ShaderSource(shader, 1, &text, NULL);
+    else
+        gl->ShaderSource(shader, 3, parts, lengths);
 }
 
-static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *name, GLenum type, GLuint *shader,
-                            sph2d_report *report)
+static sph2d_status compile(const sph2d__gl *gl, const char *dir, const char *name, const char *defined, GLenum type,
+                            GLuint *shader, sph2d_report *report)
 {
     source from = {0};
     sph2d_status status = dir ? read_file(dir, name, &from, report) : read_built_in(name, &from, report);
     if (status == SPH2D_OK) {
         *shader = gl->CreateShader(type);
-        set_source(gl, *shader, from.text);
+        set_source(gl, *shader, from.text, defined);
         gl->CompileShader(*shader);
         GLint compiled = GL_FALSE;
         gl->GetShaderiv(*shader, GL_COMPILE_STATUS, &compiled);
@@ -197,17 +206,17 @@ static sph2d_status link_program(const sph2d__gl *gl, const char *names[2], GLui
     return SPH2D_RENDER;
 }
 
-sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *names[2], GLuint *program,
-                                  sph2d_report *report)
+sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *names[2], const char *defined,
+                                  GLuint *program, sph2d_report *report)
 {
     char vertex_name[NAME_SIZE], fragment_name[NAME_SIZE];
     snprintf(vertex_name, sizeof vertex_name, "%s.vert", names[0]);
     snprintf(fragment_name, sizeof fragment_name, "%s.frag", names[1]);
     GLuint vertex = 0, fragment = 0;
     *program = 0;
-    sph2d_status status = compile(gl, dir, vertex_name, GL_VERTEX_SHADER, &vertex, report);
+    sph2d_status status = compile(gl, dir, vertex_name, defined, GL_VERTEX_SHADER, &vertex, report);
     if (status == SPH2D_OK)
-        status = compile(gl, dir, fragment_name, GL_FRAGMENT_SHADER, &fragment, report);
+        status = compile(gl, dir, fragment_name, defined, GL_FRAGMENT_SHADER, &fragment, report);
     if (status == SPH2D_OK)
         status = link_program(gl, names, vertex, fragment, program, report);
     gl->DeleteShader(vertex); /* a linked program keeps them; 0 is ignored */

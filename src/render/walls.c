@@ -21,7 +21,7 @@ sph2d_status sph2d__walls_create(const sph2d__gl *gl, sph2d__walls *walls, const
 {
     *walls = (sph2d__walls){0};
     sph2d_status status =
-        sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "walls"}, &walls->program, report);
+        sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "walls"}, NULL, &walls->program, report);
     if (status != SPH2D_OK)
         return status;
     status = sph2d__tiles_create(&walls->tiles, width, height, report);
@@ -172,17 +172,24 @@ static void renew(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *v
     sph2d__tiles_find_bytes(&walls->tiles, cover->pixels, cover->width, cover->height);
 }
 
-void sph2d__walls_draw(const sph2d__gl *gl, sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
-                       const sph2d__view *view, const sph2d_picture *picture)
+void sph2d__walls_find(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture)
+{
+    const uint64_t mark = mark_of(view, picture);
+    if (mark == walls->mark)
+        return;
+    gl->BindTexture(GL_TEXTURE_2D, walls->texture);
+    renew(gl, walls, view, picture);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    walls->mark = mark;
+}
+
+void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
+                       const sph2d_picture *picture)
 {
     if (picture->outline_count == 0)
         return;
-    const uint64_t mark = mark_of(view, picture);
     sph2d__target_bind(gl, target);
     gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    if (mark != walls->mark)
-        renew(gl, walls, view, picture);
-    walls->mark = mark;
     gl->Enable(GL_BLEND);
     gl->BlendEquation(GL_FUNC_ADD);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */

@@ -25,9 +25,12 @@ sph2d_status sph2d__walls_create(const sph2d__gl *gl, sph2d__walls *walls, const
  *  [m] thick, lines without thickness as in the picture. */
 void sph2d__walls_cover(sph2d__cover *cover, const sph2d__view *view, const sph2d_picture *picture, double thickness);
 
-/** Draws the outlines of a picture over the contents of `target`. */
-void sph2d__walls_draw(const sph2d__gl *gl, sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
-                       const sph2d__view *view, const sph2d_picture *picture);
+/** Covers the pixels of walls->texture, one byte each, by the outlines of a picture; again only if these have changed. */
+void sph2d__walls_find(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture);
+
+/** Draws the outlines that were found over the contents of `target`. */
+void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
+                       const sph2d_picture *picture);
 
 /** Frees it; it may be zeroed. */
 void sph2d__walls_destroy(const sph2d__gl *gl, sph2d__walls *walls);

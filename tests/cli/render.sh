@@ -23,6 +23,12 @@ for option in --size=200x100 --style=metaballs --radius=0.1 --color=Pressures --
     expect 0 "$SPH2D" render $snapshot -o "with$option" -q "$option"
     cmp -s "with$option/frame_000000.png" points/frames/frame_000005.png && fail "$option changes nothing"
 done
+for look in flat glass ink; do
+    expect 0 "$SPH2D" render metaballs/snapshot_000005.h5 -o look_$look -q --look $look
+    expect 0 "$SPH2D" run "$TINY" -o with_$look -q -s run.frames.look=$look -s run.frames.color=speed
+    same with_$look/frames/frame_000005.png look_$look/frame_000000.png
+    cmp -s look_$look/frame_000000.png metaballs/frames/frame_000005.png && fail "$look looks like water"
+done
 # width and height stand at byte 16 of a PNG
 [ "$(od -An -tu1 -j 16 -N 8 with--size=200x100/frame_000000.png | tr -s ' ')" = ' 0 0 0 200 0 0 0 100' ] ||
     fail 'not 200 x 100'

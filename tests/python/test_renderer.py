@@ -64,8 +64,16 @@ class Pictures(common.InFolder):
             for texts in ({"caption": "t = 0.1 s"}, {"notes": "two\nlines"}, {"caption": "\N{WATER WAVE}"}):
                 self.assertTrue((renderer.draw(self.sim, **texts) != plain).any(), texts)
 
+    def test_looks(self):
+        pictures = []
+        for look in ("water", "flat", "glass", "ink"):
+            with sph2d.Renderer(200, 100, look=look) as renderer:
+                pictures.append(renderer.draw(self.sim).tobytes())
+        self.assertEqual(len(set(pictures)), 4)
+
     def test_nonsense(self):
-        for arguments in ((8, 100), (100, 20000), (-1, 100), (2 ** 32 + 100, 100), (100, 100, "dots")):
+        for arguments in ((8, 100), (100, 20000), (-1, 100), (2 ** 32 + 100, 100), (100, 100, "dots"),
+                          (100, 100, "metaballs", "wax")):
             with self.assertRaises(ValueError):
                 sph2d.Renderer(*arguments)
         with self.assertRaises(sph2d.Error) as caught:
