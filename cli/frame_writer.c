@@ -78,6 +78,7 @@ sph2d_status frame_writer_create(const frame_style *style, const cli_options *op
     render.height = (unsigned)style->frames.size[1];
     render.style = style->frames.style;
     render.look = style->frames.look;
+    render.background = style->frames.background;
     render.gl = options->gl;
     render.shader_dir = options->shader_dir;
     threads_check_mesa();
@@ -103,7 +104,8 @@ void frame_writer_destroy(frame_writer *w)
 bool frame_writer_accepts(const frame_writer *w, const frame_style *style)
 {
     return w->made_for.size[0] == style->frames.size[0] && w->made_for.size[1] == style->frames.size[1] &&
-           w->made_for.style == style->frames.style && w->made_for.look == style->frames.look;
+           w->made_for.style == style->frames.style && w->made_for.look == style->frames.look &&
+           w->made_for.background == style->frames.background;
 }
 
 sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,

@@ -28,6 +28,7 @@ enum {
     OPTION_SIZE,
     OPTION_STYLE,
     OPTION_LOOK,
+    OPTION_BACKGROUND,
     OPTION_RADIUS,
     OPTION_COLOR,
     OPTION_RANGE,
@@ -50,6 +51,7 @@ static const char *const isa_words[] = {"auto", "baseline", "avx2", "avx512", NU
 static const char *const progress_words[] = {"auto", "always", "never", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 static const char *const look_words[] = {"water", "flat", "glass", "ink", NULL};
+static const char *const background_words[] = {"opaque", "transparent", NULL};
 static const char *const gl_words[] = {"osmesa", "egl", NULL};
 
 static const option_row rows[] = {
@@ -79,6 +81,7 @@ static const option_row rows[] = {
     {OPTION_SIZE, "size", "WxH", CLI_RENDER | CLI_PLAY, "size of the frames or the window in pixels"},
     {OPTION_STYLE, "style", "NAME", CLI_RENDER | CLI_PLAY, "metaballs or points"},
     {OPTION_LOOK, "look", "NAME", CLI_RENDER | CLI_PLAY, "of metaballs: water, flat, glass or ink"},
+    {OPTION_BACKGROUND, "background", "NAME", CLI_RENDER, "opaque or transparent"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
     {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, Pressures, Densities"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
@@ -113,6 +116,8 @@ const char *const *options_words(const option_row *row)
         return style_words;
     case OPTION_LOOK:
         return look_words;
+    case OPTION_BACKGROUND:
+        return background_words;
     case OPTION_GL:
         return gl_words;
     default:
@@ -232,6 +237,16 @@ static bool set_look(cli_options *options, const char *name, const char *value)
         return bad_value(name, "look", value, "water, flat, glass or ink");
     options->look = (sph2d_look)look;
     options->look_given = true;
+    return true;
+}
+
+static bool set_background(cli_options *options, const char *name, const char *value)
+{
+    int background = find_word(value, background_words);
+    if (background < 0)
+        return bad_value(name, "background", value, "opaque or transparent");
+    options->background = (sph2d_background)background;
+    options->background_given = true;
     return true;
 }
 
@@ -356,6 +371,8 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
         return set_style(options, name, value);
     case OPTION_LOOK:
         return set_look(options, name, value);
+    case OPTION_BACKGROUND:
+        return set_background(options, name, value);
     case OPTION_RADIUS:
         return set_radius(options, name, value);
     case OPTION_COLOR:

@@ -39,6 +39,8 @@ typedef struct cli_options {
     unsigned width, height; /**< [pixels] */
     bool style_given;
     sph2d_style style;
+    bool background_given;
+    sph2d_background background;
     bool look_given;
     sph2d_look look;
     double radius; /**< [m] */

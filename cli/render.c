@@ -30,6 +30,8 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
         frames->style = options->style;
     if (options->look_given)
         frames->look = options->look;
+    if (options->background_given)
+        frames->background = options->background;
     if (options->radius > 0)
         frames->radius = options->radius;
     else if (frames->style != scene_style)

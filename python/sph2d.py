@@ -63,6 +63,7 @@ typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0 } sph2d_switch;
 typedef enum sph2d_shape_kind { SPH2D_SHAPE_BOX = 1, SPH2D_SHAPE_DISC = 2, SPH2D_SHAPE_POLYGON = 3 } sph2d_shape_kind;
 typedef enum sph2d_style { SPH2D_STYLE_METABALLS = 0, SPH2D_STYLE_POINTS = 1 } sph2d_style;
 typedef enum sph2d_look { SPH2D_LOOK_WATER = 0 } sph2d_look;
+typedef enum sph2d_background { SPH2D_BACKGROUND_OPAQUE = 0 } sph2d_background;
 typedef enum sph2d_isa { SPH2D_ISA_AUTO = 0, SPH2D_ISA_BASELINE = 1, SPH2D_ISA_AVX2 = 2,
     SPH2D_ISA_AVX512 = 3 } sph2d_isa;
 typedef enum sph2d_probe_kind { SPH2D_PROBE_ENERGY = 0 } sph2d_probe_kind;
@@ -77,8 +78,8 @@ typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_disc di
 typedef struct sph2d_particle { double x, y; double vx, vy; double density; } sph2d_particle;
 typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
 typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
-typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; sph2d_look look; double radius;
-    const char *color; sph2d_vec2 color_range; sph2d_switch caption; } sph2d_frames;
+typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; sph2d_look look;
+    sph2d_background background; double radius; const char *color; sph2d_vec2 color_range; sph2d_switch caption; } sph2d_frames;
 typedef struct sph2d_diagnostic { sph2d_severity severity; sph2d_code code; char path[96]; char file[256];
     int line, column; char excerpt[160]; char message[320]; char hint[480]; } sph2d_diagnostic;
 typedef struct sph2d_report { size_t count; size_t dropped; size_t errors; sph2d_diagnostic items[20]; } sph2d_report;
@@ -118,7 +119,7 @@ typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_ve
     sph2d_boundary boundary; double spacing; double support_radius; double sound_speed;
     sph2d_frames frames; } sph2d_snapshot_info;
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
-    const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
+    sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
 typedef struct sph2d_picture { sph2d_box view; double radius; size_t count; const double *x, *y; const double *values;
     double value_min, value_max; const char *value_label; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
@@ -1158,11 +1159,11 @@ class Renderer:
     """Draws pictures without a window (libsph2d-render); used by one thread at a time.
 
     width, height: size [pixels], 16 to 16384, default 1280 x 720. style: "metaballs", a liquid surface, the default, or
-    "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works. close() frees it; it is
+    "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". background: "opaque", the default, or "transparent". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works. close() frees it; it is
     a context manager, too. Errors: Error with status RENDER, also where the library is missing, and NOMEM; ValueError
     for another size or style."""
 
-    def __init__(self, width=1280, height=720, style="metaballs", look="water", gl=None):
+    def __init__(self, width=1280, height=720, style="metaballs", look="water", background="opaque", gl=None):
         library = _load_optional("sph2d-render", "RENDER", "for pictures")
         options = library.sph2d_render_options_default()
         if options.struct_size != ctypes.sizeof(options):
@@ -1170,6 +1171,7 @@ class Renderer:
                            "from the same source")
         options.width, options.height = _whole("width", width, 16, 16384), _whole("height", height, 16, 16384)
         options.style, options.look = _word_index("style", style), _word_index("look", look)
+        options.background = _word_index("background", background)
         options.gl = gl.encode() if gl else None
         made, report = ctypes.c_void_p(), _STRUCT["report"]()
         status = library.sph2d_renderer_create(ctypes.byref(options), ctypes.byref(made), ctypes.byref(report))
@@ -1202,7 +1204,7 @@ class Renderer:
     def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None,
              notes=None):
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
-        blue, 255, top row first.
+        blue, alpha (255 but for a transparent background), top row first.
 
         values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: one colour. label:
         text at their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and
@@ -1237,7 +1239,7 @@ class Renderer:
             return np.frombuffer(ctypes.string_at(pixels, math.prod(self._shape)), np.uint8).reshape(self._shape)
 
     def write_png(self, path):
-        """Writes the last picture as an RGB PNG, whole or not at all. Errors: Error with status INVALID (nothing
+        """Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors: Error with status INVALID (nothing
         drawn), CANTCREAT, IO, NOMEM."""
         name = _path_bytes(path)
         with self._lock:

@@ -97,8 +97,8 @@ END_TEST
 START_TEST(options_are_checked)
 {
     const sph2d_render_options fine = sph2d_render_options_default();
-    sph2d_render_options bad[8];
-    for (int i = 0; i < 8; ++i)
+    sph2d_render_options bad[9];
+    for (int i = 0; i < 9; ++i)
         bad[i] = fine;
     bad[0].struct_size = 0;
     bad[1].width = 15;
@@ -108,7 +108,8 @@ START_TEST(options_are_checked)
     bad[5].height = 0;
     bad[6].gl = "";
     bad[7].look = (sph2d_look)(SPH2D_LOOK_INK + 1);
-    for (int i = 0; i < 8; ++i) {
+    bad[8].background = (sph2d_background)-1;
+    for (int i = 0; i < 9; ++i) {
         sph2d_report report = {0};
         sph2d_renderer *renderer = (sph2d_renderer *)&report; /* must become NULL */
         ck_assert_int_eq(sph2d_renderer_create(&bad[i], &renderer, &report), SPH2D_INVALID);

@@ -91,9 +91,8 @@ static const char *const goldens[] = {
     "    every: 0.5\n"
     "  - name: push\n    kind: force\n    at: [1, 1]\n    on: post\n    every: 0.5\n"
     "run:\n  until: 4\n  snapshots:\n    per_second: 60\n    compress: 6\n  frames:\n    every: 0.1\n"
-    "    size: [640, 480]\n    style: points\n    look: ink\n    radius: 0.02\n    color: speed\n    color_range: [0, "
-    "5]\n    "
-    "caption: off\n"
+    "    size: [640, 480]\n    style: points\n    look: ink\n    background: transparent\n    radius: 0.02\n    "
+    "color: speed\n    color_range: [0, 5]\n    caption: off\n"
     "  max_energy_rise: 0.25\n  impacts: [0.5, 1, 1e-05]\n",
 
     "name: belts\n"

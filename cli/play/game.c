@@ -42,6 +42,7 @@ void game_take_scene(game *g)
     frame_style style = frame_style_of_scene(sph2d_sim_scene(g->live.sim));
     style.name = g->live.scene.name; /* the file's: simulations come and go */
     style.frames.caption = SPH2D_SWITCH_ON;
+    style.frames.background = SPH2D_BACKGROUND_OPAQUE; /* there is nothing behind a window's picture */
     style.frames.style = g->options->style_given ? g->options->style : style.frames.style;
     style.frames.look = g->options->look_given ? g->options->look : style.frames.look;
     style.frames.color = g->options->color ? g->options->color : style.frames.color;

@@ -58,6 +58,10 @@ typedef struct sph2d_render_options {
     /** Shading of metaballs; default water. */
     sph2d_look look;
 
+    /** What is behind the liquid; default opaque. With a transparent one sph2d_renderer_draw_to() leaves colours multiplied
+     *  by their alpha in the framebuffer, as windows with transparency have them. */
+    sph2d_background background;
+
     /** Kind of OpenGL context, "osmesa" or "egl"; default NULL: the first that this build has and that works. */
     const char *gl;
 
@@ -150,7 +154,8 @@ SPH2D_API sph2d_status sph2d_renderer_draw(sph2d_renderer *renderer, const sph2d
 SPH2D_API sph2d_status sph2d_renderer_draw_to(sph2d_renderer *renderer, unsigned framebuffer, int x, int y,
                                               const sph2d_picture *picture, sph2d_report *report);
 
-/** The last picture: width * height pixels of 4 bytes (red, green, blue, 255), top row first; valid until the next call
+/** The last picture: width * height pixels of 4 bytes (red, green, blue, alpha: 255 but for a transparent background, and
+ *  then not multiplied into the colours), top row first; valid until the next call
  *  with this renderer. NULL before the first draw and after sph2d_renderer_draw_to(). */
 SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *renderer);
 
@@ -158,7 +163,7 @@ SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *rende
  *  the mouse. False before the first draw. */
 SPH2D_API bool sph2d_renderer_locate(const sph2d_renderer *renderer, double x, double y, sph2d_vec2 *at);
 
-/** Writes the last picture as an RGB PNG, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
+/** Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
  *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
 

@@ -844,6 +844,9 @@ typedef struct sph2d_frames {
     /** Shading of metaballs; default water. */
     sph2d_look look;
 
+    /** What is behind the liquid; default opaque. */
+    sph2d_background background;
+
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 

@@ -452,6 +452,15 @@ typedef enum sph2d_look {
     SPH2D_LOOK_INK = 3
 } sph2d_look;
 
+/** What is behind the liquid. */
+typedef enum sph2d_background {
+    /** Light grey; white for look ink. */
+    SPH2D_BACKGROUND_OPAQUE = 0,
+
+    /** Nothing; captions and the colour bar are on opaque panels. */
+    SPH2D_BACKGROUND_TRANSPARENT = 1
+} sph2d_background;
+
 #ifdef __cplusplus
 }
 #endif

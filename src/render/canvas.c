@@ -141,6 +141,7 @@ static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, dou
     const unsigned char color[3] = {ink.red, ink.green, ink.blue};
     for (int c = 0; c < 3; ++c)
         pixel[c] = (unsigned char)lrint(pixel[c] + (color[c] - pixel[c]) * ink.opacity * cover);
+    pixel[3] = (unsigned char)lrint(pixel[3] + (255 - pixel[3]) * ink.opacity * cover);
 }
 
 double sph2d__canvas_unit(int width, int height)

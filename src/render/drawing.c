@@ -24,6 +24,7 @@ sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir,
 {
     const sph2d__gl *gl = &self->gl;
     sph2d_status status = sph2d__target_create_color(gl, &self->target, self->width, self->height, report);
+    self->target.transparent = self->transparent;
     if (status == SPH2D_OK && self->shown)
         status = sph2d__target_create_color(gl, &self->patch, self->width, self->height, report);
     if (status == SPH2D_OK)
@@ -74,8 +75,9 @@ sph2d_status sph2d__drawing_arrange(const sph2d__drawing *self, const sph2d_pict
 
 /* ---- picture ----------------------------------------------------------------------------------------------------- */
 
-static void fill_box(const sph2d__gl *gl, sph2d__pixel_box box, const unsigned char color[3])
+static void fill_box(const sph2d__drawing *self, sph2d__pixel_box box, const unsigned char color[3])
 {
+    const sph2d__gl *gl = &self->gl;
     gl->Scissor(box.x, box.y, box.width, box.height);
     gl->ClearColor((float)color[0] / 255.0F, (float)color[1] / 255.0F, (float)color[2] / 255.0F, 1.0F);
     gl->Clear(GL_COLOR_BUFFER_BIT);
@@ -86,9 +88,14 @@ static void draw_background(const sph2d__drawing *self, const sph2d__view *view,
 {
     const sph2d__gl *gl = &self->gl;
     sph2d__target_bind(gl, &self->target);
+    if (self->transparent) {
+        gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+        gl->Clear(GL_COLOR_BUFFER_BIT);
+        return;
+    }
     gl->Enable(GL_SCISSOR_TEST);
-    fill_box(gl, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : outside);
-    fill_box(gl, sph2d__view_cover(view, box), on_paper(self) ? paper : inside);
+    fill_box(self, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : outside);
+    fill_box(self, sph2d__view_cover(view, box), on_paper(self) ? paper : inside);
     gl->Disable(GL_SCISSOR_TEST);
 }
 
@@ -139,7 +146,9 @@ static sph2d__pixel_box box_of(const sph2d__drawing *self, const sph2d_picture *
 {
     switch (part) {
     case LEGEND:
-        return (sph2d__pixel_box){self->width - at->right, 0, at->right, self->height - at->below};
+        return (sph2d__pixel_box){self->width - at->right, 0, at->right,
+                                  self->transparent ? sph2d__colorbar_height(self->width, self->height)
+                                                    : self->height - at->below};
     case STRIP:
         return (sph2d__pixel_box){0, self->height - at->below, self->width, at->below};
     default:
@@ -162,13 +171,24 @@ static void write_part(const sph2d__canvas *canvas, const sph2d_picture *picture
         sph2d__notes_draw(canvas, picture->notes);
 }
 
+/* What text stands on. */
+static void fill_ground(const sph2d__drawing *self, const sph2d__canvas *canvas, sph2d__pixel_box box)
+{
+    const unsigned char *ground = on_paper(self) ? paper : outside;
+    sph2d__canvas_fill(canvas, box.x, box.y, box.width, box.height, (sph2d__ink){ground[0], ground[1], ground[2], 1.0});
+}
+
 void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
                           unsigned char *pixels)
 {
     const sph2d__canvas canvas = {pixels, self->width, self->height};
-    for (int part = 0; part < PARTS; ++part)
-        if (has_part(picture, at, part))
-            write_part(&canvas, picture, at, part);
+    for (int part = 0; part < PARTS; ++part) {
+        if (!has_part(picture, at, part))
+            continue;
+        if (self->transparent) /* text is dark */
+            fill_ground(self, &canvas, box_of(self, picture, at, part));
+        write_part(&canvas, picture, at, part);
+    }
 }
 
 /* ---- texts on what is shown -------------------------------------------------------------------------------------- */
@@ -188,9 +208,7 @@ static void renew_part(sph2d__drawing *self, const sph2d_picture *picture, const
 {
     const sph2d__gl *gl = &self->gl;
     const sph2d__canvas canvas = {pixels, self->width, self->height};
-    const unsigned char *ground = on_paper(self) ? paper : outside;
-    sph2d__canvas_fill(&canvas, box.x, box.y, box.width, box.height,
-                       (sph2d__ink){ground[0], ground[1], ground[2], 1.0});
+    fill_ground(self, &canvas, box);
     write_part(&canvas, picture, at, part);
     gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -15,7 +15,8 @@ typedef struct sph2d__drawing {
     int width, height; /**< [px] */
     sph2d_style style;
     sph2d_look look;
-    bool shown; /**< in the caller's framebuffer */
+    bool transparent; /**< behind the liquid */
+    bool shown;       /**< in the caller's framebuffer */
     sph2d__gl gl;
     sph2d__dots dots;
     GLuint points_program;

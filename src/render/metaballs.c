@@ -128,7 +128,7 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
 {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
+    sph2d__target_blend(gl, target);
     gl->UseProgram(program);
     bind_texture(gl, 2, walls);
     bind_texture(gl, 1, balls->depth.texture);

@@ -31,7 +31,7 @@ static void on_warning(png_structp png, png_const_charp message)
 
 /* False when libpng failed. No variable is changed after setjmp and used after the jump. */
 static bool encode(png_structp png, png_infop info, FILE *file, const unsigned char *pixels, unsigned width,
-                   unsigned height)
+                   unsigned height, bool alpha)
 {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
@@ -40,10 +40,11 @@ static bool encode(png_structp png, png_infop info, FILE *file, const unsigned c
     png_set_compression_level(png, COMPRESSION_LEVEL);
     png_set_compression_strategy(png, STRATEGY);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, FILTER);
-    png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, width, height, 8, alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    png_set_filler(png, 0, PNG_FILLER_AFTER); /* drops the fourth byte of a pixel */
+    if (!alpha)
+        png_set_filler(png, 0, PNG_FILLER_AFTER); /* drops the fourth byte of a pixel */
     for (unsigned row = 0; row < height; ++row)
         png_write_row(png, pixels + (size_t)row * width * 4);
     png_write_end(png, NULL);
@@ -51,12 +52,12 @@ static bool encode(png_structp png, png_infop info, FILE *file, const unsigned c
 }
 
 /* Writes an open file; on failure errno has the reason. */
-static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, unsigned height)
+static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, unsigned height, bool alpha)
 {
     errno = 0;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, on_error, on_warning);
     png_infop info = png ? png_create_info_struct(png) : NULL;
-    const bool written = info && encode(png, info, file, pixels, width, height);
+    const bool written = info && encode(png, info, file, pixels, width, height, alpha);
     const int error = errno;
     png_destroy_write_struct(&png, &info);
     errno = error != 0 ? error : ENOMEM; /* the only other reason */
@@ -64,7 +65,7 @@ static bool write_png(FILE *file, const unsigned char *pixels, unsigned width, u
 }
 
 sph2d_status sph2d__png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                              sph2d_report *report)
+                              bool alpha, sph2d_report *report)
 {
     sph2d__atomic_file atomic = {0};
     const sph2d_status begun = sph2d__atomic_begin(&atomic, path, report);
@@ -76,7 +77,7 @@ sph2d_status sph2d__png_write(const char *path, const unsigned char *pixels, uns
         sph2d__atomic_abort(&atomic);
         return SPH2D_CANTCREAT;
     }
-    bool written = write_png(file, pixels, width, height);
+    bool written = write_png(file, pixels, width, height, alpha);
     int error = errno;
     if (fclose(file) != 0 && written) {
         error = errno;

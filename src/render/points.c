@@ -16,9 +16,7 @@ void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, 
     const double pixels = fmax(radius * view->scale, smallest_radius);
     list.reach = pixels + 1.0; /* the soft edge */
     sph2d__target_bind(gl, target);
-    gl->Enable(GL_BLEND);
-    gl->BlendEquation(GL_FUNC_ADD);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
+    sph2d__target_blend(gl, target);
     gl->UseProgram(program);
     sph2d__program_set_vec2(gl, program, "image_size", view->width, view->height);
     sph2d__program_set_float(gl, program, "radius", pixels);

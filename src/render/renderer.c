@@ -52,6 +52,8 @@ static sph2d_status check_options(const sph2d_render_options *options, sph2d_rep
         return invalid(report, "the style of the renderer is unknown");
     if (options->look < SPH2D_LOOK_WATER || options->look > SPH2D_LOOK_INK)
         return invalid(report, "the look of the renderer is unknown");
+    if (options->background != SPH2D_BACKGROUND_OPAQUE && options->background != SPH2D_BACKGROUND_TRANSPARENT)
+        return invalid(report, "the background of the renderer is unknown");
     if (options->width < SIDE_MIN || options->width > SIDE_MAX || options->height < SIDE_MIN ||
         options->height > SIDE_MAX) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
@@ -84,6 +86,7 @@ sph2d_status sph2d_renderer_create(const sph2d_render_options *options, sph2d_re
     self->drawing.height = (int)options->height;
     self->drawing.style = options->style;
     self->drawing.look = options->look;
+    self->drawing.transparent = options->background == SPH2D_BACKGROUND_TRANSPARENT;
     self->drawing.shown = options->get_proc_address;
     status = options->get_proc_address
                  ? sph2d__gl_borrow(options->get_proc_address, &self->context, &self->drawing.gl, report)
@@ -138,6 +141,16 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
     return SPH2D_OK;
 }
 
+/* Divides colours by their alpha, in which form files have them. */
+static void divide_by_alpha(unsigned char *pixels, size_t count)
+{
+    for (unsigned char *p = pixels; p < pixels + 4 * count; p += 4)
+        for (int c = 0; c < 3 && p[3] > 0 && p[3] < 255; ++c) {
+            const int value = (p[c] * 255 + p[3] / 2) / p[3];
+            p[c] = (unsigned char)(value < 255 ? value : 255);
+        }
+}
+
 /* Reads the picture back, and writes the texts on it. */
 static void read_back(sph2d_renderer *self, const sph2d_picture *picture, const sph2d__layout *at)
 {
@@ -147,6 +160,8 @@ static void read_back(sph2d_renderer *self, const sph2d_picture *picture, const 
     const double begun = seconds();
     d->gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     d->gl.ReadPixels(0, 0, d->width, d->height, GL_RGBA, GL_UNSIGNED_BYTE, self->pixels);
+    if (d->transparent)
+        divide_by_alpha(self->pixels, (size_t)d->width * (size_t)d->height);
     self->times.read = seconds() - begun;
     sph2d__drawing_write(d, picture, at, self->pixels);
 }
@@ -234,8 +249,9 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
     if (!sph2d_renderer_pixels(renderer))
         return invalid(report, "there is no picture to write: draw one first");
     const double begun = seconds();
-    const sph2d_status status = sph2d__png_write(path, renderer->pixels, (unsigned)renderer->drawing.width,
-                                                 (unsigned)renderer->drawing.height, report);
+    const sph2d_status status =
+        sph2d__png_write(path, renderer->pixels, (unsigned)renderer->drawing.width, (unsigned)renderer->drawing.height,
+                         renderer->drawing.transparent, report);
     renderer->times.encode = seconds() - begun;
     return status;
 }

@@ -114,6 +114,14 @@ void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__p
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
+void sph2d__target_blend(const sph2d__gl *gl, const sph2d__target *target)
+{
+    gl->Enable(GL_BLEND);
+    gl->BlendEquation(GL_FUNC_ADD);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, target->transparent ? GL_ONE : GL_ZERO,
+                          target->transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+}
+
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);

@@ -10,6 +10,7 @@
 typedef struct sph2d__target {
     GLsizei width, height;
     GLuint framebuffer, texture;
+    bool transparent; /**< cleared to nothing: colours are multiplied by their alpha */
 } sph2d__target;
 
 /** An 8-bit RGBA target. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
@@ -24,6 +25,9 @@ sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *targ
 /** Copies a box of pixels to a framebuffer, which is bound then. */
 void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,
                         sph2d__pixel_box to, bool upside_down);
+
+/** Blends the following draw calls over its contents, by their alpha; an opaque image stays so. */
+void sph2d__target_blend(const sph2d__gl *gl, const sph2d__target *target);
 
 /** Makes it the target of the following draw calls. */
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target);

@@ -190,9 +190,7 @@ void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, sph2d__do
         return;
     sph2d__target_bind(gl, target);
     gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    gl->Enable(GL_BLEND);
-    gl->BlendEquation(GL_FUNC_ADD);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE); /* the image stays opaque */
+    sph2d__target_blend(gl, target);
     gl->UseProgram(walls->program);
     sph2d__program_set_int(gl, walls->program, "cover", 0);
     sph2d__program_set_vec2(gl, walls->program, "image_size", target->width, target->height);

@@ -75,6 +75,7 @@ static const char *const between_words[] = {"default", "lines", "cubic", NULL};
 static const char *const rheology_words[] = {"newtonian", "power_law", "carreau", "herschel_bulkley", NULL};
 static const char *const liquid_words[] = {"auto", "left", "right", "both", "inside", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
+static const char *const background_words[] = {"opaque", "transparent", NULL};
 static const char *const look_words[] = {"water", "flat", "glass", "ink", NULL};
 
 static const sph2d_key box_items[] = {
@@ -489,6 +490,8 @@ static const sph2d_key frames_items[] = {
      .default_text = "metaballs", .text = "a liquid surface, or a dot for each particle"},
     {"look", SPH2D_KEY_WORD, false, AT(sph2d_frames, look), .words = look_words, .unit = "", .default_text = "water",
      .text = "of metaballs: lit water, one flat colour, translucent glass, or ink on white paper"},
+    {"background", SPH2D_KEY_WORD, false, AT(sph2d_frames, background), .words = background_words, .unit = "",
+     .default_text = "opaque", .text = "of the images; transparent: their pixels have alpha, captions a panel"},
     {"radius", SPH2D_KEY_NUMBER, false, AT(sph2d_frames, radius), FROM_0, .unit = "m",
      .default_text = "2 spacings (metaballs), half a spacing (points)", .text = "of a metaball or point"},
     {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .default_text = "one colour",

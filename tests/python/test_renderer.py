@@ -71,9 +71,15 @@ class Pictures(common.InFolder):
                 pictures.append(renderer.draw(self.sim).tobytes())
         self.assertEqual(len(set(pictures)), 4)
 
+    def test_background(self):
+        with sph2d.Renderer(200, 100, background="transparent") as renderer:
+            alpha = renderer.draw(self.sim)[..., 3]
+        self.assertEqual((alpha.min(), alpha.max()), (0, 255))
+
     def test_nonsense(self):
         for arguments in ((8, 100), (100, 20000), (-1, 100), (2 ** 32 + 100, 100), (100, 100, "dots"),
-                          (100, 100, "metaballs", "wax")):
+                          (100, 100, "metaballs", "wax"),
+                          (100, 100, "metaballs", "ink", "blue")):
             with self.assertRaises(ValueError):
                 sph2d.Renderer(*arguments)
         with self.assertRaises(sph2d.Error) as caught:
