@@ -46,6 +46,29 @@ sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, 
     return SPH2D_RENDER;
 }
 
+sph2d_status frame_writer_draw(frame_writer *w, const particle_source *source, const frame_style *style,
+                               frame_times *times, sph2d_report *report)
+{
+    return frame_writer_write(w, source, style, NULL, times, report);
+}
+
+const unsigned char *frame_writer_pixels(const frame_writer *w)
+{
+    (void)w;
+    return NULL;
+}
+
+sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
+                          sph2d_report *report)
+{
+    (void)path;
+    (void)pixels;
+    (void)width;
+    (void)height;
+    (void)report;
+    return SPH2D_RENDER;
+}
+
 char *frame_writer_describe(const frame_writer *w, char *out, size_t size)
 {
     (void)w;
@@ -108,19 +131,39 @@ bool frame_writer_accepts(const frame_writer *w, const frame_style *style)
            w->made_for.background == style->frames.background;
 }
 
-sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,
-                                const char *path, frame_times *times, sph2d_report *report)
+sph2d_status frame_writer_draw(frame_writer *w, const particle_source *source, const frame_style *style,
+                               frame_times *times, sph2d_report *report)
 {
     sph2d_picture picture;
     sph2d_status status = frame_make(source, style, &w->buffers, &picture, report);
     if (status == SPH2D_OK)
         status = sph2d_renderer_draw(w->renderer, &picture, report);
-    if (status == SPH2D_OK)
-        status = sph2d_renderer_write_png(w->renderer, path, report);
     if (status == SPH2D_OK && times) {
         const frame_times one = {1, sph2d_renderer_times(w->renderer)};
         frame_times_add(times, &one);
     }
+    return status;
+}
+
+const unsigned char *frame_writer_pixels(const frame_writer *w)
+{
+    return sph2d_renderer_pixels(w->renderer);
+}
+
+sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
+                          sph2d_report *report)
+{
+    return sph2d_png_write(path, pixels, width, height, report);
+}
+
+sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,
+                                const char *path, frame_times *times, sph2d_report *report)
+{
+    sph2d_status status = frame_writer_draw(w, source, style, times, report);
+    if (status == SPH2D_OK)
+        status = sph2d_renderer_write_png(w->renderer, path, report);
+    if (status == SPH2D_OK && times)
+        times->sum.encode += sph2d_renderer_times(w->renderer).encode;
     return status;
 }
 

@@ -8,22 +8,28 @@
 #include "clock.h"
 #include "signals.h"
 
+/* The CPU time of all but the outputs that are written beside the steps. */
+static double cpu_here(const cli_outputs *o)
+{
+    return clock_cpu() - outputs_cpu_beside(o);
+}
+
 /* Outputs are timed separately, as the speed of a run is that of its steps. */
 static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report *report)
 {
-    double wall = clock_wall(), cpu = clock_cpu();
+    double wall = clock_wall(), cpu = cpu_here(o);
     sph2d_status status = outputs_write_due(o, report);
     result->output_wall += clock_wall() - wall;
-    result->output_cpu += clock_cpu() - cpu;
+    result->output_cpu += cpu_here(o) - cpu;
     return status;
 }
 
-static sph2d_status step(sph2d_sim *sim, loop_result *result, sph2d_report *report)
+static sph2d_status step(sph2d_sim *sim, const cli_outputs *o, loop_result *result, sph2d_report *report)
 {
-    double wall = clock_wall(), cpu = clock_cpu();
+    double wall = clock_wall(), cpu = cpu_here(o);
     sph2d_status status = sph2d_sim_step(sim, report);
     result->step_wall += clock_wall() - wall;
-    result->step_cpu += clock_cpu() - cpu;
+    result->step_cpu += cpu_here(o) - cpu;
     return status;
 }
 
@@ -58,7 +64,7 @@ static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dead
             result->end = LOOP_SIGNAL;
             return;
         }
-        status = step(sim, result, report);
+        status = step(sim, o, result, report);
         if (status == SPH2D_OK)
             status = write_due(o, result, report);
         double time = sph2d_sim_time(sim);
@@ -79,7 +85,7 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
     sph2d_summary before = sph2d_sim_summary(sim);
     advance(sim, o, p, deadline, &result, report);
     progress_end(p);
-    double wall = clock_wall(), cpu = clock_cpu();
+    double wall = clock_wall(), cpu = cpu_here(o);
     if (result.end == LOOP_GUARD) {
         /* The guard's error is reported even if its state cannot be written. */
         outputs_write_guard(o, report);
@@ -87,10 +93,14 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
         sph2d_status status = outputs_finish(o, result.end != LOOP_FINISHED, report);
         if (status != SPH2D_OK)
             fail(&result, status);
+    } else {
+        outputs_settle(o, NULL); /* what is before the error still gets its name */
     }
     result.output_wall += clock_wall() - wall;
-    result.output_cpu += clock_cpu() - cpu;
+    result.output_cpu += cpu_here(o) - cpu + outputs_cpu_beside(o);
     result.frames = o->frames;
+    if (o->queue)
+        result.frames.sum.encode += output_queue_encoding(o->queue);
     sph2d_summary after = sph2d_sim_summary(sim);
     result.steps = after.steps - before.steps;
     result.particle_steps = after.particle_steps - before.particle_steps;

@@ -23,8 +23,8 @@ typedef struct loop_result {
     sph2d_status status; /**< SPH2D_OK unless LOOP_GUARD or LOOP_FAILED */
     double step_wall;    /**< stepping alone [s] */
     double step_cpu;     /**< of all threads, stepping alone [s] */
-    double output_wall;  /**< writing and drawing [s] */
-    double output_cpu;   /**< of all threads; the rest is waiting, mostly for the disk [s] */
+    double output_wall;  /**< writing and drawing, as far as the steps wait for it [s] */
+    double output_cpu;   /**< of all threads, also beside the steps [s] */
     frame_times frames;  /**< the part of it for frames */
     uint64_t steps, particle_steps;
     double simulated; /**< [s] */

@@ -28,6 +28,7 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
                        .file = file,
                        .writer = writer,
                        .style = frame_style_of_scene(scene),
+                       .old_checkpoint = true,
                        .saved_step = sph2d_sim_steps(sim),
                        .saved = saved};
     if (scene->probe_count == 0)
@@ -47,6 +48,24 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
             return status;
     }
     return SPH2D_OK;
+}
+
+/* ---- beside the steps --------------------------------------------------------------------------------------------- */
+
+void outputs_work_beside(cli_outputs *o)
+{
+    if (o->writer)
+        o->queue = output_queue_start((unsigned)o->style.frames.size[0], (unsigned)o->style.frames.size[1]);
+}
+
+double outputs_cpu_beside(const cli_outputs *o)
+{
+    return o->queue ? output_queue_cpu(o->queue) : 0;
+}
+
+sph2d_status outputs_settle(cli_outputs *o, sph2d_report *report)
+{
+    return o->queue ? output_queue_wait(o->queue, report) : SPH2D_OK;
 }
 
 /* ---- one file ---------------------------------------------------------------------------------------------------- */
@@ -71,17 +90,42 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
     if (!path)
         return SPH2D_NOMEM;
     particle_source source = {.sim = o->sim};
-    return frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
+    if (!o->queue)
+        return frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
+    sph2d_status status = frame_writer_draw(o->writer, &source, &o->style, &o->frames, report);
+    return status == SPH2D_OK ? output_queue_frame(o->queue, frame_writer_pixels(o->writer), path, report) : status;
 }
 
+/* When all that comes before it is written. */
 static sph2d_status write_state(cli_outputs *o, const char *path, saved_in saved, sph2d_report *report)
 {
     if (!path)
         return SPH2D_NOMEM;
     unsigned compress = (unsigned)scene_of(o)->run.snapshots.compress;
-    sph2d_status status = sph2d_snapshot_write(o->sim, o->file, compress, path, report);
+    sph2d_status status = outputs_settle(o, report);
+    if (status == SPH2D_OK)
+        status = sph2d_snapshot_write(o->sim, o->file, compress, path, report);
     if (status == SPH2D_OK) {
         o->saved = saved;
+        o->saved_step = sph2d_sim_steps(o->sim);
+    }
+    return status;
+}
+
+/* Beside the steps: the state is written here, and becomes a snapshot when the frame before it is a file. Not the first
+ * one, after which an old checkpoint is removed: so `saved` says of every later one, too, that there is something to go
+ * on from, whatever becomes of it. */
+static sph2d_status queue_snapshot(cli_outputs *o, const char *path, sph2d_report *report)
+{
+    if (!path)
+        return SPH2D_NOMEM;
+    sph2d_snapshot_draft *draft;
+    unsigned compress = (unsigned)scene_of(o)->run.snapshots.compress;
+    sph2d_status status = sph2d_snapshot_begin(o->sim, o->file, compress, path, &draft, report);
+    if (status == SPH2D_OK)
+        status = output_queue_snapshot(o->queue, draft, report);
+    if (status == SPH2D_OK) {
+        o->saved = SAVED_IN_SNAPSHOT;
         o->saved_step = sph2d_sim_steps(o->sim);
     }
     return status;
@@ -103,9 +147,13 @@ static sph2d_status write_snapshot(cli_outputs *o, sph2d_report *report)
     uint64_t number = sph2d_sim_output_count(o->sim, SPH2D_OUTPUT_SNAPSHOT);
     sph2d_sim_output_done(o->sim, SPH2D_OUTPUT_SNAPSHOT);
     const char *path = folder_file(o->folder, "snapshot_%06" PRIu64 ".h5", number);
+    if (o->queue && !o->old_checkpoint)
+        return queue_snapshot(o, path, report);
     sph2d_status status = write_state(o, path, SAVED_IN_SNAPSHOT, report);
-    /* The snapshot is newer than the checkpoint. */
-    return status == SPH2D_OK ? remove_checkpoint(o, report) : status;
+    if (status != SPH2D_OK)
+        return status;
+    o->old_checkpoint = false; /* the snapshot is newer than the checkpoint */
+    return remove_checkpoint(o, report);
 }
 
 /* ---- outputs that are due ---------------------------------------------------------------------------------------- */
@@ -133,6 +181,9 @@ sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report)
 
 sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)
 {
+    sph2d_status status = outputs_settle(o, report);
+    if (status != SPH2D_OK)
+        return status;
     bool is_saved = o->saved_step == sph2d_sim_steps(o->sim);
     bool needed = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
     if (is_saved && o->saved == SAVED_IN_CHECKPOINT && needed)
@@ -145,6 +196,8 @@ sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)
 sph2d_status outputs_close(cli_outputs *o, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
+    output_queue_end(o->queue);
+    o->queue = NULL;
     for (size_t i = 0; i < o->series_count; ++i) {
         sph2d_status closed = sph2d_series_close(o->series[i], report);
         if (status == SPH2D_OK)

@@ -9,6 +9,7 @@
 
 #include "folder.h"
 #include "frame_writer.h"
+#include "output_queue.h"
 
 /** The file in which a step was saved. */
 typedef enum saved_in { SAVED_NOWHERE, SAVED_IN_SNAPSHOT, SAVED_IN_CHECKPOINT } saved_in;
@@ -19,6 +20,8 @@ typedef struct cli_outputs {
     const sph2d_scene_file *file;
     frame_writer *writer; /**< NULL: frames are counted, but not drawn */
     frame_style style;
+    output_queue *queue;   /**< NULL: all is written before a call returns */
+    bool old_checkpoint;   /**< there may be one from before this session */
     frame_times frames;    /**< times of frames */
     sph2d_series **series; /**< one per probe */
     size_t series_count;
@@ -34,7 +37,18 @@ bool outputs_want_frames(const sph2d_scene *scene);
 sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, const sph2d_scene_file *file,
                           frame_writer *writer, saved_in saved, sph2d_report *report);
 
-/** Writes all outputs that are due at this step. */
+/** From now on frames are encoded, and snapshots synced, in a thread beside the steps, in their order: a snapshot gets its
+ *  name after the frame before it. Where no thread can be started all is as before. */
+void outputs_work_beside(cli_outputs *o);
+
+/** The CPU time of that thread [s]. */
+double outputs_cpu_beside(const cli_outputs *o);
+
+/** Waits until everything is written. Errors: those of what was written beside the steps, each once. */
+sph2d_status outputs_settle(cli_outputs *o, sph2d_report *report);
+
+/** Writes all outputs that are due at this step. An error may be one of an earlier step, whose outputs were written beside
+ *  the steps; then nothing was written after it. */
 sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report);
 
 /** Writes the state in which a guard fired, and removes a checkpoint from before it. */

@@ -123,6 +123,8 @@ int session_run(cli_session *s, saved_in saved)
     int code = session_report(s, status);
     if (status == SPH2D_OK) {
         report_start(s);
+        if (s->threads.count > 1)
+            outputs_work_beside(&outputs);
         cli_progress progress = progress_begin(s->options, sph2d_sim_time(s->sim), scene->run.until);
         double deadline = s->options->max_wall > 0 ? s->begun + s->options->max_wall : 0;
         loop_result result = loop_run(s->sim, &outputs, &progress, deadline, &s->report);

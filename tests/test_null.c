@@ -175,6 +175,13 @@ START_TEST(files)
     REFUSED("sim", sph2d_snapshot_write(NULL, NULL, 0, "y.h5", &report));
     REFUSED("path", sph2d_snapshot_write(fixture.sim, NULL, 0, NULL, &report));
     REFUSED("deflate level", sph2d_snapshot_write(fixture.sim, NULL, 10, "y.h5", &report));
+    sph2d_snapshot_draft *draft = (sph2d_snapshot_draft *)(void *)&report; /* not NULL */
+    REFUSED("sim", sph2d_snapshot_begin(NULL, NULL, 0, "y.h5", &draft, &report));
+    ck_assert_ptr_null(draft);
+    REFUSED("path", sph2d_snapshot_begin(fixture.sim, NULL, 0, NULL, &draft, &report));
+    REFUSED("draft", sph2d_snapshot_begin(fixture.sim, NULL, 0, "y.h5", NULL, &report));
+    REFUSED("draft", sph2d_snapshot_commit(NULL, &report));
+    sph2d_snapshot_abort(NULL);
     REFUSED("path", sph2d_snapshot_read(NULL, &snapshot, &report));
     ck_assert_ptr_null(snapshot);
     REFUSED("snapshot", sph2d_snapshot_read("x.h5", NULL, &report));

@@ -231,6 +231,36 @@ START_TEST(the_layout_is_what_other_programs_expect)
 }
 END_TEST
 
+/* ---- in two halves ----------------------------------------------------------------------------------------------- */
+
+/** The number of names in the folder. */
+static int names(void)
+{
+    DIR *list = opendir(".");
+    int count = -2; /* itself and the one above */
+    while (readdir(list))
+        ++count;
+    closedir(list);
+    return count;
+}
+
+START_TEST(a_draft_becomes_a_snapshot_when_it_is_told)
+{
+    write_snapshot("a.h5", 0);
+    sph2d_snapshot_draft *draft;
+    ck_assert_int_eq(sph2d_snapshot_begin(fixture.sim, fixture.file, 0, "b.h5", &draft, NULL), SPH2D_OK);
+    ck_assert_int_eq(access("b.h5", F_OK), -1);
+    ck_assert_int_eq(names(), 2);
+    ck_assert_int_eq(sph2d_sim_step(fixture.sim, NULL), SPH2D_OK); /* the draft has the state from before */
+    ck_assert_int_eq(sph2d_snapshot_commit(draft, NULL), SPH2D_OK);
+    ck_assert(same_files("a.h5", "b.h5"));
+    ck_assert_int_eq(sph2d_snapshot_begin(fixture.sim, fixture.file, 0, "c.h5", &draft, NULL), SPH2D_OK);
+    sph2d_snapshot_abort(draft);
+    ck_assert_int_eq(access("c.h5", F_OK), -1);
+    ck_assert_int_eq(names(), 2);
+}
+END_TEST
+
 /* ---- what cannot be written -------------------------------------------------------------------------------------- */
 
 static void expect_no_write(const char *path, sph2d_status status, const char *message)
@@ -261,17 +291,6 @@ START_TEST(places_that_take_no_file)
     ck_assert(stat("/dev/full", &info) == 0 && S_ISCHR(info.st_mode));
 }
 END_TEST
-
-/** The number of names in the folder. */
-static int names(void)
-{
-    DIR *list = opendir(".");
-    int count = -2; /* itself and the one above */
-    while (readdir(list))
-        ++count;
-    closedir(list);
-    return count;
-}
 
 /** Room runs out at every stage of the writing; the limit of the process stands for the disk's. */
 START_TEST(a_full_disk_leaves_the_old_file)
@@ -346,6 +365,7 @@ Suite *suite_snapshot(void)
     tcase_add_test(back, structs_without_a_file_and_long_texts);
     tcase_add_test(back, hdf5_keeps_the_settings_of_the_program);
     tcase_add_test(back, the_layout_is_what_other_programs_expect);
+    tcase_add_test(back, a_draft_becomes_a_snapshot_when_it_is_told);
     suite_add_tcase(suite, back);
     suite_add_tcase(suite, snapshot_refusals());
     suite_add_tcase(suite, snapshot_storage());

@@ -77,6 +77,22 @@ SPH2D_API void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagn
 SPH2D_API sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
                                             const char *path, sph2d_report *report);
 
+/** A snapshot that is written under a temporary name beside its own. */
+typedef struct sph2d_snapshot_draft sph2d_snapshot_draft;
+
+/** The first half of sph2d_snapshot_write(): writes everything under a temporary name, so that the simulation may go on
+ *  while the rest waits for the disk. The caller owns *draft (NULL after a failure) and gives it to one of the next two.
+ *  Errors: as sph2d_snapshot_write. */
+SPH2D_API sph2d_status sph2d_snapshot_begin(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress,
+                                            const char *path, sph2d_snapshot_draft **draft, sph2d_report *report);
+
+/** The second half: syncs the file, gives it its name, and frees the draft, whatever the result. Any thread may call it,
+ *  also while another one is in this library. Errors: SPH2D_IO (an existing file is not changed). */
+SPH2D_API sph2d_status sph2d_snapshot_commit(sph2d_snapshot_draft *draft, sph2d_report *report);
+
+/** Removes the temporary file, and frees the draft; NULL is fine. */
+SPH2D_API void sph2d_snapshot_abort(sph2d_snapshot_draft *draft);
+
 /** A snapshot that was read into memory. */
 typedef struct sph2d_snapshot sph2d_snapshot;
 

@@ -73,9 +73,16 @@ static sph2d_status write_file(int fd, sph2d_sim *sim, const sph2d_scene_file *f
     return SPH2D_IO;
 }
 
-sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
-                                  sph2d_report *report)
+struct sph2d_snapshot_draft {
+    sph2d__atomic_file target;
+};
+
+sph2d_status sph2d_snapshot_begin(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
+                                  sph2d_snapshot_draft **draft, sph2d_report *report)
 {
+    if (!draft)
+        return sph2d__null(report, __func__, "draft");
+    *draft = NULL;
     if (!sim)
         return sph2d__null(report, __func__, "sim");
     if (!path)
@@ -89,10 +96,10 @@ sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, 
     sph2d__c_locale locale;
     if (!state.arrays || !sph2d__c_locale_begin(&locale))
         return SPH2D_NOMEM;
-    sph2d__atomic_file target;
-    sph2d_status status = sph2d__atomic_begin(&target, path, report);
+    sph2d_snapshot_draft *self = calloc(1, sizeof *self);
+    sph2d_status status = self ? sph2d__atomic_begin(&self->target, path, report) : SPH2D_NOMEM;
     if (status == SPH2D_OK) {
-        int fd = open(target.temp_path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        int fd = open(self->target.temp_path, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
         if (fd >= 0) {
             status = write_file(fd, sim, file, &state, compress, path, report);
         } else {
@@ -101,9 +108,38 @@ sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, 
         }
     }
     if (status == SPH2D_OK)
-        status = sph2d__atomic_commit(&target, report);
+        *draft = self;
     else
-        sph2d__atomic_abort(&target);
+        sph2d_snapshot_abort(self);
     sph2d__c_locale_end(&locale);
     return status;
+}
+
+sph2d_status sph2d_snapshot_commit(sph2d_snapshot_draft *draft, sph2d_report *report)
+{
+    if (!draft)
+        return sph2d__null(report, __func__, "draft");
+    sph2d_status status = sph2d__atomic_commit(&draft->target, report);
+    free(draft);
+    return status;
+}
+
+void sph2d_snapshot_abort(sph2d_snapshot_draft *draft)
+{
+    if (!draft)
+        return;
+    sph2d__atomic_abort(&draft->target);
+    free(draft);
+}
+
+sph2d_status sph2d_snapshot_write(sph2d_sim *sim, const sph2d_scene_file *file, unsigned compress, const char *path,
+                                  sph2d_report *report)
+{
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    sph2d_snapshot_draft *draft;
+    sph2d_status status = sph2d_snapshot_begin(sim, file, compress, path, &draft, report);
+    return status == SPH2D_OK ? sph2d_snapshot_commit(draft, report) : status;
 }

@@ -256,6 +256,22 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
     return status;
 }
 
+sph2d_status sph2d_png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
+                             sph2d_report *report)
+{
+    if (!path)
+        return invalid(report, "the path of the picture is NULL");
+    if (!pixels)
+        return invalid(report, "the pixels of the picture are NULL");
+    if (width < 1 || width > SIDE_MAX || height < 1 || height > SIDE_MAX) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, NULL,
+                         "a picture of %u x %u pixels cannot be written: each side has 1 to %d", width, height,
+                         SIDE_MAX);
+        return SPH2D_INVALID;
+    }
+    return sph2d__png_write(path, pixels, width, height, report);
+}
+
 sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer)
 {
     return renderer ? renderer->times : (sph2d_frame_times){0};
