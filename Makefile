@@ -51,6 +51,7 @@ missing() {
     test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || for tool in Xvfb xdotool; do
         command -v $$tool >/dev/null || echo $$tool | tr X x
     done
+    test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || command -v ffmpeg >/dev/null || echo ffmpeg
     test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
     test -z '$(filter web test-web,$(MAKECMDGOALS))' || command -v emcc >/dev/null ||
         printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
@@ -78,8 +79,8 @@ test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
 test -n "$$packages" || exit 0
 if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
 # Without NumPy the tests of the Python module are left out, without GLFW there is no `play`, without a display no test of
-# it: nobody is stopped for them.
-needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-numpy|libglfw3-dev|xvfb|xdotool') || true
+# it, without ffmpeg none of films: nobody is stopped for them.
+needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-numpy|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
 command -v apt-get >/dev/null && $$root true 2>/dev/null || test -n "$$needed" || exit 0
 command -v apt-get >/dev/null && $$root true 2>/dev/null ||
     stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'

@@ -14,7 +14,7 @@
     X(run, RUN, "SCENE [-o DIR]", "simulate a scene; write snapshots, probes and frames")                              \
     X(resume, RESUME, "DIR", "continue a run from its newest complete snapshot")                                       \
     X(play, PLAY, "[SCENE]", "show a scene in a window, and play with it")                                             \
-    X(render, RENDER, "SNAPSHOT... -o DIR", "draw snapshots as a sequence of PNG files")                               \
+    X(render, RENDER, "PATH... -o DIR", "draw snapshots as a sequence of PNG files, or as a film")                     \
     X(check, CHECK, "SCENE", "report all errors of a scene, then estimate the run")                                    \
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
     X(info, INFO, "PATH...", "print the contents of a snapshot, or what became of a run")                              \

@@ -61,10 +61,16 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d play\n"
         "  sph2d play scene.yaml --set spacing=0.02 --color speed\n",
     [CLI__RENDER] =
-        "Writes frame_000000.png and on, one per snapshot in the order given. Size, style, look, radius and colours\n"
-        "are those of the scene's own frames unless an option says otherwise.\n"
+        "Writes frame_000000.png and on, one per snapshot in the order given; a folder stands for all of its\n"
+        "snapshots. Size, style, look, radius and colours are those of the scene's own frames unless an option says\n"
+        "otherwise.\n"
+        "With --film ffmpeg makes a film of them: .mp4, or an animated image for a page, .gif or .png (.apng), with\n"
+        "up to 128 colours and, unless --size says otherwise, 640 pixels wide. It has the pace of the scene: --fps\n"
+        "changes that. Up to 60 frames of a second are in a film, 25 in an image.\n"
         "\n"
-        "  sph2d render out/snapshot_*.h5 -o pictures\n"
+        "  sph2d render out -o pictures\n"
+        "  sph2d render out --film out.mp4\n"
+        "  sph2d render out --film out.gif --size 480x270 --fps 30\n"
         "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
     [CLI__CHECK] =
         "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"

@@ -3,51 +3,13 @@
  *  The newest complete snapshot of a run's folder. */
 #include "newest.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "message.h"
 #include "snapshot.h"
-
-static int compare_descending(const void *a, const void *b)
-{
-    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x < y) - (x > y);
-}
-
-/* The numbers of all snapshots in the folder, the highest first; the caller frees them. SPH2D_NOMEM goes to *status. */
-static uint64_t *list_snapshots(const char *path, size_t *count, sph2d_status *status)
-{
-    *count = 0;
-    DIR *listing = opendir(path);
-    if (!listing) {
-        *status = errno == ENOMEM ? SPH2D_NOMEM : SPH2D_OK;
-        return NULL;
-    }
-    uint64_t *numbers = NULL;
-    uint64_t number;
-    const struct dirent *entry;
-    while ((entry = readdir(listing))) {
-        if (!folder_numbered(entry->d_name, "snapshot_", ".h5", &number))
-            continue;
-        if ((*count & (*count + 1)) == 0) { /* full: 0, 1, 3, 7, ... */
-            uint64_t *grown = realloc(numbers, (2 * *count + 1) * sizeof *grown);
-            if (!grown) {
-                *status = SPH2D_NOMEM;
-                break;
-            }
-            numbers = grown;
-        }
-        numbers[(*count)++] = number;
-    }
-    closedir(listing);
-    if (*count > 0)
-        qsort(numbers, *count, sizeof *numbers, compare_descending);
-    return numbers;
-}
+#include "snapshot_list.h"
 
 sph2d_snapshot *newest_try(const cli_options *options, const char *path, sph2d_report *report, sph2d_status *status)
 {
@@ -71,11 +33,11 @@ static sph2d_status find_snapshot(newest_snapshot *newest, const cli_options *op
 {
     size_t count;
     sph2d_status status = SPH2D_OK;
-    uint64_t *numbers = list_snapshots(folder->path, &count, &status);
-    for (size_t i = 0; i < count && !newest->snapshot && status == SPH2D_OK; ++i) {
-        const char *path = folder_file(folder, "snapshot_%06" PRIu64 ".h5", numbers[i]);
+    uint64_t *numbers = snapshot_numbers(folder->path, &count, &status);
+    for (size_t i = count; i > 0 && !newest->snapshot && status == SPH2D_OK; --i) {
+        const char *path = folder_file(folder, "snapshot_%06" PRIu64 ".h5", numbers[i - 1]);
         newest->snapshot = newest_try(options, path, report, &status);
-        newest->number = numbers[i];
+        newest->number = numbers[i - 1];
     }
     free(numbers);
     return status;

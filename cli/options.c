@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "film.h"
 #include "frame.h"
 #include "message.h"
 #include "parse.h"
@@ -32,6 +33,8 @@ enum {
     OPTION_RADIUS,
     OPTION_COLOR,
     OPTION_RANGE,
+    OPTION_FILM,
+    OPTION_FPS,
     OPTION_PREVIEW,
     OPTION_TEMPLATE,
     OPTION_ALL,
@@ -85,6 +88,8 @@ static const option_row rows[] = {
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
     {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, Pressures, Densities"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
+    {OPTION_FILM, "film", "FILE", CLI_RENDER, "make a film in place of PNG files, by ffmpeg: .mp4, .gif, .png, .apng"},
+    {OPTION_FPS, "fps", "N", CLI_RENDER, "snapshots for each second of the film; else it has the scene's pace"},
     {OPTION_PREVIEW, "preview", "FILE", CLI_CHECK, "draw the first frame into a PNG file"},
     {OPTION_GL, "gl", "NAME", DRAWS, "OpenGL context: osmesa or egl"},
     {OPTION_SHADER_DIR, "shader-dir", "DIR", DRAWS | CLI_PLAY,
@@ -362,6 +367,13 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
     case OPTION_PREVIEW:
         options->preview = value;
         return true;
+    case OPTION_FILM:
+        options->film = value;
+        return film_can_be(value) ||
+               bad_value(name, "film", value, "the name of a film, which ends in .mp4, .gif, .png or .apng");
+    case OPTION_FPS:
+        return (parse_number(value, &options->fps) && options->fps > 0 && options->fps <= 1000) ||
+               bad_value(name, "fps", value, "a number above 0, of at most 1000");
     case OPTION_GL:
         return set_gl(options, name, value);
     case OPTION_SHADER_DIR:

@@ -35,7 +35,8 @@ typedef struct cli_options {
     sph2d_override *overrides; /**< owned; freed by options_free */
     size_t override_count;
 
-    const char *gl, *shader_dir, *preview, *template_name;
+    const char *gl, *shader_dir, *preview, *template_name, *film;
+    double fps;             /**< frames for a second of the film; 0: not given */
     unsigned width, height; /**< [pixels] */
     bool style_given;
     sph2d_style style;

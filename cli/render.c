@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.c
- *  `sph2d render SNAPSHOT... -o DIR`: draws snapshots as a sequence of PNG files. */
+ *  `sph2d render PATH... -o DIR`: draws snapshots as a sequence of PNG files; with --film FILE as a film. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
 #include "exit.h"
+#include "film_strip.h"
 #include "folder.h"
 #include "frame_writer.h"
 #include "message.h"
 #include "progress.h"
 #include "signals.h"
 #include "snapshot.h"
+#include "snapshot_list.h"
 #include "threads.h"
 
 /* The frame style of a snapshot, with the options of the command line, and a range of colours where neither has one;
@@ -50,9 +52,13 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
 static int check_usage(const cli_options *options)
 {
     if (options->operand_count == 0)
-        message_usage("render", "a snapshot must be given");
-    else if (!options->output)
-        message_usage("render", "a folder for the frames must be given: -o DIR");
+        message_usage("render", "a snapshot, or the folder of a run, must be given");
+    else if (!options->output && !options->film)
+        message_usage("render", "a folder for the frames must be given, -o DIR, or a film, --film FILE");
+    else if (options->output && options->film)
+        message_usage("render", "-o DIR or --film FILE: one of the two");
+    else if (options->fps > 0 && !options->film)
+        message_usage("render", "--fps is for films: --film FILE");
     else
         return CLI_EXIT_SUCCESS;
     return CLI_EXIT_USAGE;
@@ -61,6 +67,8 @@ static int check_usage(const cli_options *options)
 /* Shared by all workers, used by one at a time. */
 typedef struct sequence {
     const cli_options *options;
+    snapshot_list inputs;
+    film_strip *strip; /* NULL: PNG files in the folder */
     cli_folder folder;
     cli_progress progress;
     size_t next, drawn; /* the snapshot to read next; frames that are done */
@@ -83,7 +91,7 @@ typedef struct worker {
 typedef struct frame_job {
     size_t index;
     sph2d_snapshot *snapshot;
-    char *path; /* NULL before the folder exists */
+    char *path; /* NULL before the folder exists, and for a film */
 } frame_job;
 
 /* A shell's order of files is that of time, except for a checkpoint, whose name comes before the snapshots'. */
@@ -91,15 +99,16 @@ static void warn_disorder(sequence *s, double time, size_t index)
 {
     if (index > 0 && time < s->time && !s->warned) {
         message_warning(SPH2D_CODE_GENERAL, "'%s' is earlier than the file before it; frames keep the order given",
-                        s->options->operands[index]);
+                        s->inputs.paths[index]);
         s->warned = true;
     }
     s->time = time;
 }
 
-/* Reports the first failure. */
+/* Reports the first failure. No worker waits any more for the frame before its own. */
 static void fail(worker *w, sph2d_status status)
 {
+    film_strip_give_up(w->sequence->strip);
     if (w->sequence->code == CLI_EXIT_SUCCESS) {
         message_report(status, &w->report, NULL);
         w->sequence->code = exit_of_status(status);
@@ -111,12 +120,12 @@ static bool read_next(worker *w, frame_job *out)
 {
     sequence *s = w->sequence;
     *out = (frame_job){.index = s->next};
-    if (s->code == CLI_EXIT_SUCCESS && s->next < s->options->operand_count && signals_caught() != 0)
+    if (s->code == CLI_EXIT_SUCCESS && s->next < s->inputs.count && signals_caught() != 0)
         s->code = 128 + signals_caught();
-    if (s->code != CLI_EXIT_SUCCESS || s->next == s->options->operand_count)
+    if (s->code != CLI_EXIT_SUCCESS || s->next == s->inputs.count)
         return false;
     ++s->next;
-    sph2d_status status = snapshot_read(s->options, s->options->operands[out->index], &out->snapshot, &w->report);
+    sph2d_status status = snapshot_read(s->options, s->inputs.paths[out->index], &out->snapshot, &w->report);
     if (status == SPH2D_OK)
         warn_disorder(s, sph2d_snapshot_get_info(out->snapshot).time, out->index);
     else
@@ -127,6 +136,8 @@ static bool read_next(worker *w, frame_job *out)
 /* Sets the path of a frame; false when memory is short. */
 static bool name_frame(worker *w, frame_job *f)
 {
+    if (w->sequence->strip)
+        return true;
     const char *path = folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
     f->path = path ? strdup(path) : NULL;
     if (!f->path)
@@ -150,10 +161,19 @@ static sph2d_status make_writer(worker *w, const frame_style *style)
 
 static sph2d_status draw(worker *w, const frame_job *f)
 {
+    film_strip *strip = w->sequence->strip;
     frame_style style = style_of(f->snapshot, w->sequence->options, w->sequence->range);
+    if (strip)
+        film_strip_fit(strip, &style.frames);
     particle_source source = {.snapshot = f->snapshot};
     sph2d_status status = make_writer(w, &style);
-    return status == SPH2D_OK ? frame_writer_write(w->writer, &source, &style, f->path, &w->times, &w->report) : status;
+    if (status == SPH2D_OK && !strip)
+        return frame_writer_write(w->writer, &source, &style, f->path, &w->times, &w->report);
+    if (status == SPH2D_OK)
+        status = frame_writer_draw(w->writer, &source, &style, &w->times, &w->report);
+    if (status == SPH2D_OK)
+        status = film_strip_add(strip, f->index, frame_writer_pixels(w->writer), &w->report);
+    return status;
 }
 
 static void count_frame(worker *w, sph2d_status status)
@@ -164,7 +184,7 @@ static void count_frame(worker *w, sph2d_status status)
         return;
     }
     ++s->drawn;
-    progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->options->operand_count);
+    progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->inputs.count);
 }
 
 /* Finds one range of colours for all frames, by reading the snapshots once more, so that a colour means the same in each.
@@ -174,11 +194,11 @@ static void find_range(sequence *s)
     const cli_options *options = s->options;
     frame_buffers buffers = {0};
     sph2d_vec2 range = {INFINITY, -INFINITY};
-    bool wanted = options->operand_count > 1 && !(options->range[0] < options->range[1]);
-    for (size_t i = 0; wanted && i < options->operand_count && signals_caught() == 0; ++i) {
+    bool wanted = s->inputs.count > 1 && !(options->range[0] < options->range[1]);
+    for (size_t i = 0; wanted && i < s->inputs.count && signals_caught() == 0; ++i) {
         sph2d_report report = {0};
         sph2d_snapshot *snapshot = NULL;
-        if (snapshot_read(options, options->operands[i], &snapshot, &report) == SPH2D_OK) {
+        if (snapshot_read(options, s->inputs.paths[i], &snapshot, &report) == SPH2D_OK) {
             const frame_style style = style_of(snapshot, options, (sph2d_vec2){0, 0});
             const particle_source source = {.snapshot = snapshot};
             wanted = style.frames.color && style.frames.color_range.x == 0 && style.frames.color_range.y == 0 &&
@@ -192,9 +212,17 @@ static void find_range(sequence *s)
         s->range = range;
 }
 
-static int clear_folder(sequence *s)
+/* Where the frames go, when it is clear that they can be drawn. */
+static int prepare_output(worker *w)
 {
+    sequence *s = w->sequence;
     signals_note();
+    if (s->strip) {
+        const sph2d_status status = film_strip_open(s->strip, &w->report);
+        if (status != SPH2D_OK)
+            fail(w, status);
+        return s->code;
+    }
     return folder_clear(&s->folder, s->options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
 }
 
@@ -206,9 +234,11 @@ static void draw_first(worker *w)
     frame_job f;
     if (read_next(w, &f)) {
         frame_style style = style_of(f.snapshot, options, s->range);
+        if (s->strip)
+            film_strip_fit(s->strip, &style.frames);
         sph2d_status status = make_writer(w, &style);
         if (status == SPH2D_OK)
-            s->code = clear_folder(s);
+            s->code = prepare_output(w);
         if (s->code == CLI_EXIT_SUCCESS && (status != SPH2D_OK || name_frame(w, &f)))
             count_frame(w, status == SPH2D_OK ? draw(w, &f) : status);
     }
@@ -253,32 +283,65 @@ static void draw_all(sequence *s, int workers)
     }
 }
 
+/* Takes the folder, or looks for what a film must have. */
+static int claim_output(sequence *s)
+{
+    const cli_options *options = s->options;
+    if (!s->strip)
+        return folder_claim(&s->folder, options->output, options->force, NULL);
+    return film_strip_begin(s->strip, options, &s->inputs);
+}
+
+/* Gives a film its name, if all went well; reports the end. */
+static void finish(sequence *s)
+{
+    worker last = {.sequence = s};
+    char times[TEXT_SIZE];
+    if (s->strip && s->code == CLI_EXIT_SUCCESS) {
+        const sph2d_status status = film_strip_close(s->strip, &last.report);
+        if (status != SPH2D_OK)
+            fail(&last, status);
+    }
+    if (s->strip && s->code == CLI_EXIT_SUCCESS)
+        film_strip_tell(s->strip, &s->times);
+    else if (s->code == CLI_EXIT_SUCCESS)
+        message_note("%zu frame%s in '%s': %s", s->drawn, s->drawn == 1 ? "" : "s", s->options->output,
+                     frame_times_describe(times, &s->times));
+    else if (signals_caught() != 0 && s->code == 128 + signals_caught())
+        message_note("stopped by %s after %zu of %zu frames", signals_name(signals_caught()), s->drawn,
+                     s->inputs.count);
+    film_strip_end(s->strip);
+    if (s->code == CLI_EXIT_SUCCESS)
+        folder_close(&s->folder);
+    else
+        folder_abandon(&s->folder);
+}
+
+static void draw_sequence(sequence *s)
+{
+    snapshot_note(s->options);
+    int workers = threads_for_frames(s->options, s->inputs.count - 1);
+    find_range(s);
+    s->progress = progress_begin(s->options, 0, (double)s->inputs.count);
+    draw_all(s, workers);
+    progress_end(&s->progress);
+}
+
 int command_render(const cli_options *options)
 {
     int code = check_usage(options);
     if (code != CLI_EXIT_SUCCESS)
         return code;
-    sequence s = {.options = options, .folder = FOLDER_CLOSED};
+    film_strip strip = {0};
+    sequence s = {.options = options, .folder = FOLDER_CLOSED, .strip = options->film ? &strip : NULL};
     signals_install();
-    s.code = folder_claim(&s.folder, options->output, options->force, NULL);
-    if (s.code != CLI_EXIT_SUCCESS)
-        return s.code;
-    snapshot_note(options);
-    int workers = threads_for_frames(options, options->operand_count - 1);
-    find_range(&s);
-    s.progress = progress_begin(options, 0, (double)options->operand_count);
-    draw_all(&s, workers);
-    progress_end(&s.progress);
-    char times[TEXT_SIZE];
+    s.code = snapshot_list_make(&s.inputs, options);
     if (s.code == CLI_EXIT_SUCCESS)
-        message_note("%zu frame%s in '%s': %s", s.drawn, s.drawn == 1 ? "" : "s", options->output,
-                     frame_times_describe(times, &s.times));
-    else if (signals_caught() != 0 && s.code == 128 + signals_caught())
-        message_note("stopped by %s after %zu of %zu frames", signals_name(signals_caught()), s.drawn,
-                     options->operand_count);
-    if (s.code == CLI_EXIT_SUCCESS)
-        folder_close(&s.folder);
-    else
-        folder_abandon(&s.folder);
+        s.code = claim_output(&s);
+    if (s.code == CLI_EXIT_SUCCESS) {
+        draw_sequence(&s);
+        finish(&s);
+    }
+    snapshot_list_free(&s.inputs);
     return s.code;
 }
