@@ -192,6 +192,8 @@ STRANGERS_SRC := $(sort $(wildcard tests/strangers/*.c))
 HARD_SRC := $(sort $(wildcard tests/hard/cases/*.c))
 # Ways through the pairs, of which those in *_rows.c are compiled for each instruction set.
 VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
+# What frames take.
+FRAMES_SRC := $(if $(WITH_RENDER),$(wildcard tests/bench/frames/*.c))
 GOLDEN_SRC := tests/golden/golden.c
 # What takes any bytes, and what gives them to it.
 FUZZ_NAMES := scene study particles table reference snapshot
@@ -215,7 +217,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(WITH_SHARED) $(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(CONTACTS_LIBS) $(RENDER_LIBS) $(LDLIBS) \
     $(CORE_SRC) $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) \
-    $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(SHADERS))
+    $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
@@ -231,6 +233,7 @@ TEST_OBJ := $(call objects,$(TEST_SRC))
 BENCH_OBJ := $(call objects,$(BENCH_SRC))
 STRANGERS_OBJ := $(call objects,$(STRANGERS_SRC))
 HARD_OBJ := $(call objects,$(HARD_SRC))
+FRAMES_OBJ := $(call objects,$(FRAMES_SRC))
 GOLDEN_OBJ := $(call objects,$(GOLDEN_SRC))
 FAULTS_OBJ := $(call objects,tests/faults/library.c)
 FUZZ_OBJ := $(call objects,$(FUZZ_SRC))
@@ -268,7 +271,7 @@ $(CONTACTS_OBJ): PART = $(CONTACTS_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
+$(BENCH_OBJ) $(FRAMES_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
 $(VARIANTS_OBJ): PART = $(CORE_FLAGS)
 $(FUZZ_OBJ): PART = $(CORE_FLAGS) $(call pc_cflags,libxxhash)
 $(EXAMPLE_OBJ): PART = -Iinclude $(call pc_cflags,$(GLFW))
@@ -328,6 +331,8 @@ $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
+$(BUILD)/tests/frames: $(FRAMES_OBJ) $(BUILD)/libsph2d-render.a $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(RENDER_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/strangers: $(STRANGERS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-contacts.a $(BUILD)/libsph2d.a \
     $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
@@ -399,7 +404,7 @@ packages:
 
 include cli/web/web.mk
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) \
-    $(BENCH_OBJ) $(VARIANTS_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
+    $(BENCH_OBJ) $(VARIANTS_OBJ) $(FRAMES_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
@@ -414,7 +419,7 @@ test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
-test: $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
+test: $(if $(WITH_RENDER),$(BUILD)/tests/frames) $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
 # Python is not built with sanitizers: gcc's come before all other libraries, clang's are none.
 PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
     $$($(CC) -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0)
@@ -431,6 +436,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD))
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
+	$(if $(WITH_RENDER),$(hush)$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt)
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
 	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
 	$(hush)tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found
@@ -557,6 +563,9 @@ bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes i
 bench-variants: $(BUILD)/tests/variants ## ways through the pairs beside the library's; VARIANTS='--particles 250000 --isa avx512'
 	$(hush)$(BUILD)/tests/variants $(VARIANTS)
 
+bench-frames: $(BUILD)/tests/frames ## CPU time of frames, drawn by one thread; FRAMES='4000 2 3' (particles, frames, rounds)
+	$(hush)$(BUILD)/tests/frames $(FRAMES)
+
 test-terms: $(BUILD)/tests/bench ## that terms which a scene does not name cost it nothing (valgrind; builds twice)
 	$(hush)$(MAKE) BUILD=$(BUILD)/bare CPPFLAGS='$(CPPFLAGS) -DSPH2D__BARE' $(BUILD)/bare/tests/bench
 	$(hush)tests/bench/terms.sh $(BUILD)/tests/bench $(BUILD)/bare/tests/bench
@@ -632,7 +641,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
-C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
+C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
     $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/fuzz/*.h tests/hard/cases/*.h))
@@ -725,6 +734,6 @@ help: ## this list
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage coverage-run \
-    bench-instructions bench-variants report report-full report-docs scene-docs check-headers \
+    bench-instructions bench-variants bench-frames report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif
