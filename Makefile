@@ -42,7 +42,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
 
 define install_packages
-with_numpy() { for p in $(PYTHONS); do ! "$$p" -c 'import numpy' 2>/dev/null || return 0; done; return 1; }
+with_module() { for p in $(PYTHONS); do ! "$$p" -c "import $$1" 2>/dev/null || return 0; done; return 1; }
 missing() {
     command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
     echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
@@ -56,7 +56,9 @@ missing() {
     test -z '$(filter web test-web,$(MAKECMDGOALS))' || command -v emcc >/dev/null ||
         printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
     test -z '$(filter test-web,$(MAKECMDGOALS))' || command -v '$(or $(CHROMIUM),chromium)' >/dev/null || echo chromium
-    test -z '$(filter test test-full test-sanitize,$(MAKECMDGOALS))' || with_numpy || echo python3-numpy
+    test -z '$(filter test test-full test-sanitize,$(MAKECMDGOALS))' || for module in numpy h5py; do
+        with_module $$module || echo python3-$$module
+    done
     for pair in $(PACKAGES); do
         $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
     done
@@ -78,9 +80,9 @@ packages=$$(missing | tr '\n' ' ')
 test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
 test -n "$$packages" || exit 0
 if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
-# Without NumPy the tests of the Python module are left out, without GLFW there is no `play`, without a display no test of
-# it, without ffmpeg none of films: nobody is stopped for them.
-needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-numpy|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
+# Without NumPy the tests of the Python module are left out, without h5py those of what it reads, without GLFW there is no
+# `play`, without a display no test of it, without ffmpeg none of films: nobody is stopped for them.
+needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
 command -v apt-get >/dev/null && $$root true 2>/dev/null || test -n "$$needed" || exit 0
 command -v apt-get >/dev/null && $$root true 2>/dev/null ||
     stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'
@@ -206,7 +208,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -434,6 +436,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
 	$(if $(and $(SANITIZE),$(CLANG)),,$(hush)SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD))
+	$(hush)tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes
 	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
 	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
 	$(if $(WITH_RENDER),$(hush)$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt)
@@ -528,6 +531,11 @@ test-restarts: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes stopped 
 KILLS = tests/restarts/kills.sh $(BUILD)/sph2d $(BUILD)/kills
 test-kills: $(BUILD)/sph2d ## a run killed at random moments: no torn file, the same folder in the end; KILLED=500
 	$(hush)$(KILLS) $(or $(KILLED),500)
+
+RECIPES_PYTHON := $(BUILD)/recipes-python
+test-recipes: $(BUILD)/sph2d ## the recipes of docs/recipes.md, none left out (2 minutes; pip gets 250 MB of packages, 1.3 GB unpacked)
+	$(hush)tests/recipes/packages.sh '$(firstword $(PYTHONS))' $(RECIPES_PYTHON)
+	$(hush)tests/recipes/recipes.sh --all $(BUILD)/sph2d $(abspath $(RECIPES_PYTHON))/bin/python $(BUILD)/recipes
 
 test-long: $(BUILD)/sph2d ## tanks and streams for a million steps, by every method (20 minutes); STEPS=1000000
 	$(hush)tests/long/long.sh $(BUILD)/sph2d $(BUILD)/long "$$(nproc)" $(or $(STEPS),1000000)
@@ -733,7 +741,7 @@ help: ## this list
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
-    test-kills test-long test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage coverage-run \
-    bench-instructions bench-variants bench-frames report report-full report-docs scene-docs check-headers \
+    test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
+    coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -184,19 +184,104 @@ START_TEST(hdf5_keeps_the_settings_of_the_program)
 }
 END_TEST
 
+/** Reads a dataset of `count` doubles. */
+static double *read_reals(hid_t file, const char *path, size_t count)
+{
+    hid_t d = H5Dopen2(file, path, H5P_DEFAULT), space = H5Dget_space(d);
+    ck_assert_uint_eq((size_t)H5Sget_simple_extent_npoints(space), count);
+    double *values = malloc((count + 1) * sizeof *values);
+    ck_assert_int_ge(H5Dread(d, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), 0);
+    H5Sclose(space);
+    H5Dclose(d);
+    return values;
+}
+
+/** Particles, boundary particles, corners: the values of the three groups, or none, without copies of them. */
+START_TEST(vtk_has_fluid_walls_and_outlines)
+{
+    static const char *const groups[] = {"/PartType0", "/PartType1", "/Outlines"};
+    static const struct {
+        const char *name, *as;
+        size_t columns, groups;
+    } fields[] = {{"Coordinates", "/VTKHDF/Points", 3, 3},
+                  {"Velocities", "/VTKHDF/PointData/Velocities", 3, 2},
+                  {"Pressures", "/VTKHDF/PointData/Pressures", 1, 2},
+                  {"Accelerations", "/VTKHDF/PointData/Accelerations", 3, 1}};
+    const size_t counts[] = {sph2d_sim_fluid(fixture.sim).count, sph2d_sim_walls(fixture.sim).count,
+                             sph2d_field(fixture.sim, SPH2D_GROUP_OUTLINE, 0).count};
+    const size_t all = counts[0] + counts[1] + counts[2];
+    ck_assert(counts[1] > 0 && counts[2] > 0);
+    write_snapshot("a.h5", _i ? 6 : 0);
+    hid_t f = H5Fopen("a.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
+    for (size_t k = 0; k < sizeof fields / sizeof *fields; ++k) {
+        double *joined = read_reals(f, fields[k].as, all * fields[k].columns), *next = joined;
+        hid_t d = H5Dopen2(f, fields[k].as, H5P_DEFAULT);
+        ck_assert_uint_eq(H5Dget_storage_size(d), 0);
+        H5Dclose(d);
+        for (size_t g = 0; g < 3; next += counts[g++] * fields[k].columns) {
+            char path[64];
+            snprintf(path, sizeof path, "%s/%s", groups[g], fields[k].name);
+            double *part = g < fields[k].groups ? read_reals(f, path, counts[g] * fields[k].columns) : NULL;
+            for (size_t i = 0; i < counts[g] * fields[k].columns; ++i)
+                ck_assert_msg(part ? next[i] == part[i] : isnan(next[i]), "%s of %s", fields[k].name, groups[g]);
+            free(part);
+        }
+        free(joined);
+    }
+    double *kinds = read_reals(f, "/VTKHDF/PointData/Kinds", all),
+           *ids = read_reals(f, "/Outlines/OutlineIDs", counts[2]);
+    for (size_t i = 0; i < all; ++i)
+        ck_assert(kinds[i] == (i < counts[0] ? 0 : i < counts[0] + counts[1] ? 1 : 2));
+    double *vertices = read_reals(f, "/VTKHDF/Vertices/Connectivity", counts[0] + counts[1]);
+    for (size_t i = 0; i < counts[0] + counts[1]; ++i)
+        ck_assert(vertices[i] == (double)i);
+    /* the sides and the line of the scene are lines; it has no solids */
+    ck_assert(ids[counts[2] - 1] == 1);
+    double *offsets = read_reals(f, "/VTKHDF/Lines/Offsets", 3),
+           *corners = read_reals(f, "/VTKHDF/Lines/Connectivity", counts[2]);
+    for (size_t i = 0; i < counts[2]; ++i) {
+        ck_assert(corners[i] == (double)(counts[0] + counts[1] + i));
+        ck_assert((ids[i] == 0) == ((double)i < offsets[1]));
+    }
+    ck_assert(offsets[0] == 0 && offsets[2] == (double)counts[2]);
+    free(read_reals(f, "/VTKHDF/Polygons/Connectivity", 0));
+    double *lists[] = {kinds, ids, vertices, offsets, corners};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; ++i)
+        free(lists[i]);
+    H5Fclose(f);
+}
+END_TEST
+
+/** Without liquid, boundary particles and walls there are no points, but all of the datasets. */
+START_TEST(vtk_of_a_scene_with_nothing)
+{
+    static const char text[] = "domain: {min: [0, 0], max: [1, 1]}\nspacing: 0.04\nmethod: muller\n"
+                               "boundary: {left: open, right: open, top: open, bottom: open}\n"
+                               "sources:\n  - {at: [0.5, 0.5], speed: 1, width: 0.1, start: 5}\n";
+    sph2d_scene_file *file = NULL;
+    sph2d_report_clear(&fixture.report);
+    sph2d_status status = sph2d_scene_file_parse(text, sizeof text - 1, "s.yaml", NULL, 0, &file, &fixture.report);
+    ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&fixture.report));
+    sph2d_sim *sim = test_create(sph2d_scene_file_scene(file), NULL);
+    ck_assert_int_eq(sph2d_snapshot_write(sim, file, 0, "a.h5", NULL), SPH2D_OK);
+    hid_t f = H5Fopen("a.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
+    static const char *const none[] = {"Points", "PointData/Pressures", "PointData/Kinds", "Lines/Connectivity"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; ++i) {
+        char path[64];
+        snprintf(path, sizeof path, "/VTKHDF/%s", none[i]);
+        free(read_reals(f, path, 0));
+    }
+    H5Fclose(f);
+    sph2d_snapshot_destroy(read_snapshot("a.h5"));
+    sph2d_sim_destroy(sim);
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
 START_TEST(the_layout_is_what_other_programs_expect)
 {
     write_snapshot("a.h5", 0);
     hid_t f = H5Fopen("a.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
-    static const char *const same[][2] = {{"/PartType0/Coordinates", "/VTKHDF/Points"},
-                                          {"/PartType0/Velocities", "/VTKHDF/PointData/Velocities"},
-                                          {"/PartType0/ParticleIDs", "/VTKHDF/PointData/ParticleIDs"}};
-    for (size_t i = 0; i < sizeof same / sizeof same[0]; ++i) {
-        hid_t one = H5Dopen2(f, same[i][0], H5P_DEFAULT), two = H5Dopen2(f, same[i][1], H5P_DEFAULT);
-        ck_assert(one >= 0 && two >= 0 && H5Dget_offset(one) == H5Dget_offset(two));
-        H5Dclose(one);
-        H5Dclose(two);
-    }
     sph2d_view fluid = sph2d_sim_fluid(fixture.sim);
     hid_t d = H5Dopen2(f, "/PartType0/Coordinates", H5P_DEFAULT), space = H5Dget_space(d);
     hsize_t sizes[2];
@@ -227,6 +312,20 @@ START_TEST(the_layout_is_what_other_programs_expect)
     for (size_t i = 0; i < sizeof attributes / sizeof attributes[0]; ++i)
         ck_assert_msg(H5Aexists_by_name(f, attributes[i][0], attributes[i][1], H5P_DEFAULT) > 0, "%s %s",
                       attributes[i][0], attributes[i][1]);
+    /* What SWIFT has is a list of one, as swiftsimio expects; the rest converts to a number. */
+    static const struct {
+        const char *group, *name;
+        int rank;
+    } shapes[] = {{"/Header", "Time", 1},   {"/Header", "Scale-factor", 1}, {"/Units", "Unit time in cgs (U_t)", 1},
+                  {"/Header", "Step", 0},   {"/Header", "Spacing", 0},      {"/Header", "SoundSpeed", 0},
+                  {"/State", "Time", 0},    {"/Header", "TimeStep", 0},     {"/Header", "SupportRadius", 0},
+                  {"/", "FormatVersion", 0}};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        hid_t a = H5Aopen_by_name(f, shapes[i].group, shapes[i].name, H5P_DEFAULT, H5P_DEFAULT), of = H5Aget_space(a);
+        ck_assert_msg(H5Sget_simple_extent_ndims(of) == shapes[i].rank, "%s %s", shapes[i].group, shapes[i].name);
+        H5Sclose(of);
+        H5Aclose(a);
+    }
     H5Fclose(f);
 }
 END_TEST
@@ -364,6 +463,8 @@ Suite *suite_snapshot(void)
     tcase_add_loop_test(back, the_same_simulation_gives_the_same_bytes, 0, 2);
     tcase_add_test(back, structs_without_a_file_and_long_texts);
     tcase_add_test(back, hdf5_keeps_the_settings_of_the_program);
+    tcase_add_loop_test(back, vtk_has_fluid_walls_and_outlines, 0, 2);
+    tcase_add_test(back, vtk_of_a_scene_with_nothing);
     tcase_add_test(back, the_layout_is_what_other_programs_expect);
     tcase_add_test(back, a_draft_becomes_a_snapshot_when_it_is_told);
     suite_add_tcase(suite, back);

@@ -62,7 +62,8 @@ void sph2d__h5_writer_open(sph2d__h5_writer *w, int fd, unsigned compress, const
     hid_t creation = H5Pcreate(H5P_FILE_CREATE);
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     bool ok = access >= 0 && set_object(creation) && set_object(w->group_properties);
-    ok = ok && H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0;
+    /* The newer one is that of virtual datasets alone. */
+    ok = ok && H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110) >= 0;
     ok = ok && H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) >= 0;
     ok = ok && (w->driver = sph2d__h5_sink_driver(access, &w->sink)) >= 0;
     ok = ok && (w->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, access)) >= 0;
@@ -267,8 +268,39 @@ void sph2d__h5_write_rows(sph2d__h5_writer *w, hid_t dataset, hid_t type, size_t
         H5Sclose(in_file);
 }
 
-void sph2d__h5_link(sph2d__h5_writer *w, const char *from, const char *to)
+/** Maps rows `first` on of a joined dataset to a part. */
+static bool map_part(hid_t properties, hid_t space, size_t first, const sph2d__h5_part *part, size_t columns)
 {
-    if (w->ok)
-        sph2d__h5_check(w, H5Lcreate_hard(w->file, from, w->file, to, H5P_DEFAULT, H5P_DEFAULT) >= 0, to);
+    hsize_t start[2] = {first, 0}, sizes[2] = {part->rows, columns};
+    hid_t source = H5Screate_simple(columns > 0 ? 2 : 1, sizes, NULL);
+    bool ok = source >= 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, sizes, NULL) >= 0 &&
+              H5Pset_virtual(properties, space, ".", part->from, source) >= 0;
+    if (source >= 0)
+        H5Sclose(source);
+    return ok;
+}
+
+void sph2d__h5_join(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, size_t columns,
+                    const sph2d__h5_part *parts, size_t count, const void *fill)
+{
+    if (!w->ok)
+        return;
+    size_t rows = 0;
+    for (size_t i = 0; i < count; ++i)
+        rows += parts[i].rows;
+    hsize_t sizes[2] = {rows, columns};
+    hid_t space = H5Screate_simple(columns > 0 ? 2 : 1, sizes, NULL), properties = H5Pcreate(H5P_DATASET_CREATE);
+    bool ok = space >= 0 && set_object(properties) && H5Pset_fill_value(properties, type, fill) >= 0;
+    size_t first = 0;
+    for (size_t i = 0; ok && i < count; first += parts[i++].rows)
+        if (parts[i].from && parts[i].rows > 0)
+            ok = map_part(properties, space, first, &parts[i], columns);
+    ok = ok && H5Sselect_all(space) >= 0;
+    hid_t dataset = ok ? H5Dcreate2(at, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT) : H5I_INVALID_HID;
+    sph2d__h5_check(w, dataset >= 0, name);
+    sph2d__h5_close(dataset);
+    if (space >= 0)
+        H5Sclose(space);
+    if (properties >= 0)
+        H5Pclose(properties);
 }

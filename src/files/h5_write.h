@@ -46,7 +46,7 @@ void sph2d__h5_put(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, 
 void sph2d__h5_put_reals(sph2d__h5_writer *w, hid_t at, const char *name, const double *values, size_t count);
 void sph2d__h5_put_counts(sph2d__h5_writer *w, hid_t at, const char *name, const uint64_t *values, size_t count);
 void sph2d__h5_put_ints(sph2d__h5_writer *w, hid_t at, const char *name, const int64_t *values, size_t count);
-/** Writes one double as a list of one, as tools for SWIFT snapshots expect. */
+/** Writes one double as a list of one, as tools for SWIFT snapshots expect of what SWIFT has, too. */
 void sph2d__h5_put_real(sph2d__h5_writer *w, hid_t at, const char *name, double value);
 /** Writes a text as an attribute, or as a dataset if it is long. */
 void sph2d__h5_put_text(sph2d__h5_writer *w, hid_t at, const char *name, const char *text);
@@ -60,7 +60,15 @@ hid_t sph2d__h5_dataset(sph2d__h5_writer *w, hid_t at, const char *name, hid_t t
 /** Writes rows `first` to `first + count` of a dataset. */
 void sph2d__h5_write_rows(sph2d__h5_writer *w, hid_t dataset, hid_t type, size_t first, size_t count, size_t columns,
                           const void *values);
-/** Creates a hard link from a full path to a second one. */
-void sph2d__h5_link(sph2d__h5_writer *w, const char *from, const char *to);
+/** A part of a joined dataset. */
+typedef struct sph2d__h5_part {
+    const char *from; /**< full path of a dataset of this file; NULL: the fill value */
+    size_t rows;
+} sph2d__h5_part;
+
+/** Creates a dataset of `columns` columns (0: one dimension) that consists of others of this file, one after the other,
+ *  without copies: a virtual dataset. `fill`: the value of parts that are none. Readers need HDF5 1.10. */
+void sph2d__h5_join(sph2d__h5_writer *w, hid_t at, const char *name, hid_t type, size_t columns,
+                    const sph2d__h5_part *parts, size_t count, const void *fill);
 
 #endif

@@ -10,7 +10,7 @@
  *      /PartType0, 1     fluid and boundary particles: one dataset a field
  *      /Outlines         corners of the outlines of walls and bodies
  *      /State            the rest of the state, and the list of the particle arrays that are part of it
- *      /VTKHDF           the fluid for ParaView, as hard links
+ *      /VTKHDF           fluid, walls and outlines for ParaView, without copies
  *
  *  After the HDF5 data comes a checksum trailer (trailer.h). */
 #ifndef SPH2D_FILES_LAYOUT_H

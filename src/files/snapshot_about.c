@@ -8,6 +8,12 @@
 /** Particle types of SWIFT's format: gas (0) is the fluid, dark matter (1) the walls; the others are empty. */
 enum { PARTICLE_TYPES = 7 };
 
+static void put_scalar(sph2d__h5_writer *w, hid_t at, const char *name, double value)
+{
+    sph2d__h5_put_reals(w, at, name, &value, 0);
+}
+
+/** What SWIFT has is a list of one, too, as its tools expect. */
 static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
 {
     const sph2d_scene *scene = sph2d_sim_scene(sim);
@@ -23,14 +29,14 @@ static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
 
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_HEADER);
     sph2d__h5_put_real(w, at, SPH2D__AT_TIME, sph2d_sim_time(sim));
-    sph2d__h5_put_real(w, at, SPH2D__AT_TIME_STEP, sph2d_sim_time_step(sim));
-    sph2d__h5_put_counts(w, at, SPH2D__AT_STEP, &steps, 1);
+    put_scalar(w, at, SPH2D__AT_TIME_STEP, sph2d_sim_time_step(sim));
+    sph2d__h5_put_counts(w, at, SPH2D__AT_STEP, &steps, 0);
     sph2d__h5_put_reals(w, at, "DomainMin", low, 2);
     sph2d__h5_put_reals(w, at, "DomainMax", high, 2);
-    sph2d__h5_put_real(w, at, "Spacing", scene->spacing);
-    sph2d__h5_put_real(w, at, SPH2D__AT_SUPPORT, plan->support_radius);
-    sph2d__h5_put_real(w, at, "ParticleMass", plan->particle_mass);
-    sph2d__h5_put_real(w, at, SPH2D__AT_SOUND_SPEED, plan->sound_speed);
+    put_scalar(w, at, "Spacing", scene->spacing);
+    put_scalar(w, at, SPH2D__AT_SUPPORT, plan->support_radius);
+    put_scalar(w, at, "ParticleMass", plan->particle_mass);
+    put_scalar(w, at, SPH2D__AT_SOUND_SPEED, plan->sound_speed);
     sph2d__h5_put_reals(w, at, "BoxSize", size, 3);
     sph2d__h5_put_ints(w, at, "Dimension", &two, 1);
     sph2d__h5_put_counts(w, at, "NumPart_ThisFile", counts, PARTICLE_TYPES);

@@ -17,7 +17,7 @@ void sph2d__snapshot_put_parameters(sph2d__h5_writer *w, const sph2d_scene *scen
 /** /PartType0, /PartType1, /State. */
 void sph2d__snapshot_put_arrays(sph2d__h5_writer *w, const sph2d_sim *sim, const sph2d_state *state);
 
-/** /VTKHDF, after /PartType0. */
+/** /VTKHDF, after the groups of particles and outlines. */
 void sph2d__snapshot_put_vtk(sph2d__h5_writer *w, const sph2d_sim *sim);
 
 /** The group of an array: "/PartType0", "/PartType1" or "/State". */

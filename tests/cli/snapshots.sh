@@ -27,6 +27,18 @@ probes:
   - {name: gauge, kind: pressure, at: [0, 0.1], size: 0.05, rise_time: 0.01, every: 0.01}
 END
 run fitted filled.yaml
+cat >channel.yaml <<'END'
+domain: {min: [0, 0], max: [0.6, 0.4]}
+spacing: 0.02
+blocks:
+  - box: {min: [0, 0], max: [0.6, 0.2]}
+openings:
+  - {name: inlet, side: left, from: 0, to: 0.3, flow_rate: 0.02, free_surface: on}
+  - {name: outlet, side: right, from: 0, to: 0.3, level: 0.2}
+bodies:
+  - {box: {min: [0.2, 0.15], max: [0.4, 0.25]}, density: 500}
+END
+run channel channel.yaml
 
 # What the command itself tells, which needs no other tool.
 for file in */snapshot_000001.h5; do
@@ -48,6 +60,7 @@ import re
 import sys
 
 import h5py
+import numpy
 
 page = open(sys.argv[1]).read()
 prose = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
@@ -64,10 +77,9 @@ for path in sys.argv[2:]:
                 found.update(item.attrs)
 
         file.visititems(visit)
-        for group in ("VTKHDF/PointData", "VTKHDF"):  # links, which are visited under one name alone
-            found |= set(file[group])
-        assert file["VTKHDF/Points"] == file["PartType0/Coordinates"]
-        assert set(file["VTKHDF/PointData"]) <= set(file["PartType0"])
+        points = [file[g + "/Coordinates"] for g in ("PartType0", "PartType1", "Outlines")]
+        assert (file["VTKHDF/Points"][:] == numpy.concatenate(points)).all()
+        assert set(file["VTKHDF/PointData"]) <= set(file["PartType0"]) | {"Kinds"}
         # every array of the state has its unit in the table
         for name, unit in zip(file["State/Arrays"][:], file["State/ArrayUnits"][:]):
             name = name.decode().split("/")[-1]
