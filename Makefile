@@ -47,7 +47,7 @@ missing() {
     command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
     echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
     test '$(OPENMP)' = 0 || echo '#include <omp.h>' | $(CC) -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
-    test -z '$(filter report report-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
+    test -z '$(filter report report-full test test-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
     test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || for tool in Xvfb xdotool; do
         command -v $$tool >/dev/null || echo $$tool | tr X x
     done
@@ -80,9 +80,9 @@ packages=$$(missing | tr '\n' ' ')
 test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
 test -n "$$packages" || exit 0
 if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
-# Without NumPy the tests of the Python module are left out, without h5py those of what it reads, without GLFW there is no
-# `play`, without a display no test of it, without ffmpeg none of films: nobody is stopped for them.
-needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
+# Without NumPy the tests of the Python module are left out, without h5py and gnuplot those of recipes, without GLFW
+# there is no `play`, without a display no test of it, without ffmpeg none of films: nobody is stopped for them.
+needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
 command -v apt-get >/dev/null && $$root true 2>/dev/null || test -n "$$needed" || exit 0
 command -v apt-get >/dev/null && $$root true 2>/dev/null ||
     stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'

@@ -63,8 +63,9 @@ static bool is_cleared(const char *name, folder_clearing clearing)
         return is_of_study(name);
     if (folder_numbered(name, "frame_", ".png", &number))
         return true;
-    return clearing == FOLDER_CLEAR_RUN && (folder_numbered(name, "snapshot_", ".h5", &number) ||
-                                            strcmp(name, "checkpoint.h5") == 0 || strcmp(name, "guard.h5") == 0);
+    return clearing == FOLDER_CLEAR_RUN &&
+           (folder_numbered(name, "snapshot_", ".h5", &number) || strcmp(name, "checkpoint.h5") == 0 ||
+            strcmp(name, "guard.h5") == 0 || strcmp(name, "plot.svg") == 0);
 }
 
 /* ".NAME.tmp.NUMBER": a temporary file of a killed process, or of one that writes. */

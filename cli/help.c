@@ -71,6 +71,13 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d render out --film out.mp4\n"
         "  sph2d render out --film out.gif --size 480x270 --fps 30\n"
         "  sph2d render out/snapshot_*.h5 -o pictures --color speed --range 0,3 --size 1920x1080\n",
+    [CLI__PLOT] =
+        "Draws the series NAME.csv of probes by gnuplot: each quantity of each probe is a panel over time, those of\n"
+        "one unit share one, such as the energies. With names, only these probes. The picture is DIR/plot.svg, or\n"
+        "what -o says, SVG or PNG. The run may still be at work.\n"
+        "\n"
+        "  sph2d plot out\n"
+        "  sph2d plot out energy gauge -o energy.png\n",
     [CLI__CHECK] =
         "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"
         "formulas, and estimates of steps, memory, disk and time. SCENE may be -, the standard input.\n"

@@ -70,7 +70,7 @@ _sph2d_operand() { # ALREADY
     case $operands in
     SCENE* | '[SCENE]'* | STUDY*) _sph2d_paths '*.yaml' '*.yml' '*.json' ;;
     SNAPSHOT* | PATH*) _sph2d_paths '*.h5' ;;
-    DIR*) _sph2d_paths ;;
+    DIR*) [ "$1" != 0 ] || _sph2d_paths ;; # names of probes may follow
     '[TOPIC]') _sph2d_words "${commands[@]}" "${topics[@]}" ;;
     esac
 }

@@ -19,7 +19,7 @@ ulimit -c 0
 mkdir "$REFERENCE" && : >"$CODES"
 cd "$here"
 
-cases=(library run run_over resume check info info_run init study shard)
+cases=(library run run_over resume check info info_run plot init study shard)
 ! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render preview)
 [ $# = 0 ] || cases=("$@")
 
@@ -48,7 +48,7 @@ stride() {
     if [ -n "${FULL:-}" ]; then
         echo 1
     else
-        case $1 in library | init) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | info_run | study | shard) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
+        case $1 in library | init | plot) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | info_run | study | shard) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
     fi
 }
 

@@ -33,6 +33,7 @@ run_command() {
     init) set -- "$SPH2D" init out --template drop ;;
     info) set -- "$SPH2D" info "$REFERENCE/run/snapshot_000001.h5" ;;
     info_run) set -- "$SPH2D" info "$REFERENCE/run" ;;
+    plot) set -- "$SPH2D" plot "$REFERENCE/run" -o picture.svg ;;
     study) set -- "$SPH2D" study "$study" -q -j 1 -J 2 -o out ;;
     shard) set -- "$SPH2D" study "$study" -q --shard 2/2 -o out ;;
     library) set -- "$LIBRARY" ;;
