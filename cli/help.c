@@ -78,6 +78,11 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "\n"
         "  sph2d plot out\n"
         "  sph2d plot out energy gauge -o energy.png\n",
+    [CLI__EXPORT] =
+        "One row per particle of the liquid, by its number, and a column with its unit for each field. Scenes read\n"
+        "such a file as 'particles' and as 'start.table' of a block.\n"
+        "\n"
+        "  sph2d export out/snapshot_000042.h5 -o particles.csv\n",
     [CLI__CHECK] =
         "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"
         "formulas, and estimates of steps, memory, disk and time. SCENE may be -, the standard input.\n"

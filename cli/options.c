@@ -60,6 +60,7 @@ static const char *const gl_words[] = {"osmesa", "egl", NULL};
 static const option_row rows[] = {
     {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; empty, new, or a study's own"},
     {'o', "output", "FILE", CLI_PLOT, "file for the picture, .svg or .png; default DIR/plot.svg"},
+    {'o', "output", "FILE", CLI_EXPORT, "CSV file; default the standard output"},
     {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
      "replace the files of an earlier run there; a study runs all rows again"},
     {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_PLAY | CLI_CHECK | CLI_STUDY,
@@ -73,7 +74,7 @@ static const option_row rows[] = {
      "stop after TIME (90s, 45m, 3h), a run with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
     {OPTION_PROFILE, "profile", NULL, CLI_RUN | CLI_RESUME, "print the time of each phase of the steps"},
-    {OPTION_NO_CHECKSUM, "no-checksum", NULL, CLI_RESUME | CLI_RENDER | CLI_INFO,
+    {OPTION_NO_CHECKSUM, "no-checksum", NULL, CLI_RESUME | CLI_RENDER | CLI_EXPORT | CLI_INFO,
      "read snapshots that another program has changed"},
     {'J', "jobs", "N", CLI_STUDY, "rows that run at a time, each in its own process; default 1"},
     {OPTION_SHARD, "shard", "I/N", CLI_STUDY,

@@ -47,6 +47,7 @@ LINES = [
     ("sph2d plot fol\t", "sph2d plot folder/"),
     ("sph2d plot -o pic\t", "sph2d plot -o picture.png "),
     ("sph2d plot folder fo\t", "sph2d plot folder fo"),
+    ("sph2d export snap\t", "sph2d export snapshot_000000.h5 "),
     ("sph2d info snap\t", "sph2d info snapshot_000000.h5 "),
     ("sph2d info snapshot_000000.h5 fo\t", "sph2d info snapshot_000000.h5 folder/"),
     ("sph2d render snap\t", "sph2d render snapshot_000000.h5 "),

@@ -6,7 +6,7 @@
 expect 0 "$SPH2D" --help && prints 'usage: sph2d COMMAND' && silent
 expect 0 "$SPH2D" -h
 expect 0 "$SPH2D" help
-for command in run resume render plot check study info init help; do
+for command in run resume render plot export check study info init help; do
     expect 0 "$SPH2D" $command --help && prints "usage: sph2d $command"
     expect 0 "$SPH2D" help $command && prints "usage: sph2d $command"
     # before any other work
