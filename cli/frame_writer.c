@@ -59,7 +59,7 @@ const unsigned char *frame_writer_pixels(const frame_writer *w)
 }
 
 sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_report *report)
+                          sph2d_background background, sph2d_report *report)
 {
     (void)path;
     (void)pixels;
@@ -151,9 +151,9 @@ const unsigned char *frame_writer_pixels(const frame_writer *w)
 }
 
 sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_report *report)
+                          sph2d_background background, sph2d_report *report)
 {
-    return sph2d_png_write(path, pixels, width, height, report);
+    return sph2d_png_write(path, pixels, width, height, background, report);
 }
 
 sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,

@@ -36,7 +36,7 @@ const unsigned char *frame_writer_pixels(const frame_writer *writer);
 /** Writes such pixels as a PNG file, atomically; any thread may do that. Errors: SPH2D_CANTCREAT, SPH2D_IO,
  *  SPH2D_NOMEM. */
 sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_report *report);
+                          sph2d_background background, sph2d_report *report);
 
 /** Draws the particles, writes the file atomically, and adds the times to `times`, which may be NULL. Errors:
  *  SPH2D_FORMAT, SPH2D_RENDER, SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */

@@ -25,6 +25,7 @@ struct output_queue {
     pthread_t thread;
     clockid_t cpu_clock;
     unsigned width, height;
+    sph2d_background background;
     unsigned char *buffers[FRAMES];
     size_t frames; /* that were taken: the next is copied to the buffer of the last but one */
 
@@ -44,7 +45,7 @@ struct output_queue {
 static sph2d_status do_job(const output_queue *q, const job *j, sph2d_report *report)
 {
     return j->draft ? sph2d_snapshot_commit(j->draft, report)
-                    : frame_encode(j->path, j->pixels, q->width, q->height, report);
+                    : frame_encode(j->path, j->pixels, q->width, q->height, q->background, report);
 }
 
 /* With the lock, which it gives back while it works. */
@@ -99,13 +100,14 @@ static void free_all(output_queue *q)
     free(q);
 }
 
-output_queue *output_queue_start(unsigned width, unsigned height)
+output_queue *output_queue_start(unsigned width, unsigned height, sph2d_background background)
 {
     output_queue *q = calloc(1, sizeof *q);
     if (!q)
         return NULL;
     q->width = width;
     q->height = height;
+    q->background = background;
     pthread_mutex_init(&q->lock, NULL);
     pthread_cond_init(&q->changed, NULL);
     bool room = true;

@@ -9,9 +9,9 @@
 
 typedef struct output_queue output_queue;
 
-/** Starts the thread, for frames of this size. It holds two of them, 4 bytes per pixel; who brings a third waits. NULL
+/** Starts the thread, for frames of this size and background. It holds two of them, 4 bytes per pixel; who brings a third waits. NULL
  *  where memory is short or no thread can be started. */
-output_queue *output_queue_start(unsigned width, unsigned height);
+output_queue *output_queue_start(unsigned width, unsigned height, sph2d_background background);
 
 /** Copies pixels (4 bytes each, top row first), for a PNG file. Once something fails nothing more is written, and the
  *  next call returns the error of it; its message is told once. Errors: as sph2d_png_write, SPH2D_NOMEM. */

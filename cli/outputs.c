@@ -55,7 +55,8 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
 void outputs_work_beside(cli_outputs *o)
 {
     if (o->writer)
-        o->queue = output_queue_start((unsigned)o->style.frames.size[0], (unsigned)o->style.frames.size[1]);
+        o->queue = output_queue_start((unsigned)o->style.frames.size[0], (unsigned)o->style.frames.size[1],
+                                      o->style.frames.background);
 }
 
 double outputs_cpu_beside(const cli_outputs *o)

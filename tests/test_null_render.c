@@ -37,10 +37,10 @@ START_TEST(renderers)
     check_refused(sph2d_renderer_draw(renderer, NULL, &report), "picture");
     check_refused(sph2d_renderer_write_png(renderer, NULL, &report), "path");
     static const unsigned char pixel[4];
-    check_refused(sph2d_png_write(NULL, pixel, 1, 1, &report), "path");
-    check_refused(sph2d_png_write("x.png", NULL, 1, 1, &report), "pixels");
-    check_refused(sph2d_png_write("x.png", pixel, 0, 1, &report), "0 x 1");
-    check_refused(sph2d_png_write("x.png", pixel, 1, 16385, &report), "1 x 16385");
+    check_refused(sph2d_png_write(NULL, pixel, 1, 1, SPH2D_BACKGROUND_OPAQUE, &report), "path");
+    check_refused(sph2d_png_write("x.png", NULL, 1, 1, SPH2D_BACKGROUND_OPAQUE, &report), "pixels");
+    check_refused(sph2d_png_write("x.png", pixel, 0, 1, SPH2D_BACKGROUND_OPAQUE, &report), "0 x 1");
+    check_refused(sph2d_png_write("x.png", pixel, 1, 16385, SPH2D_BACKGROUND_OPAQUE, &report), "1 x 16385");
     sph2d_renderer_destroy(renderer);
 }
 END_TEST

@@ -221,7 +221,8 @@ START_TEST(png_holds_the_pixels)
     unsigned char *second = read_file(path_in_folder("a.png"), &second_size);
     ck_assert_uint_eq(first_size, second_size);
     ck_assert_mem_eq(first, second, first_size);
-    ck_assert_int_eq(sph2d_png_write(path_in_folder("b.png"), pixels, 320, 180, NULL), SPH2D_OK);
+    ck_assert_int_eq(sph2d_png_write(path_in_folder("b.png"), pixels, 320, 180, SPH2D_BACKGROUND_OPAQUE, NULL),
+                     SPH2D_OK);
     free(second);
     second = read_file(path_in_folder("b.png"), &second_size);
     ck_assert_uint_eq(first_size, second_size);

@@ -163,16 +163,17 @@ SPH2D_API const unsigned char *sph2d_renderer_pixels(const sph2d_renderer *rende
  *  the mouse. False before the first draw. */
 SPH2D_API bool sph2d_renderer_locate(const sph2d_renderer *renderer, double x, double y, sph2d_vec2 *at);
 
-/** Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors: SPH2D_INVALID (nothing drawn),
- *  SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
+/** Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors:
+ *  SPH2D_INVALID (nothing drawn), SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path, sph2d_report *report);
 
-/** Writes width * height pixels of 4 bytes (the fourth is ignored), top row first, as an RGB PNG, whole or not at all: what
+/** Writes width * height pixels of 4 bytes, top row first, as a PNG, RGBA for a transparent background and else RGB without
+ *  the fourth byte, whole or not at all: what
  *  sph2d_renderer_write_png() does with a copy of the pixels, for another thread to do while the renderer draws on. The
  *  same pixels give the same bytes. Sides have 1 to 16384 pixels. Errors: SPH2D_INVALID, SPH2D_CANTCREAT, SPH2D_IO,
  *  SPH2D_NOMEM. */
 SPH2D_API sph2d_status sph2d_png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                                       sph2d_report *report);
+                                       sph2d_background background, sph2d_report *report);
 
 /** The times of the last picture, and of its last writing. All 0 before the first draw. */
 SPH2D_API sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer);

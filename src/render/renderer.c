@@ -257,7 +257,7 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
 }
 
 sph2d_status sph2d_png_write(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                             sph2d_report *report)
+                             sph2d_background background, sph2d_report *report)
 {
     if (!path)
         return invalid(report, "the path of the picture is NULL");
@@ -269,7 +269,7 @@ sph2d_status sph2d_png_write(const char *path, const unsigned char *pixels, unsi
                          SIDE_MAX);
         return SPH2D_INVALID;
     }
-    return sph2d__png_write(path, pixels, width, height, report);
+    return sph2d__png_write(path, pixels, width, height, background == SPH2D_BACKGROUND_TRANSPARENT, report);
 }
 
 sph2d_frame_times sph2d_renderer_times(const sph2d_renderer *renderer)
