@@ -4,12 +4,11 @@
 #include "frame.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "text.h"
+#include "frame_view.h"
 
 frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
@@ -22,196 +21,128 @@ frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
     return (frame_style){info.frames, info.scene_name, info.domain, info.boundary, info.spacing};
 }
 
-/* ---- fields ------------------------------------------------------------------------------------------------------ */
-
-/* A field by name; its name is NULL if there is none. */
-static sph2d_array find_field(const particle_source *source, sph2d_group group, const char *name)
+static sph2d_status check_field(const char *name, const char *path, sph2d_report *report)
 {
-    if (source->snapshot) {
-        const sph2d_array *array = sph2d_snapshot_array(source->snapshot, group, name);
-        return array ? *array : (sph2d_array){0};
-    }
-    for (size_t i = 0; i < sph2d_field_count(group); ++i) {
-        sph2d_array array = sph2d_field(source->sim, group, i);
-        if (strcmp(array.name, name) == 0)
-            return array;
-    }
-    return (sph2d_array){0};
-}
-
-/* A field of two contiguous doubles per particle; its name is NULL if it has another type or layout. */
-static sph2d_array find_vectors(const particle_source *source, sph2d_group group, const char *name)
-{
-    sph2d_array array = find_field(source, group, name);
-    bool usable = array.name && array.type == SPH2D_F64 && array.components == 2;
-    return usable && (array.stride == 1 || array.count <= 1) ? array : (sph2d_array){0};
-}
-
-static sph2d_status missing_field(sph2d_report *report, const char *name)
-{
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_FILE_FIELD, NULL, "no usable field '%s' to draw", name);
-    return SPH2D_FORMAT;
-}
-
-/* ---- colours ----------------------------------------------------------------------------------------------------- */
-
-bool frame_color_known(const char *name)
-{
-    if (strcmp(name, "speed") == 0)
-        return true;
-    for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
-        sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
-        if (field.components == 1 && strcmp(field.name, name) == 0)
-            return true;
-    }
-    return false;
-}
-
-char *frame_colors(char *out, size_t size)
-{
-    snprintf(out, size, "speed");
-    for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
-        sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
-        size_t used = strlen(out);
-        if (field.components == 1)
-            snprintf(out + used, size - used, ", %s", field.name);
-    }
-    return out;
-}
-
-sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
-{
-    const char *color = style->frames.color;
-    if (!color || frame_color_known(color))
+    if (!name || frame_color_known(name))
         return SPH2D_OK;
-    sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, "run.frames.color",
-                                           "'%s' is not a field to colour by", color);
+    sph2d_diagnostic *d =
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_OUT_OF_RANGE, path, "'%s' is not a field to draw", name);
     char colors[200];
     sph2d_diagnostic_hint(d, "one of: %s", frame_colors(colors, sizeof colors));
     return SPH2D_SCENE;
 }
 
-static bool reserve(double **block, size_t *capacity, size_t count)
+sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 {
-    if (count <= *capacity)
+    const sph2d_status color = check_field(style->frames.color, "run.frames.color", report);
+    const sph2d_status isolines = check_field(style->frames.isolines, "run.frames.isolines", report);
+    return color != SPH2D_OK ? color : isolines;
+}
+
+/* ---- arrays ------------------------------------------------------------------------------------------------------ */
+
+/* The arrays of a picture, one after the other in a block of all particles each. */
+enum { X, Y, VX, VY, VALUES, LEVELS, ARRAYS };
+
+static double *array_of(const frame_buffers *buffers, int which, size_t count)
+{
+    return buffers->block + (size_t)which * count;
+}
+
+static bool reserve(frame_buffers *buffers, size_t count)
+{
+    if (ARRAYS * count <= buffers->capacity)
         return true;
-    double *grown = realloc(*block, count * sizeof *grown);
+    double *grown = realloc(buffers->block, ARRAYS * count * sizeof *grown);
     if (!grown)
         return false;
-    *block = grown;
-    *capacity = count;
+    buffers->block = grown;
+    buffers->capacity = ARRAYS * count;
     return true;
 }
 
-static void fill_speeds(double *values, const sph2d_array *velocities)
+/* Sets the values that colour the particles, and the label of the colour bar. */
+static sph2d_status set_values(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                               sph2d_picture *picture, sph2d_report *report)
 {
-    const double *vx = velocities->data[0], *vy = velocities->data[1];
-    for (size_t i = 0; i < velocities->count; ++i)
-        values[i] = sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
-}
-
-static void fill_values(double *values, const sph2d_array *field)
-{
-    for (size_t i = 0; i < field->count; ++i)
-        values[i] = field->type == SPH2D_F64 ? ((const double *)field->data[0])[i * field->stride]
-                                             : (double)((const uint64_t *)field->data[0])[i * field->stride];
-}
-
-/* Sets the values that colour the points, and the label of the colour bar. */
-static sph2d_status make_values(const particle_source *source, const frame_style *style, frame_buffers *buffers,
-                                sph2d_picture *picture, sph2d_report *report)
-{
-    const char *name = style->frames.color;
-    bool speed = strcmp(name, "speed") == 0;
-    sph2d_array field =
-        speed ? find_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : find_field(source, SPH2D_GROUP_FLUID, name);
-    if (!field.name || field.count != picture->count || (!speed && field.components != 1))
-        return missing_field(report, speed ? "Velocities" : name);
-    if (!reserve(&buffers->values, &buffers->capacity, field.count))
-        return SPH2D_NOMEM;
-    if (speed)
-        fill_speeds(buffers->values, &field);
-    else
-        fill_values(buffers->values, &field);
-    char unit[TEXT_SIZE];
-    text_unit(unit, field.unit);
-    snprintf(buffers->label, sizeof buffers->label, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
-    picture->values = buffers->values;
+    double *values = array_of(buffers, VALUES, picture->count);
+    picture->values = values;
     picture->value_min = style->frames.color_range.x;
     picture->value_max = style->frames.color_range.y;
     picture->value_label = buffers->label;
+    return frame_values(source, style->frames.color, picture->count, values, buffers->label, sizeof buffers->label,
+                        report);
+}
+
+/* Sets the velocities for arrows. */
+static sph2d_status set_arrows(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                               sph2d_picture *picture, sph2d_report *report)
+{
+    const sph2d_array velocities = frame_vectors(source, SPH2D_GROUP_FLUID, "Velocities");
+    if (!velocities.name || velocities.count != picture->count)
+        return frame_field_missing(report, "Velocities");
+    const size_t bytes = picture->count * sizeof(double);
+    if (bytes > 0) {
+        memcpy(array_of(buffers, VX, picture->count), velocities.data[0], bytes);
+        memcpy(array_of(buffers, VY, picture->count), velocities.data[1], bytes);
+    }
+    picture->vx = array_of(buffers, VX, picture->count);
+    picture->vy = array_of(buffers, VY, picture->count);
+    picture->arrow_spacing = style->frames.arrow_spacing;
+    picture->arrow_speed = style->frames.arrow_speed;
     return SPH2D_OK;
+}
+
+/* Sets the values of isolines, and what the caption calls them. */
+static sph2d_status set_isolines(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                                 sph2d_picture *picture, sph2d_report *report)
+{
+    double *values = array_of(buffers, LEVELS, picture->count);
+    picture->level_values = values;
+    picture->level_step = style->frames.isoline_step;
+    picture->level_label = buffers->level_label;
+    return frame_values(source, style->frames.isolines, picture->count, values, buffers->level_label,
+                        sizeof buffers->level_label, report);
+}
+
+/* Copies the particles in front of walls alone; in their place, but for the positions. */
+static void cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph2d_picture *picture)
+{
+    const sph2d_box box = frame_front(style);
+    const double *x = picture->x, *y = picture->y;
+    double *arrays[ARRAYS];
+    for (int k = 0; k < ARRAYS; ++k)
+        arrays[k] = array_of(buffers, k, picture->count);
+    size_t kept = 0;
+    for (size_t i = 0; i < picture->count; ++i) {
+        if (x[i] < box.min.x || x[i] > box.max.x || y[i] < box.min.y || y[i] > box.max.y)
+            continue;
+        arrays[X][kept] = x[i];
+        arrays[Y][kept] = y[i];
+        if (picture->vx) {
+            arrays[VX][kept] = arrays[VX][i];
+            arrays[VY][kept] = arrays[VY][i];
+        }
+        if (picture->values)
+            arrays[VALUES][kept] = arrays[VALUES][i];
+        if (picture->level_values)
+            arrays[LEVELS][kept] = arrays[LEVELS][i];
+        ++kept;
+    }
+    picture->count = kept;
+    picture->x = arrays[X];
+    picture->y = arrays[Y];
 }
 
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
-/* The thickness of walls in pictures, of the larger side of the domain; at least a spacing. */
-static const double WALL_PART = 0.008;
-
-static double wall_thickness(const frame_style *style)
-{
-    const sph2d_box *d = &style->domain;
-    return fmax(style->spacing, WALL_PART * fmax(d->max.x - d->min.x, d->max.y - d->min.y));
-}
-
-/** The domain and its walls. */
-static sph2d_box view_of(const frame_style *style)
-{
-    sph2d_box d = style->domain;
-    double beyond = wall_thickness(style);
-    return (sph2d_box){{d.min.x - beyond, d.min.y - beyond}, {d.max.x + beyond, d.max.y + beyond}};
-}
-
-/* What is in front of walls; behind them are the reservoirs of openings. */
-static sph2d_box shown_of(const frame_style *style)
-{
-    const sph2d_boundary *b = &style->boundary;
-    sph2d_box d = style->domain;
-    double beyond = 4 * style->spacing;
-    return (sph2d_box){{b->left == SPH2D_SIDE_WALL ? d.min.x - beyond : -INFINITY,
-                        b->bottom == SPH2D_SIDE_WALL ? d.min.y - beyond : -INFINITY},
-                       {b->right == SPH2D_SIDE_WALL ? d.max.x + beyond : INFINITY,
-                        b->top == SPH2D_SIDE_WALL ? d.max.y + beyond : INFINITY}};
-}
-
-/* Copies the positions within a box, and their values in place; returns their number. */
-static size_t keep_within(const sph2d_box *box, const double *x, const double *y, size_t count, double *to_x,
-                          double *to_y, double *values)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (x[i] < box->min.x || x[i] > box->max.x || y[i] < box->min.y || y[i] > box->max.y)
-            continue;
-        to_x[kept] = x[i];
-        to_y[kept] = y[i];
-        if (values)
-            values[kept] = values[i];
-        ++kept;
-    }
-    return kept;
-}
-
-/* Leaves out what is behind walls. */
-static sph2d_status cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph2d_picture *picture)
-{
-    const sph2d_box box = shown_of(style);
-    if (!reserve(&buffers->places, &buffers->place_capacity, 2 * picture->count))
-        return SPH2D_NOMEM;
-    double *x = buffers->places, *y = x + picture->count;
-    double *values = picture->values ? buffers->values : NULL;
-    picture->count = keep_within(&box, picture->x, picture->y, picture->count, x, y, values);
-    picture->x = x;
-    picture->y = y;
-    return SPH2D_OK;
-}
-
 static sph2d_status set_outlines(const particle_source *source, sph2d_picture *picture, sph2d_report *report)
 {
-    sph2d_array corners = find_vectors(source, SPH2D_GROUP_OUTLINE, "Coordinates");
-    sph2d_array ids = find_field(source, SPH2D_GROUP_OUTLINE, "OutlineIDs");
-    sph2d_array liquid = find_field(source, SPH2D_GROUP_OUTLINE, "LiquidSides");
+    sph2d_array corners = frame_vectors(source, SPH2D_GROUP_OUTLINE, "Coordinates");
+    sph2d_array ids = frame_field(source, SPH2D_GROUP_OUTLINE, "OutlineIDs");
+    sph2d_array liquid = frame_field(source, SPH2D_GROUP_OUTLINE, "LiquidSides");
     if (!corners.name || !ids.name || !liquid.name)
-        return missing_field(report, "Outlines");
+        return frame_field_missing(report, "Outlines");
     picture->outline_count = corners.count;
     picture->outline_x = corners.data[0];
     picture->outline_y = corners.data[1];
@@ -239,27 +170,45 @@ static void set_caption(const particle_source *source, const frame_style *style,
     picture->caption = buffers->caption;
 }
 
+/* The arrays that the style asks for. */
+static sph2d_status set_arrays(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                               sph2d_picture *picture, sph2d_report *report)
+{
+    if (!reserve(buffers, picture->count))
+        return SPH2D_NOMEM;
+    sph2d_status status = SPH2D_OK;
+    if (style->frames.color)
+        status = set_values(source, style, buffers, picture, report);
+    if (status == SPH2D_OK && style->frames.arrows == SPH2D_SWITCH_ON)
+        status = set_arrows(source, style, buffers, picture, report);
+    if (status == SPH2D_OK && style->frames.isolines)
+        status = set_isolines(source, style, buffers, picture, report);
+    if (status == SPH2D_OK)
+        cut_reservoirs(style, buffers, picture);
+    return status;
+}
+
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report)
 {
-    sph2d_array fluid = find_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
+    sph2d_array fluid = frame_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
     if (!fluid.name)
-        return missing_field(report, "Coordinates");
+        return frame_field_missing(report, "Coordinates");
     double default_radius = (style->frames.style == SPH2D_STYLE_POINTS ? 0.5 : 2) * style->spacing;
     *picture = (sph2d_picture){
-        .view = view_of(style),
         .radius = style->frames.radius > 0 ? style->frames.radius : default_radius,
         .count = fluid.count,
         .x = fluid.data[0],
         .y = fluid.data[1],
-        .wall_thickness = wall_thickness(style),
+        .spacing = style->spacing,
+        .wall_thickness = frame_wall_thickness(style),
     };
     if (style->frames.caption != SPH2D_SWITCH_OFF)
         set_caption(source, style, buffers, picture);
     sph2d_status status = set_outlines(source, picture, report);
-    if (status == SPH2D_OK && style->frames.color)
-        status = make_values(source, style, buffers, picture, report);
-    return status == SPH2D_OK ? cut_reservoirs(style, buffers, picture) : status;
+    if (status == SPH2D_OK)
+        status = frame_find_view(source, style, picture, report);
+    return status == SPH2D_OK ? set_arrays(source, style, buffers, picture, report) : status;
 }
 
 sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
@@ -276,7 +225,6 @@ sph2d_status frame_widen_range(const particle_source *source, const frame_style 
 
 void frame_free(frame_buffers *buffers)
 {
-    free(buffers->values);
-    free(buffers->places);
+    free(buffers->block);
     *buffers = (frame_buffers){0};
 }

@@ -5,8 +5,9 @@
 #ifndef SPH2D_CLI_FRAME_H
 #define SPH2D_CLI_FRAME_H
 
-#include <sph2d/io.h>
 #include <sph2d/render.h>
+
+#include "frame_field.h"
 
 /** The style of frames: the scene's settings, name, domain and spacing. */
 typedef struct frame_style {
@@ -20,33 +21,23 @@ typedef struct frame_style {
 frame_style frame_style_of_scene(const sph2d_scene *scene);
 frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot);
 
-/** Checks the field to colour by. Errors: SPH2D_SCENE, at the key. */
+/** Checks the fields to draw. Errors: SPH2D_SCENE, at the key. */
 sph2d_status frame_style_check(const frame_style *style, sph2d_report *report);
-
-/** The source of particles: a simulation or a snapshot. */
-typedef struct particle_source {
-    const sph2d_sim *sim;
-    const sph2d_snapshot *snapshot;
-} particle_source;
 
 /** Values that a picture borrows. Initialise with {0}, keep it as long as the picture, free it with frame_free. */
 typedef struct frame_buffers {
-    double *values, *places;
-    size_t capacity, place_capacity;
-    char label[96], caption[160];
+    double *block; /**< arrays of the particles, one after the other */
+    size_t capacity;
+    char label[96], level_label[96], caption[160];
 } frame_buffers;
 
-/** Makes a picture of the particles. Errors: SPH2D_FORMAT if a field is missing, SPH2D_NOMEM. */
+/** Makes a picture of the particles. Errors: SPH2D_FORMAT if a field is missing, SPH2D_SCENE for a name to
+ *  follow that the scene has not, SPH2D_NOMEM. */
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report);
 /** Widens a range by the values that colour the particles; (INFINITY, -INFINITY) is empty. Errors: as frame_make. */
 sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_vec2 *range, sph2d_report *report);
 void frame_free(frame_buffers *buffers);
-
-/** Whether points can be coloured by this field. */
-bool frame_color_known(const char *name);
-/** All such fields, "speed, Densities, ...". Returns `out`. */
-char *frame_colors(char *out, size_t size);
 
 #endif

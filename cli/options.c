@@ -30,6 +30,10 @@ enum {
     OPTION_STYLE,
     OPTION_LOOK,
     OPTION_BACKGROUND,
+    OPTION_VIEW,
+    OPTION_FOLLOW,
+    OPTION_ARROWS,
+    OPTION_ISOLINES,
     OPTION_RADIUS,
     OPTION_COLOR,
     OPTION_RANGE,
@@ -87,6 +91,10 @@ static const option_row rows[] = {
     {OPTION_STYLE, "style", "NAME", CLI_RENDER | CLI_PLAY, "metaballs or points"},
     {OPTION_LOOK, "look", "NAME", CLI_RENDER | CLI_PLAY, "of metaballs: water, flat, glass or ink"},
     {OPTION_BACKGROUND, "background", "NAME", CLI_RENDER, "opaque or transparent"},
+    {OPTION_VIEW, "view", "X,Y,X,Y", CLI_RENDER, "lower left and upper right corner of what is shown in metres"},
+    {OPTION_FOLLOW, "follow", "NAME", CLI_RENDER, "keep an obstacle or body in the middle"},
+    {OPTION_ARROWS, "arrows", NULL, CLI_RENDER, "draw arrows of the velocity"},
+    {OPTION_ISOLINES, "isolines", "FIELD", CLI_RENDER, "draw lines of equal values: speed, Pressures, Densities"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
     {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, Pressures, Densities"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
@@ -276,13 +284,13 @@ static bool set_count(int *count, long max, const char *name, const char *option
     return true;
 }
 
-static bool set_color(cli_options *options, const char *name, const char *value)
+static bool set_field(const char **field, const char *name, const char *option, const char *value)
 {
     if (!frame_color_known(value)) {
         char colors[200];
-        return bad_value(name, "color", value, frame_colors(colors, sizeof colors));
+        return bad_value(name, option, value, frame_colors(colors, sizeof colors));
     }
-    options->color = value;
+    *field = value;
     return true;
 }
 
@@ -326,6 +334,9 @@ static bool set_flag(cli_options *options, int id)
         return true;
     case OPTION_NO_CHECKSUM:
         options->no_checksum = true;
+        return true;
+    case OPTION_ARROWS:
+        options->arrows = true;
         return true;
     case OPTION_ALL:
         options->all = true;
@@ -390,7 +401,15 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
     case OPTION_RADIUS:
         return set_radius(options, name, value);
     case OPTION_COLOR:
-        return set_color(options, name, value);
+        return set_field(&options->color, name, "color", value);
+    case OPTION_ISOLINES:
+        return set_field(&options->isolines, name, "isolines", value);
+    case OPTION_FOLLOW:
+        options->follow = value;
+        return true;
+    case OPTION_VIEW:
+        return parse_box(value, options->view) ||
+               bad_value(name, "view", value, "X,Y,X,Y: a lower left and an upper right corner");
     case OPTION_MAX_WALL:
         return parse_duration(value, &options->max_wall) ||
                bad_value(name, "max-wall", value, "a time such as 90s, 45m or 1h30m");

@@ -44,7 +44,10 @@ typedef struct cli_options {
     sph2d_background background;
     bool look_given;
     sph2d_look look;
-    double radius; /**< [m] */
+    double radius;  /**< [m] */
+    double view[4]; /**< left, bottom, right, top [m]; all 0: not given */
+    bool arrows;
+    const char *follow, *isolines;
     const char *color;
     double range[2]; /**< equal: not given */
 } cli_options;

@@ -120,6 +120,17 @@ bool parse_size(const char *text, unsigned *width, unsigned *height)
     return true;
 }
 
+bool parse_box(const char *text, double corners[4])
+{
+    for (int k = 0; k < 3; ++k) {
+        const char *comma;
+        if (!leading_number(text, &corners[k], &comma) || *comma != ',')
+            return false;
+        text = comma + 1;
+    }
+    return parse_number(text, &corners[3]) && corners[0] < corners[2] && corners[1] < corners[3];
+}
+
 bool parse_range(const char *text, double *min, double *max)
 {
     const char *comma;

@@ -30,6 +30,16 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
     sph2d_style scene_style = frames->style;
     if (options->style_given)
         frames->style = options->style;
+    if (options->view[0] < options->view[2])
+        frames->view = (sph2d_box){{options->view[0], options->view[1]}, {options->view[2], options->view[3]}};
+    if (options->follow)
+        frames->follow = options->follow;
+    if (options->arrows)
+        frames->arrows = SPH2D_SWITCH_ON;
+    if (options->isolines && (!frames->isolines || strcmp(options->isolines, frames->isolines) != 0))
+        frames->isoline_step = 0; /* that of another field does not apply */
+    if (options->isolines)
+        frames->isolines = options->isolines;
     if (options->look_given)
         frames->look = options->look;
     if (options->background_given)

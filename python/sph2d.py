@@ -79,7 +79,9 @@ typedef struct sph2d_particle { double x, y; double vx, vy; double density; } sp
 typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
 typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
 typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; sph2d_look look;
-    sph2d_background background; double radius; const char *color; sph2d_vec2 color_range; sph2d_switch caption; } sph2d_frames;
+    sph2d_background background; sph2d_box view; const char *follow; double radius; const char *color;
+    sph2d_vec2 color_range; sph2d_switch arrows; double arrow_spacing; double arrow_speed; const char *isolines;
+    double isoline_step; sph2d_switch caption; } sph2d_frames;
 typedef struct sph2d_diagnostic { sph2d_severity severity; sph2d_code code; char path[96]; char file[256];
     int line, column; char excerpt[160]; char message[320]; char hint[480]; } sph2d_diagnostic;
 typedef struct sph2d_report { size_t count; size_t dropped; size_t errors; sph2d_diagnostic items[20]; } sph2d_report;
@@ -121,7 +123,8 @@ typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_ve
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
     sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
 typedef struct sph2d_picture { sph2d_box view; double radius; size_t count; const double *x, *y; const double *values;
-    double value_min, value_max; const char *value_label; size_t outline_count;
+    double value_min, value_max; const char *value_label; double spacing; const double *vx, *vy; double arrow_spacing;
+    double arrow_speed; const double *level_values; double level_step; const char *level_label; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
     const char *caption; const char *notes; } sph2d_picture;
 """
@@ -1159,9 +1162,10 @@ class Renderer:
     """Draws pictures without a window (libsph2d-render); used by one thread at a time.
 
     width, height: size [pixels], 16 to 16384, default 1280 x 720. style: "metaballs", a liquid surface, the default, or
-    "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". background: "opaque", the default, or "transparent". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works. close() frees it; it is
-    a context manager, too. Errors: Error with status RENDER, also where the library is missing, and NOMEM; ValueError
-    for another size or style."""
+    "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". background: "opaque", the
+    default, or "transparent". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works.
+    close() frees it; it is a context manager, too. Errors: Error with status RENDER, also where the library is missing,
+    and NOMEM; ValueError for another size, style, look or background."""
 
     def __init__(self, width=1280, height=720, style="metaballs", look="water", background="opaque", gl=None):
         library = _load_optional("sph2d-render", "RENDER", "for pictures")
@@ -1202,7 +1206,7 @@ class Renderer:
         _tell(function(self._renderer, *arguments, ctypes.byref(report)), report)
 
     def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None,
-             notes=None):
+             notes=None, arrows=False, levels=None, level_label=None, level_step=0):
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
         blue, alpha (255 but for a transparent background), top row first.
 
@@ -1211,17 +1215,23 @@ class Renderer:
         largest. view: corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its
         walls. radius: of a metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a
         line of ASCII text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
-        box; default None. Errors: Error with status INVALID, RENDER, NOMEM; ValueError for values of another shape."""
+        box; default None. arrows: whether arrows show the velocity, as long as two squares of their lattice for the
+        largest speed; default False. levels: numbers to draw isolines of, one for each of source.fluid, at multiples of
+        level_step, default 0: a round number; level_label: what the strip calls them. Errors: Error with status
+        INVALID, RENDER, NOMEM; ValueError for values or levels of another shape."""
         space, fluid = _space_of(source), source.fluid
         kept = _within(fluid, space)
         arrays = {"x": fluid.x[kept], "y": fluid.y[kept]}
         arrays["outline_x"], arrays["outline_y"] = source.field("Coordinates", "outline")
         arrays["outline_id"] = source.field("OutlineIDs", "outline")
         arrays["outline_liquid"] = source.field("LiquidSides", "outline")
-        if values is not None:
-            if np.shape(values) != (len(fluid),):
-                raise ValueError(f"values have shape ({len(fluid)},), not {np.shape(values)}")
-            arrays["values"] = np.asarray(values, float)[kept]
+        for name, numbers in (("values", values), ("level_values", levels)):
+            if numbers is not None:
+                if np.shape(numbers) != (len(fluid),):
+                    raise ValueError(f"{name} have shape ({len(fluid)},), not {np.shape(numbers)}")
+                arrays[name] = np.asarray(numbers, float)[kept]
+        if arrows:
+            arrays["vx"], arrays["vy"] = fluid.vx[kept], fluid.vy[kept]
         picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
         (left, bottom), (right, top) = space.domain
@@ -1229,18 +1239,18 @@ class Renderer:
         low, high = ((left - thick, bottom - thick), (right + thick, top + thick)) if view is None else view
         picture.view.min, picture.view.max = _vec2(low), _vec2(high)
         picture.radius = self._default_radius * space.spacing if radius is None else radius
-        picture.wall_thickness = thick
+        picture.wall_thickness, picture.spacing, picture.level_step = thick, space.spacing, level_step
         picture.value_min, picture.value_max = value_range
-        picture.value_label, picture.caption, picture.notes = (
-            None if text is None else text.encode("ascii", "replace") for text in (label, caption, notes))
+        picture.value_label, picture.caption, picture.notes, picture.level_label = (
+            None if text is None else text.encode("ascii", "replace") for text in (label, caption, notes, level_label))
         with self._lock:
             self._call(self._library.sph2d_renderer_draw, ctypes.byref(picture))
             pixels = self._library.sph2d_renderer_pixels(self._renderer)
             return np.frombuffer(ctypes.string_at(pixels, math.prod(self._shape)), np.uint8).reshape(self._shape)
 
     def write_png(self, path):
-        """Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors: Error with status INVALID (nothing
-        drawn), CANTCREAT, IO, NOMEM."""
+        """Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors:
+        Error with status INVALID (nothing drawn), CANTCREAT, IO, NOMEM."""
         name = _path_bytes(path)
         with self._lock:
             self._call(self._library.sph2d_renderer_write_png, name)

@@ -14,6 +14,7 @@ uniform float texel;        // side of a square of the depth's grid [px]
 uniform float margin;       // how many of them lie beside the image
 uniform float depth_inside; // the depth of a large body of water
 uniform bool colored;       // by the particles' colours, which the field has, too
+uniform bool charted;       // look INK: with lines of equal depth
 
 layout(location = 0) out vec4 color;
 
@@ -186,7 +187,7 @@ vec4 look(ivec2 here, float f)
     float line = border.y * clamp(wide + 0.5 - border.x, 0.0, 1.0);
     float change = 0.5 * length(around.xy) / texel;
     float below = 0.0;
-    for (int k = 0; k < 4 && !colored; ++k) { // ever thinner lines along the surface, as on old charts
+    for (int k = 0; k < 4 && charted; ++k) { // ever thinner lines along the surface, as on old charts
         float part = float(k) / 4.0;
         below = max(below, (0.75 - 0.6 * part) * level_line(around.z, 0.66 + 0.32 * part, change, 0.5 * wide));
     }

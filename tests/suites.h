@@ -9,7 +9,8 @@
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
-#define RENDER_SUITES(X) X(render) X(drawing) X(shapes) X(looks) X(background) X(lumps) X(frame_times) X(null_render)
+#define RENDER_SUITES(X)                                                                                               \
+    X(render) X(drawing) X(shapes) X(looks) X(background) X(lines) X(lumps) X(frame_times) X(null_render)
 #endif
 
 #define SUITES(X)                                                                                                      \

@@ -37,6 +37,8 @@ static outlines outlines_of(const sph2d_sim *sim)
     ck_assert_str_eq(at.name, "Coordinates");
     ck_assert_str_eq(id.name, "OutlineIDs");
     ck_assert_str_eq(liquid.name, "LiquidSides");
+    ck_assert_str_eq(sph2d_field(sim, SPH2D_GROUP_OUTLINE, 3).name, "WallIDs");
+    ck_assert_uint_eq(sph2d_field(sim, SPH2D_GROUP_OUTLINE, 3).count, at.count);
     ck_assert_uint_eq(id.count, at.count);
     ck_assert_uint_eq(liquid.count, at.count);
     return (outlines){at.count, at.data[0], at.data[1], id.data[0], liquid.data[0]};
@@ -122,6 +124,9 @@ START_TEST(outlines_move_along)
     test_steps(sim, 100);
     const outlines o = outlines_of(sim);
     ck_assert_uint_eq(o.count, 4 + 4 + 4);
+    const uint64_t *walls = sph2d_field(sim, SPH2D_GROUP_OUTLINE, 3).data[0];
+    for (size_t k = 0; k < o.count; ++k) /* a side, the obstacle, the body */
+        ck_assert_uint_eq(walls[k], k < 4 ? UINT64_MAX : k < 8 ? 0 : 1);
     const double angle = 3 * sph2d_sim_time(sim), c = cos(angle), s = sin(angle);
     const double turned[4][2] = {{1.5 - 0.2 * c + 0.1 * s, 0.6 - 0.2 * s - 0.1 * c},
                                  {1.5 + 0.2 * c + 0.1 * s, 0.6 + 0.2 * s - 0.1 * c},

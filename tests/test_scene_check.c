@@ -165,6 +165,12 @@ static void start(void)
     X(probe_of_no_kind, "probes[0].kind", OUT_OF_RANGE, probes[0].kind = (sph2d_probe_kind)1000)                       \
     X(snapshots_with_two_rates, "run.snapshots.every", CONFLICT, scene.run.snapshots.rate = ((sph2d_rate){10, 0.1}))   \
     X(frames_with_two_rates, "run.frames.every", CONFLICT, scene.run.frames.rate = ((sph2d_rate){10, 0.1}))            \
+    X(frames_of_nothing, "run.frames.view", OUT_OF_RANGE, scene.run.frames.view = ((sph2d_box){{1, 0}, {1, 2}}))       \
+    X(frames_of_no_number, "run.frames.view.min", OUT_OF_RANGE,                                                        \
+      scene.run.frames.view = ((sph2d_box){{NAN, 0}, {1, 2}}))                                                         \
+    X(frames_follow_nobody, "run.frames.follow", CONFLICT, scene.run.frames.follow = "nobody")                         \
+    X(arrows_backwards, "run.frames.arrow_spacing", OUT_OF_RANGE, scene.run.frames.arrow_spacing = -1)                 \
+    X(isolines_of_no_step, "run.frames.isoline_step", OUT_OF_RANGE, scene.run.frames.isoline_step = NAN)               \
     X(frames_too_small, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[1] = 15)                                \
     X(frames_too_large, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[0] = 16385)                             \
     X(deflate_level, "run.snapshots.compress", OUT_OF_RANGE, scene.run.snapshots.compress = 10)                        \

@@ -102,6 +102,29 @@ typedef struct sph2d_picture {
     /** Text at the colour bar, "speed [m/s]"; NULL for none. */
     const char *value_label;
 
+    /** Spacing of the particles [m]; for arrows and isolines, which need it. */
+    double spacing;
+
+    /** Their velocities [m/s], shown by arrows on a square lattice at whole multiples of its side; NULL: no arrows. One of
+     *  the length of a round speed is in the strip of the caption. */
+    const double *vx, *vy;
+
+    /** Side of a square of that lattice [m], which is six pixels at least; 0: a 32nd of the larger side of the view. */
+    double arrow_spacing;
+
+    /** The speed whose arrow is as long as two of these sides [m/s]; 0: the largest of the particles. */
+    double arrow_speed;
+
+    /** One value per particle, shown by isolines where they are whole multiples of level_step; NULL: none. */
+    const double *level_values;
+
+    /** The difference from line to line; it becomes larger where there were more than 200 lines. 0: a round number, for
+     *  about ten. */
+    double level_step;
+
+    /** What the strip of the caption calls them, "Pressures [Pa]"; NULL: nothing. */
+    const char *level_label;
+
     /** Number of corners of the outlines of walls and bodies, drawn as filled shapes over the liquid: the fields of
      *  SPH2D_GROUP_OUTLINE. An outline with a corner that is not finite, or millions of pixels away, is omitted. */
     size_t outline_count;

@@ -847,6 +847,12 @@ typedef struct sph2d_frames {
     /** What is behind the liquid; default opaque. */
     sph2d_background background;
 
+    /** The part of the plane that is shown [m]; default all zero: the domain and its walls. */
+    sph2d_box view;
+
+    /** An obstacle or body, by its name, whose middle stays in the middle of the view; default NULL: the view rests. */
+    const char *follow;
+
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 
@@ -857,6 +863,23 @@ typedef struct sph2d_frames {
      *  of what drives the liquid if that is faster; for Pressures 0 to the pressure below that height; for other fields
      *  the range of each frame. */
     sph2d_vec2 color_range;
+
+    /** Arrows of the velocity on a square lattice: on or off; default off. */
+    sph2d_switch arrows;
+
+    /** Side of a square of that lattice [m], >= 0; default 0: a 32nd of the larger side of the view. */
+    double arrow_spacing;
+
+    /** Speed whose arrow is as long as two of these sides [m/s], >= 0; default 0: that of a fall over the whole height, or
+     *  of what drives the liquid if that is faster. */
+    double arrow_speed;
+
+    /** Quantity with lines where it is a multiple of isoline_step, "speed" or a field's name; default NULL: no lines. */
+    const char *isolines;
+
+    /** Difference from line to line, in the field's unit, >= 0; default 0: a round number, for about ten lines to what
+     *  color_range has as its default. */
+    double isoline_step;
 
     /** A strip below the picture with the scene's name, the time and a scale bar: on or off; default on. */
     sph2d_switch caption;

@@ -165,6 +165,22 @@ static double segment_distance(double x, double y, const double from[2], const d
     return hypot(x - from[0] - t * dx, y - from[1] - t * dy);
 }
 
+void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const double to[2], double half,
+                        sph2d__ink ink)
+{
+    const double reach = half + 1.0;
+    const int left = (int)fmax(floor(fmin(from[0], to[0]) - reach), 0.0);
+    const int right = (int)fmin(ceil(fmax(from[0], to[0]) + reach), canvas->width);
+    const int top = (int)fmax(floor(fmin(from[1], to[1]) - reach), 0.0);
+    const int bottom = (int)fmin(ceil(fmax(from[1], to[1]) + reach), canvas->height);
+    for (int row = top; row < bottom; ++row)
+        for (int column = left; column < right; ++column) {
+            const double cover = half + 0.5 - segment_distance(column + 0.5, row + 0.5, from, to);
+            if (cover > 0.0)
+                blend(canvas, column, row, ink, fmin(cover, 1.0));
+        }
+}
+
 /* Distance of a point from the strokes of a glyph, grid units. */
 static double glyph_distance(const char *glyph, double x, double y)
 {

@@ -20,6 +20,10 @@ double sph2d__canvas_unit(int width, int height);
 /** Fills a rectangle, clipped to the canvas. */
 void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink);
 
+/** Draws a line with round ends between two points [px], `half` as wide on each side. */
+void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const double to[2], double half,
+                        sph2d__ink ink);
+
 /** Writes ASCII text (other characters become boxes) with its baseline's left end at (x, y) [px]; `unit` is a sixth of
  *  the height of a capital letter [px]. */
 void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text, sph2d__ink ink);

@@ -63,16 +63,67 @@ static double draw_bar(const sph2d__canvas *canvas, const sph2d__view *view, dou
     return text;
 }
 
+/* ---- lines ------------------------------------------------------------------------------------------------------- */
+
+/* Draws text with its right end at `right` [px]; returns where it begins. */
+static double draw_before(const sph2d__canvas *canvas, double right, double base, double unit, const char *text)
+{
+    const double left = right - sph2d__canvas_text_width(unit, text);
+    sph2d__canvas_text(canvas, left, base, unit, text, ink);
+    return left;
+}
+
+/* Writes a number above 0 with four digits, without the zeros at its end, "0.25". */
+static void write_digits(char *text, size_t size, double number)
+{
+    int exponent = (int)floor(log10(number)) - 3;
+    long long digits = llround(number / pow(10.0, exponent));
+    for (; digits % 10 == 0; digits /= 10)
+        ++exponent;
+    sph2d__write_number(text, size, digits, exponent);
+}
+
+/* Draws an arrow and its speed, the right end at `right` [px]; returns where both begin. */
+static double draw_arrow(const sph2d__canvas *canvas, const sph2d__scales *scales, double right, double base,
+                         double unit)
+{
+    char number[NUMBER_SIZE], text[NUMBER_SIZE + 8];
+    write_digits(number, sizeof number, scales->arrow_speed);
+    snprintf(text, sizeof text, "%s m/s", number);
+    const double left = right - scales->arrow_pixels, y = base - 3 * unit, half = 0.35 * unit;
+    const double back = right - 0.3 * scales->arrow_pixels, tall = fmin(0.15 * scales->arrow_pixels, TICK * unit);
+    sph2d__canvas_line(canvas, (double[2]){left, y}, (double[2]){right, y}, half, ink);
+    sph2d__canvas_line(canvas, (double[2]){right, y}, (double[2]){back, y - tall}, half, ink);
+    sph2d__canvas_line(canvas, (double[2]){right, y}, (double[2]){back, y + tall}, half, ink);
+    return draw_before(canvas, left - 4 * unit, base, unit, text);
+}
+
+/* Writes what isolines are, "Pressures [Pa] every 500". */
+static double write_levels(const sph2d__canvas *canvas, const sph2d__scales *scales, double right, double base,
+                           double unit, const char *levels)
+{
+    char number[NUMBER_SIZE], text[TEXT_SIZE];
+    write_digits(number, sizeof number, scales->level_step);
+    snprintf(text, sizeof text, "%.100s every %s", levels, number);
+    return draw_before(canvas, right, base, unit, text);
+}
+
 /* ---- strip ------------------------------------------------------------------------------------------------------- */
 
-void sph2d__caption_draw(const sph2d__canvas *canvas, const sph2d__view *view, const char *text)
+void sph2d__caption_draw(const sph2d__canvas *canvas, const sph2d__view *view, const char *text,
+                         const sph2d__scales *scales, const char *levels)
 {
     const double unit = sph2d__canvas_unit(canvas->width, canvas->height);
     const int strip = sph2d__caption_height(canvas->width, canvas->height);
     if (strip == 0)
         return;
     const double base = canvas->height - strip + BASE * unit, left = PAD * unit;
-    const double room = draw_bar(canvas, view, canvas->width - PAD * unit, base, unit) - left - PAD * unit;
+    double right = draw_bar(canvas, view, canvas->width - PAD * unit, base, unit);
+    if (scales->arrow_speed > 0.0)
+        right = draw_arrow(canvas, scales, right - 2 * PAD * unit, base, unit);
+    if (scales->level_step > 0.0 && levels)
+        right = write_levels(canvas, scales, right - 2 * PAD * unit, base, unit, levels);
+    const double room = right - left - PAD * unit;
     char line[TEXT_SIZE];
     snprintf(line, sizeof line, "%s", text);
     for (size_t length = strlen(line); length > 0 && sph2d__canvas_text_width(unit, line) > room; --length)

@@ -36,7 +36,12 @@ sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir,
         status =
             sph2d__metaballs_create(gl, &self->metaballs, shader_dir, self->look, self->width, self->height, report);
     if (status == SPH2D_OK)
-        status = sph2d__walls_create(gl, &self->walls, shader_dir, self->width, self->height, report);
+        status =
+            sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "mask"}, NULL, &self->mask_program, report);
+    if (status == SPH2D_OK)
+        status = sph2d__walls_create(gl, &self->walls, self->width, self->height, report);
+    if (status == SPH2D_OK)
+        status = sph2d__lines_create(gl, &self->lines, self->width, self->height, report);
     if (status == SPH2D_OK)
         status = sph2d__gl_check(gl, "preparing to draw", report);
     return status;
@@ -45,9 +50,11 @@ sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir,
 void sph2d__drawing_destroy(sph2d__drawing *self)
 {
     const sph2d__gl *gl = &self->gl;
+    sph2d__lines_destroy(gl, &self->lines);
     sph2d__walls_destroy(gl, &self->walls);
     sph2d__metaballs_destroy(gl, &self->metaballs);
     gl->DeleteProgram(self->points_program);
+    gl->DeleteProgram(self->mask_program);
     sph2d__dots_destroy(gl, &self->dots);
     sph2d__target_destroy(gl, &self->patch);
     sph2d__target_destroy(gl, &self->target);
@@ -111,7 +118,7 @@ static sph2d_status draw_liquid(sph2d__drawing *self, const sph2d_picture *pictu
                                    .value_max = at->max};
     if (self->style == SPH2D_STYLE_METABALLS)
         return sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid, picture,
-                                     self->walls.texture, report);
+                                     self->walls.mask.texture, report);
     sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, fluid, picture->radius);
     return SPH2D_OK;
 }
@@ -124,8 +131,11 @@ sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *pic
     gl->Enable(GL_SCISSOR_TEST); /* no wall behind the numbers */
     gl->Scissor(0, 0, self->width - at->right, self->height - at->below);
     sph2d__walls_find(gl, &self->walls, &at->view, picture);
-    const sph2d_status status = draw_liquid(self, picture, at, report);
-    sph2d__walls_draw(gl, &self->walls, &self->dots, &self->target, picture);
+    sph2d_status status = draw_liquid(self, picture, at, report);
+    if (status == SPH2D_OK)
+        status = sph2d__lines_find(&self->lines, &at->view, picture, &self->scales, report);
+    sph2d__lines_draw(gl, &self->lines, self->mask_program, &self->dots, &self->target);
+    sph2d__walls_draw(gl, &self->walls, self->mask_program, &self->dots, &self->target, picture);
     gl->Disable(GL_SCISSOR_TEST);
     return status;
 }
@@ -161,12 +171,13 @@ static sph2d__pixel_box box_of(const sph2d__drawing *self, const sph2d_picture *
     return notes;
 }
 
-static void write_part(const sph2d__canvas *canvas, const sph2d_picture *picture, const sph2d__layout *at, int part)
+static void write_part(const sph2d__drawing *self, const sph2d__canvas *canvas, const sph2d_picture *picture,
+                       const sph2d__layout *at, int part)
 {
     if (part == LEGEND)
         sph2d__colorbar_draw(canvas, at->min, at->max, picture->value_label);
     else if (part == STRIP)
-        sph2d__caption_draw(canvas, &at->view, picture->caption);
+        sph2d__caption_draw(canvas, &at->view, picture->caption, &self->scales, picture->level_label);
     else
         sph2d__notes_draw(canvas, picture->notes);
 }
@@ -187,19 +198,29 @@ void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *pictu
             continue;
         if (self->transparent) /* text is dark */
             fill_ground(self, &canvas, box_of(self, picture, at, part));
-        write_part(&canvas, picture, at, part);
+        write_part(self, &canvas, picture, at, part);
     }
 }
 
 /* ---- texts on what is shown -------------------------------------------------------------------------------------- */
 
 /* A mark of what a part shows: writing takes longer than drawing the liquid, so that it is done only for news. */
-static uint64_t mark_of(const sph2d_picture *picture, const sph2d__layout *at, int part)
+static uint64_t mark_of(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at, int part)
 {
-    const char *text = part == LEGEND ? picture->value_label : part == STRIP ? picture->caption : picture->notes;
-    const double numbers[5] = {part, at->min, at->max, at->view.scale, at->right + 1e6 * at->below};
-    return sph2d__hash(sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers), text ? text : "",
-                       text ? strlen(text) : 0);
+    const char *const texts[PARTS] = {
+        [LEGEND] = picture->value_label, [STRIP] = picture->caption, [NOTES] = picture->notes};
+    const char *text = texts[part] ? texts[part] : "", *label = picture->level_label ? picture->level_label : "";
+    const double numbers[8] = {part,
+                               at->min,
+                               at->max,
+                               at->view.scale,
+                               at->right + 1e6 * at->below,
+                               self->scales.arrow_pixels,
+                               self->scales.arrow_speed,
+                               self->scales.level_step};
+    uint64_t mark = sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers);
+    mark = sph2d__hash(mark, text, strlen(text));
+    return part == STRIP ? sph2d__hash(mark, label, strlen(label)) : mark;
 }
 
 /* Writes a part on the scratch pad, and uploads it to its place in the patch. */
@@ -209,7 +230,7 @@ static void renew_part(sph2d__drawing *self, const sph2d_picture *picture, const
     const sph2d__gl *gl = &self->gl;
     const sph2d__canvas canvas = {pixels, self->width, self->height};
     fill_ground(self, &canvas, box);
-    write_part(&canvas, picture, at, part);
+    write_part(self, &canvas, picture, at, part);
     gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, self->width);
@@ -226,7 +247,7 @@ void sph2d__drawing_write_to_target(sph2d__drawing *self, const sph2d_picture *p
         if (!has_part(picture, at, part))
             continue;
         const sph2d__pixel_box box = box_of(self, picture, at, part);
-        const uint64_t mark = mark_of(picture, at, part);
+        const uint64_t mark = mark_of(self, picture, at, part);
         if (box.width <= 0 || box.height <= 0)
             continue;
         if (self->marks[part] != mark)

@@ -4,6 +4,7 @@
 #ifndef SPH2D_RENDER_DRAWING_H
 #define SPH2D_RENDER_DRAWING_H
 
+#include "render/lines.h"
 #include "render/metaballs.h"
 #include "render/walls.h"
 
@@ -19,9 +20,11 @@ typedef struct sph2d__drawing {
     bool shown;       /**< in the caller's framebuffer */
     sph2d__gl gl;
     sph2d__dots dots;
-    GLuint points_program;
+    GLuint points_program, mask_program;
     sph2d__metaballs metaballs;
     sph2d__walls walls;
+    sph2d__lines lines;
+    sph2d__scales scales; /**< of the lines of the last picture */
     sph2d__target target;
     sph2d__target patch;          /**< for text on what is shown, at its place */
     uint64_t marks[SPH2D__TEXTS]; /**< of what is in it */

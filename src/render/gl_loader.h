@@ -63,6 +63,7 @@
     X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
+    X(Uniform4f, PFNGLUNIFORM4FPROC)                                                                                   \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
     X(Viewport, PFNGLVIEWPORTPROC)

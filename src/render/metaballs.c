@@ -124,7 +124,8 @@ static void bind_texture(const sph2d__gl *gl, int unit, GLuint texture)
 
 /* Second pass: the field as water over the background, in the tiles found. */
 static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, GLuint walls, double radius, double texel, bool colored)
+                         const sph2d__target *target, const sph2d_picture *picture, GLuint walls, double radius,
+                         double texel)
 {
     const GLuint program = balls->surface_program;
     sph2d__target_bind(gl, target);
@@ -138,7 +139,8 @@ static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph
     sph2d__program_set_int(gl, program, "field", 0);
     sph2d__program_set_int(gl, program, "depth", 1);
     sph2d__program_set_int(gl, program, "walls", 2);
-    sph2d__program_set_int(gl, program, "colored", colored);
+    sph2d__program_set_int(gl, program, "colored", picture->values != NULL);
+    sph2d__program_set_int(gl, program, "charted", !picture->values && !picture->level_values);
     sph2d__program_set_float(gl, program, "radius", radius);
     sph2d__program_set_float(gl, program, "threshold", threshold);
     sph2d__program_set_float(gl, program, "texel", texel);
@@ -178,7 +180,7 @@ sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls,
     const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
     list.reach = wide * sqrt(0.5);
     add_depth(gl, balls, dots, view, &list, picture, wide, texel);
-    draw_surface(gl, balls, dots, target, walls, pixels, texel, list.values);
+    draw_surface(gl, balls, dots, target, picture, walls, pixels, texel);
     return SPH2D_OK;
 }
 

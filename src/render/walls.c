@@ -7,7 +7,6 @@
 #include <math.h>
 
 #include "render/hash.h"
-#include "render/shader.h"
 #include "sph2d/field.h"
 
 /* Thinner bands would be hard to see. */
@@ -16,27 +15,11 @@ static const double thinnest = 2.0; /* [px] */
 /* The longest mitre of a corner, over the thickness of the band. */
 static const double longest_mitre = 4.0;
 
-sph2d_status sph2d__walls_create(const sph2d__gl *gl, sph2d__walls *walls, const char *shader_dir, GLsizei width,
-                                 GLsizei height, sph2d_report *report)
+sph2d_status sph2d__walls_create(const sph2d__gl *gl, sph2d__walls *walls, GLsizei width, GLsizei height,
+                                 sph2d_report *report)
 {
     *walls = (sph2d__walls){0};
-    sph2d_status status =
-        sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "walls"}, NULL, &walls->program, report);
-    if (status != SPH2D_OK)
-        return status;
-    status = sph2d__tiles_create(&walls->tiles, width, height, report);
-    if (status != SPH2D_OK)
-        return status;
-    if (!sph2d__cover_create(&walls->cover, width, height)) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing walls");
-        return SPH2D_NOMEM;
-    }
-    gl->GenTextures(1, &walls->texture);
-    gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-    return sph2d__gl_check(gl, "preparing to draw walls", report);
+    return sph2d__mask_create(gl, &walls->mask, width, height, report);
 }
 
 /* ---- bands ------------------------------------------------------------------------------------------------------- */
@@ -161,49 +144,27 @@ static uint64_t mark_of(const sph2d__view *view, const sph2d_picture *p)
     return sph2d__hash(mark, p->outline_liquid, count * sizeof *p->outline_liquid);
 }
 
-/* Covers the pixels anew, and uploads them to the texture that is bound. */
-static void renew(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture)
-{
-    sph2d__cover *cover = &walls->cover;
-    sph2d__cover_clear(cover, (int)view->width, (int)view->height);
-    sph2d__walls_cover(cover, view, picture, picture->wall_thickness);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, cover->width, cover->height, 0, GL_RED, GL_UNSIGNED_BYTE, cover->pixels);
-    sph2d__tiles_find_bytes(&walls->tiles, cover->pixels, cover->width, cover->height);
-}
-
 void sph2d__walls_find(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture)
 {
     const uint64_t mark = mark_of(view, picture);
     if (mark == walls->mark)
         return;
-    gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    renew(gl, walls, view, picture);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    sph2d__cover_clear(&walls->mask.cover, (int)view->width, (int)view->height);
+    sph2d__walls_cover(&walls->mask.cover, view, picture, picture->wall_thickness);
+    sph2d__mask_upload(gl, &walls->mask);
     walls->mark = mark;
 }
 
-void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, sph2d__dots *dots, const sph2d__target *target,
-                       const sph2d_picture *picture)
+void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, GLuint program, sph2d__dots *dots,
+                       const sph2d__target *target, const sph2d_picture *picture)
 {
-    if (picture->outline_count == 0)
-        return;
-    sph2d__target_bind(gl, target);
-    gl->BindTexture(GL_TEXTURE_2D, walls->texture);
-    sph2d__target_blend(gl, target);
-    gl->UseProgram(walls->program);
-    sph2d__program_set_int(gl, walls->program, "cover", 0);
-    sph2d__program_set_vec2(gl, walls->program, "image_size", target->width, target->height);
-    sph2d__program_set_float(gl, walls->program, "tile", SPH2D__TILE);
-    sph2d__tiles_draw(gl, &walls->tiles, dots);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    static const float color[4] = {0.36F, 0.345F, 0.34F, 1.0F};
+    if (picture->outline_count > 0)
+        sph2d__mask_draw(gl, &walls->mask, program, dots, target, color);
 }
 
 void sph2d__walls_destroy(const sph2d__gl *gl, sph2d__walls *walls)
 {
-    gl->DeleteProgram(walls->program); /* 0 is ignored */
-    gl->DeleteTextures(1, &walls->texture);
-    sph2d__cover_destroy(&walls->cover);
-    sph2d__tiles_destroy(&walls->tiles);
+    sph2d__mask_destroy(gl, &walls->mask);
     *walls = (sph2d__walls){0};
 }

@@ -231,7 +231,7 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
-    sim->scene.run.frames.color_range = sph2d__frames_color_range(&sim->scene);
+    sim->scene.run.frames = sph2d__frames_resolve(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
     if (status != SPH2D_OK)
         return status;

@@ -131,6 +131,12 @@ static const sph2d_array outline_fields[] = {
      .type = SPH2D_U64,
      .components = 1,
      .stride = 1},
+    {.group = SPH2D_GROUP_OUTLINE,
+     .name = "WallIDs",
+     .description = "number of its obstacle, or of its body behind all obstacles; 2^64 - 1 for a side",
+     .type = SPH2D_U64,
+     .components = 1,
+     .stride = 1},
 };
 
 enum { OUTLINE_FIELDS = sizeof outline_fields / sizeof outline_fields[0] };
@@ -158,7 +164,8 @@ static sph2d_array outline_field(const sph2d_sim *sim, size_t index)
     if (!sim)
         return field;
     const sph2d__outlines *all = &sim->outlines;
-    const void *const data[OUTLINE_FIELDS][2] = {{all->x, all->y}, {all->id, NULL}, {all->liquid, NULL}};
+    const void *const data[OUTLINE_FIELDS][2] = {
+        {all->x, all->y}, {all->id, NULL}, {all->liquid, NULL}, {all->wall, NULL}};
     field.count = all->count;
     memcpy(field.data, data[index], sizeof field.data);
     return field;

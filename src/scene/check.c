@@ -289,6 +289,7 @@ static void check_consistency(checker *c)
         sph2d__check_probe(c, i);
     sph2d__check_rate(c, scene->run.snapshots.rate, "run.snapshots");
     sph2d__check_rate(c, scene->run.frames.rate, "run.frames");
+    sph2d__check_frames(c);
     sph2d__check_method(c);
     check_contents(c);
     if (c->errors == 0) {

@@ -50,6 +50,7 @@ void sph2d__check_rate(sph2d__checker *c, sph2d_rate rate, const char *prefix);
 
 /** Checks probe `index` of the scene. */
 void sph2d__check_probe(sph2d__checker *c, size_t index);
+void sph2d__check_frames(sph2d__checker *c);
 
 /** Whether a name is one: 1 to 64 letters, digits, _ or -. */
 bool sph2d__check_name(const char *name);

@@ -193,13 +193,27 @@ double sph2d__regularisation(const sph2d_scene *scene)
     return head > 0 ? SLOWER * fmin(width, height) / sqrt(2 * head) : 1;
 }
 
-sph2d_vec2 sph2d__frames_color_range(const sph2d_scene *scene)
+/* The largest value of a quantity that the scene's head suggests; 0 for others. */
+static double largest_expected(const sph2d_scene *scene, const char *name)
 {
-    const sph2d_frames *frames = &scene->run.frames;
-    if (!frames->color || frames->color_range.x != 0 || frames->color_range.y != 0)
-        return frames->color_range;
-    double head = sph2d__scene_derive(scene).head;
-    if (strcmp(frames->color, "speed") == 0)
-        return (sph2d_vec2){0, sqrt(2 * head)};
-    return (sph2d_vec2){0, strcmp(frames->color, "Pressures") == 0 ? scene->fluid.density * head : 0};
+    const double head = sph2d__scene_derive(scene).head;
+    if (strcmp(name, "speed") == 0)
+        return sqrt(2 * head);
+    return strcmp(name, "Pressures") == 0 ? scene->fluid.density * head : 0;
+}
+
+sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene)
+{
+    static const double lines = 10; /* to that value */
+    sph2d_frames frames = scene->run.frames;
+    if (frames.color && frames.color_range.x == 0 && frames.color_range.y == 0)
+        frames.color_range.y = largest_expected(scene, frames.color);
+    if (frames.arrows == SPH2D_SWITCH_ON && frames.arrow_speed == 0)
+        frames.arrow_speed = largest_expected(scene, "speed");
+    if (frames.isolines && frames.isoline_step == 0) {
+        const double step = largest_expected(scene, frames.isolines) / lines;
+        const double power = step > 0 ? pow(10, floor(log10(step))) : 0, lead = step > 0 ? step / power : 0;
+        frames.isoline_step = power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+    }
+    return frames;
 }

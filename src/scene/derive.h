@@ -40,9 +40,10 @@ double sph2d__scene_reach(const sph2d_scene *scene);
  *  particles resolve: with it the density of drops at rest is within 1/8 dx/R. */
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
 
-/** Values at the ends of the colour bar of frames: the scene's, or by default 0 to sqrt(2 head) for speed, and to
- *  density * head for pressure; (0, 0) for other fields. */
-sph2d_vec2 sph2d__frames_color_range(const sph2d_scene *scene);
+/** The scene's frames with the defaults that follow from its head: the ends of the colour bar 0 and sqrt(2 head) for
+ *  speed, density * head for pressure, (0, 0) for other fields; the speed of arrows sqrt(2 head); isolines a round number
+ *  near a tenth of these. */
+sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene);
 
 /** The regularisation of the liquid: the scene's, or by default 100 L/sqrt(2 E), L the smaller side of the domain and E
  *  the head, and 1 s where that is 0; 0 for liquids without one [s]. */

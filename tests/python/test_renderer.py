@@ -76,6 +76,19 @@ class Pictures(common.InFolder):
             alpha = renderer.draw(self.sim)[..., 3]
         self.assertEqual((alpha.min(), alpha.max()), (0, 255))
 
+    def test_lines(self):
+        fluid = self.sim.fluid
+        with sph2d.Renderer(400, 300) as renderer:
+            plain = renderer.draw(self.sim, caption="")
+            for lines in ({"levels": fluid.x}, {"levels": fluid.y, "level_step": 0.1}, {"arrows": True},
+                          {"levels": fluid.x, "level_label": "x [m]"}):
+                self.assertEqual((renderer.draw(self.sim, caption="", **lines) != plain).any(),
+                                 "arrows" not in lines or np.hypot(fluid.vx, fluid.vy).max() > 0, lines)
+            with self.assertRaises(ValueError):
+                renderer.draw(self.sim, levels=fluid.x[1:])
+            with self.assertRaises(sph2d.Error):
+                renderer.draw(self.sim, levels=fluid.x, level_step=-1)
+
     def test_nonsense(self):
         for arguments in ((8, 100), (100, 20000), (-1, 100), (2 ** 32 + 100, 100), (100, 100, "dots"),
                           (100, 100, "metaballs", "wax"),

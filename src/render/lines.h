@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/** @file lines.h
+ *  Lines over the liquid: arrows of its velocity, and isolines of a field. */
+#ifndef SPH2D_RENDER_LINES_H
+#define SPH2D_RENDER_LINES_H
+
+#include "render/mask.h"
+#include "render/sampled.h"
+#include "render/view.h"
+
+typedef struct sph2d__lines {
+    sph2d__mask mask;
+    sph2d__sampled sampled;
+    double (*ends)[4]; /**< of straight pieces: from x, y to x, y [px] */
+    size_t count, capacity;
+    bool failed; /**< for want of memory */
+} sph2d__lines;
+
+/** What the numbers of a picture became. */
+typedef struct sph2d__scales {
+    double arrow_pixels, arrow_speed; /**< an arrow's length and its speed [m/s], a round number; 0: no arrows */
+    double level_step;                /**< from isoline to isoline; 0: none */
+} sph2d__scales;
+
+/** Errors: SPH2D_NOMEM, SPH2D_RENDER. */
+sph2d_status sph2d__lines_create(const sph2d__gl *gl, sph2d__lines *lines, GLsizei width, GLsizei height,
+                                 sph2d_report *report);
+
+/** Finds the isolines and arrows of a picture. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *picture,
+                               sph2d__scales *scales, sph2d_report *report);
+
+/** Draws what was found, dark with a light edge, over the contents of `target` with the program "tiles", "mask". */
+void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, sph2d__dots *dots,
+                       const sph2d__target *target);
+
+/** Frees it; it may be zeroed. */
+void sph2d__lines_destroy(const sph2d__gl *gl, sph2d__lines *lines);
+
+#endif
