@@ -18,6 +18,7 @@ const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its re
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
                          "M metaballs, points  N look  C colour\n"
+                         "X arrows  I isolines of pressure\n"
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
 
@@ -65,6 +66,23 @@ static void next_look(game *g)
     frames->look = (sph2d_look)((frames->look + 1) % LOOKS);
     frames->style = SPH2D_STYLE_METABALLS; /* points have none */
     game_tell(g, "look: %s", names[frames->look]);
+}
+
+static void switch_arrows(game *g)
+{
+    sph2d_frames *frames = &g->style.frames;
+    frames->arrows = frames->arrows == SPH2D_SWITCH_ON ? SPH2D_SWITCH_OFF : SPH2D_SWITCH_ON;
+    if (frames->arrow_speed == 0) /* the same in all pictures */
+        frames->arrow_speed = sqrt(2 * sph2d_sim_plan(g->live.sim)->head);
+}
+
+static void switch_isolines(game *g)
+{
+    sph2d_frames *frames = &g->style.frames;
+    const double tenth = g->live.scene.fluid.density * sph2d_sim_plan(g->live.sim)->head / 10;
+    const double power = tenth > 0 ? pow(10, floor(log10(tenth))) : 1;
+    frames->isolines = frames->isolines ? NULL : "Pressures";
+    frames->isoline_step = power * round(tenth / power); /* the same in all pictures */
 }
 
 static void restart(game *g)
@@ -181,6 +199,12 @@ void game_key(game *g, int key)
         break;
     case 'N':
         next_look(g);
+        break;
+    case 'X':
+        switch_arrows(g);
+        break;
+    case 'I':
+        switch_isolines(g);
         break;
     case 'C':
         next_color(g);
