@@ -6,18 +6,21 @@
 set -eu
 all=
 [ "$1" != --all ] || { all=1 && shift; }
-SPH2D=$(realpath "$1") pythons=$2 folder=$3
+SPH2D=$(realpath "$1") pythons='' folder=$3
+for python in $2; do
+    case $python in */*) python=$(realpath -s "$python") ;; esac
+    pythons="$pythons $python"
+done
 page=$(realpath "$(dirname "$0")/../../docs/recipes.md")
 export SPH2D LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=agg
 rm -rf "$folder" && mkdir -p "$folder" && cd "$folder"
 failed=0
 
-# section HEADING: its lines. block HEADING KIND [N]: the Nth fenced block of a kind in it. commands HEADING: its lines of
+# section HEADING: its lines. block HEADING KIND: the first fenced block of a kind in it. commands HEADING: its lines of
 # a shell, by the command that is tested.
 section() { awk -v heading="## $1" '/^## /{on = $0 == heading} on' "$page"; }
 block() {
-    section "$1" | awk -v kind="^\`\`\`$2\$" -v wanted="${3:-1}" \
-        '/^```$/{on = 0} on && n == wanted; $0 ~ kind{on = 1; n++}'
+    section "$1" | awk -v kind="^\`\`\`$2\$" '/^```$/ { on = 0 } on && n == 1; $0 ~ kind { on = 1; ++n }'
 }
 commands() { section "$1" | sed -n 's/^    //p' | sed "s|build/sph2d|\"\$SPH2D\"|g"; }
 
@@ -44,13 +47,23 @@ with() {
     done
     return 1
 }
-# program NAME HEADING MODULES HINT PATTERN [N]: runs a program of the page.
+is_whole() { # FILE
+    case $1 in
+    *.png) tail -c 8 "$1" | od -An -tx1 | grep -q '49 45 4e 44 ae 42 60 82' ;;
+    *.svg) grep -q '</svg>' "$1" ;;
+    *.csv) [ "$(wc -l <"$1")" = $((liquid + 1)) ] ;;
+    *) [ -s "$1" ] ;;
+    esac
+}
+# program NAME HEADING MODULES HINT PATTERN: runs a program of the page.
 program() {
     # shellcheck disable=SC2086 # modules are words
     with $3 || { skip "$1" "no Python with $3: $4" && return 0; }
-    block "$2" python "${6:-1}" >program.py
+    block "$2" python >program.py
     [ -s program.py ] || { : >printed && bad "$1" "the page has no program in '$2'" && return 0; }
-    if timeout 300 "$python" program.py >printed 2>&1; then checked "$1" "$5"; else bad "$1" 'ends with an error'; fi
+    timeout 300 "$python" program.py >printed 2>&1 || { bad "$1" 'ends with an error' && return 0; }
+    echo >>printed
+    checked "$1" "$5"
 }
 
 block 'The run' yaml >scene.yaml
@@ -61,7 +74,41 @@ sh -e commands.sh >printed 2>&1 || { bad run 'ends with an error' && exit 1; }
 liquid=$(sed -n 's/^particles *\([0-9]*\) in the liquid.*/\1/p' about)
 walls=$(sed -n 's/^particles .* \([0-9]*\) in walls.*/\1/p' about)
 
+program h5py 'Snapshots with h5py' h5py 'apt install python3-h5py' \
+    '^1\.000 s: front at (1\.9[0-9]*|2\.0[0-9]*) m, largest pressure [1-9][0-9]{3,4} Pa$'
+program pandas 'Time series with pandas' pandas 'apt install python3-pandas' \
+    '^of 1570 J/m [1-9][0-9]{2} are left$'
+program matplotlib 'Pictures with Matplotlib' 'h5py matplotlib' 'apt install python3-matplotlib python3-h5py' '^$'
+if with h5py matplotlib && ! is_whole picture.png; then bad matplotlib 'picture.png is not whole'; fi
+program swiftsimio swiftsimio swiftsimio 'pip install swiftsimio' \
+    "^$liquid particles, at most [1-9][0-9.]* kPa .*after 1000\.[0-9]* ms\$"
 program vtk 'ParaView and VTK' vtkmodules 'pip install vtk' \
     "^$liquid particles, $walls boundary particles, 1 wall, 2 solids and bodies; the raft is at 1\.[5-9][0-9]* m\$"
+
+# files NAME FILE...: the commands of commands.sh run, and these files come out, whole.
+files() {
+    name=$1
+    shift
+    sh -e commands.sh >printed 2>&1 || { bad "$name" 'ends with an error' && return 0; }
+    for file in "$@"; do
+        is_whole "$file" || { bad "$name" "$file is not whole" && return 0; }
+    done
+    echo "ok   recipes/$name"
+}
+commands Plots | grep '^"' >commands.sh
+commands Plots | grep '^gnuplot' >>commands.sh
+if command -v gnuplot >/dev/null; then
+    files plots out/plot.svg raft.png particles.csv gauge.svg
+else
+    skip plots 'no gnuplot: apt install gnuplot-nox'
+fi
+commands 'A film' | sed -n '/^ffmpeg/{s/$/ -loglevel error -y/p;q}' >commands.sh
+if [ ! -d out/frames ]; then
+    skip film 'this build draws no frames'
+elif ! command -v ffmpeg >/dev/null; then
+    skip film 'no ffmpeg: apt install ffmpeg'
+else
+    files film film.mp4
+fi
 
 [ $failed = 0 ] || { echo "$failed of the recipes failed" >&2 && exit 1; }
