@@ -10,10 +10,6 @@
 /* Pictures a second for which steps are cut short where the machine is slow; but steps have this long in any case [s]. */
 static const double WANTED_PICTURES = 34, LEAST_STEPPING = 0.006;
 
-/* Where drawing beside the steps takes longer, as in browsers, they may use this part of the time between pictures; by
- * less than 1 it comes down again. */
-static const double USED = 0.9;
-
 /* The longest that is taken for one turn, as after the window was dragged [s]. */
 static const double LONGEST_TURN = 0.1;
 
@@ -51,8 +47,7 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
         game_key(g, input->keys[k]);
     if (visible)
         game_hand(g, t->renderer, input);
-    const double free_time = fmax(1 / WANTED_PICTURES, USED * passed) - t->drawing;
-    game_advance(g, passed, fmax(free_time, LEAST_STEPPING));
+    game_advance(g, passed, fmax(1 / WANTED_PICTURES - t->drawing, LEAST_STEPPING));
     t->played += g->paused ? 0 : passed * g->rate;
     t->simulated += fmax(sph2d_sim_time(g->live.sim) - from, 0);
     t->draws = clock_wall();

@@ -34,7 +34,7 @@ const parts = {
     page: Buffer.from(squeeze(Buffer.concat(scripts).toString())),
 };
 const first = JSON.stringify(Object.entries(parts).map(([part, bytes]) => [part, bytes.length])) + '\n';
-const packed = execFileSync('xz', ['--format=lzma', '-9e', '--stdout'],
+const packed = execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,lp=0,pb=0', '--stdout'],
     {input: Buffer.concat([Buffer.from(first), ...Object.values(parts)]), maxBuffer: 1 << 26});
 const fill = {STYLE: squeeze(read('page.css').toString()), PACKED: toText(packed), UNPACK: squeeze(read('unpack.js').toString())};
 const page = read('index.html').toString().replace(/\{\{(\w+)\}\}/g, (all, key) => fill[key]);

@@ -10,7 +10,7 @@ WEB_LIBS := $(WEB)/sources
 WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/trailer.c src/files/series.c \
     src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
 WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
-    cli/frame.c cli/text.c cli/json.c $(addprefix cli/play/,game.c hand.c keys.c live.c quantities.c show.c turn.c) \
+    cli/frame.c cli/frame_field.c cli/frame_view.c cli/text.c cli/json.c $(addprefix cli/play/,game.c hand.c keys.c live.c quantities.c show.c turn.c) \
     $(sort $(wildcard cli/web/*.c))
 WEB_GEN := $(BUILD)/gen/shaders.c $(BUILD)/gen/play_scenes.c
 WEB_OBJ := $(patsubst %.c,$(WEB)/obj/%.o,$(filter-out $(PASS_SRC),$(WEB_SRC)) $(WEB_GEN:$(BUILD)/%=%)) \
@@ -18,8 +18,8 @@ WEB_OBJ := $(patsubst %.c,$(WEB)/obj/%.o,$(filter-out $(PASS_SRC),$(WEB_SRC)) $(
 WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd128 -fno-math-errno -ffp-contract=off -MMD -MP \
     -Wno-unknown-pragmas -Wno-pass-failed -Iinclude -Isrc -Icli -I$(BUILD)/gen -I$(WEB)/headers \
     -I$(WEB_LIBS)/libfyaml/include -I$(WEB_LIBS)/chipmunk/include
-# What steps is compiled for speed, what parses and draws for size.
-WEB_FAST := src/base/% src/particles/% src/flows/% src/boundary/% src/methods/% src/sim/%
+# What takes the time of steps is compiled for speed, all else for size.
+WEB_FAST := src/particles/% src/methods/%
 web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Os)
 WEB_LINK := -O3 -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
     -sALLOW_MEMORY_GROWTH=1 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sSUPPORT_LONGJMP=0 -sTOTAL_STACK=1MB \

@@ -113,7 +113,7 @@ const tests = {
     'the liquid falls': async (browser) => {
         await browser.until('numbers().time > 0.02');
         const before = await liquid(browser);
-        await browser.until('numbers().time > 0.15', 60);
+        await browser.until(`numbers().time > ${(await numbers(browser)).time + 0.15}`, 60);
         const after = await liquid(browser);
         assert.strictEqual(before.length, after.length);
         assert(mean(after, 1) < mean(before, 1) - 0.005, 'its centre sinks');
