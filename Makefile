@@ -590,6 +590,9 @@ report-docs: ## puts the table of the last report into docs/validation.md
 	$(hush)sed -i -e '/^<!-- cases -->/,/^<!-- end of cases -->/{//!d}' \
 	    -e '/^<!-- cases -->/r $(BUILD)/report/cases.md' docs/validation.md
 
+gallery: $(BUILD)/sph2d ## run the scenes of docs/gallery.md and write it with their pictures (10 min of CPU time)
+	$(hush)python3 examples/gallery.py $(BUILD)/sph2d
+
 scene-docs: $(BUILD)/sph2d ## puts the keys of scenes into docs/scenes.md and cli/sph2d-scene.5
 	$(hush)$(BUILD)/sph2d help scene.md >$(BUILD)/scene.md
 	$(hush)sed -i -e '/^<!-- keys -->/,/^<!-- end of keys -->/{//!d}' \
@@ -742,6 +745,6 @@ help: ## this list
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
-    coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs check-headers \
+    coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif
