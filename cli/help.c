@@ -46,7 +46,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
     [CLI__PLAY] = "Opens a window in which the scene, or the first of its own, follows the clock; below the picture\n"
                   "stands how far it does. Nothing is written but by S and F, into new folders of the current one.\n"
                   "\n"
-                  "  mouse     left: the tool; right: push; wheel: its reach\n"
+                  "  mouse     left: the tool, or to hold a body; right: push; wheel: reach\n"
                   "  P O E W   tools: pull, pour, wipe away, draw a wall\n"
                   "  space .   pause; one step          + -       faster, slower\n"
                   "  arrows 0  gravity; none            V B       viscosity up, down\n"

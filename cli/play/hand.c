@@ -73,15 +73,22 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
 
 sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, sph2d_report *report)
 {
+    const bool pressed = left && !h->down;
     h->at = at;
     h->down = left;
     h->pushes = right;
+    if (!left || h->tool != HAND_PULL)
+        h->grip = (grip){0};
+    else if (pressed)
+        h->grip = grip_take(l, at);
     const sph2d_vec2 g = l->scene.gravity;
     const double strength = STRENGTH * fmax(hypot(g.x, g.y), smaller_side(&l->scene));
-    const double pull = right ? -strength : left && h->tool == HAND_PULL ? strength : 0;
+    const double pull = right ? -strength : left && h->tool == HAND_PULL && !h->grip.holds ? strength : 0;
     if (l->stopped != SPH2D_OK)
         return SPH2D_OK;
     sph2d_status status = sph2d_sim_set_pointer(l->sim, at, h->radius, pull);
+    if (status == SPH2D_OK && h->grip.holds)
+        status = grip_pull(&h->grip, l, at);
     if (status == SPH2D_OK && left && h->tool == HAND_POUR)
         status = pour(h, l);
     if (status == SPH2D_OK && left && h->tool == HAND_WIPE)

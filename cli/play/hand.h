@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file hand.h
- *  What the mouse does to the liquid: pull and push, pour, wipe away, draw walls. */
+ *  What the mouse does to the liquid: pull and push, pour, wipe away, draw walls, move bodies. */
 #ifndef SPH2D_CLI_PLAY_HAND_H
 #define SPH2D_CLI_PLAY_HAND_H
 
-#include "live.h"
+#include "grip.h"
 
 typedef enum hand_tool { HAND_PULL, HAND_POUR, HAND_WIPE, HAND_WALL } hand_tool;
 
@@ -15,6 +15,7 @@ typedef struct hand {
     double radius;      /**< [m] */
     sph2d_vec2 at;      /**< where it is [m] */
     bool down, pushes;  /**< what its buttons do */
+    grip grip;          /**< the body that it holds */
     sph2d_vec2 corners[HAND_MOST_CORNERS]; /**< of the wall that is being drawn */
     size_t corner_count;
 } hand;

@@ -12,7 +12,7 @@
 static const char *const colors[] = {NULL, "speed", "Pressures"};
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
-const char game_help[] = "mouse: left uses the tool, right pushes, wheel: its reach\n"
+const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
                          "P pull  O pour  E wipe  W wall   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"

@@ -106,10 +106,11 @@ void play_window_close(play_window *window)
 play_input play_window_poll(play_window *w, double patience)
 {
     w->input = (play_input){0};
-    if (patience > 0)
-        glfwWaitEventsTimeout(patience);
-    else
-        glfwPollEvents();
+    /* A moving mouse wakes it many times. */
+    const double end = glfwGetTime() + patience;
+    for (double left = patience; left > 0; left = end - glfwGetTime())
+        glfwWaitEventsTimeout(left);
+    glfwPollEvents();
     int width = 0, height = 0, screen_width = 0, screen_height = 0;
     glfwGetFramebufferSize(w->handle, &width, &height);
     glfwGetWindowSize(w->handle, &screen_width, &screen_height);

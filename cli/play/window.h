@@ -30,7 +30,7 @@ sph2d_status play_window_open(unsigned width, unsigned height, const char *title
                               sph2d_report *report);
 void play_window_close(play_window *window);
 
-/** Waits for events for at most `patience` seconds, and tells what came. */
+/** Waits for `patience` seconds, and tells what came. */
 play_input play_window_poll(play_window *window, double patience);
 
 /** Shows what was drawn into framebuffer 0. */

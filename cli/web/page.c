@@ -215,3 +215,14 @@ EMSCRIPTEN_KEEPALIVE const double *page_particles(int index)
     const double *const all[] = {fluid.x, fluid.y, fluid.vx, fluid.vy};
     return all[index & 3];
 }
+
+/** Where a body of the scene is: its centre of mass [m] and the angle by which it has turned [rad]; NaN for none. */
+EMSCRIPTEN_KEEPALIVE const double *page_body(int index)
+{
+    static double place[3];
+    const sph2d_body_state body = sph2d_sim_body(the_game.live.sim, (size_t)index);
+    place[0] = body.center.x;
+    place[1] = body.center.y;
+    place[2] = body.angle;
+    return place;
+}

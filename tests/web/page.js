@@ -166,6 +166,30 @@ const tests = {
         await browser.press('p');
     },
 
+    'mouse: a body is held, a wheel is turned': async (browser) => {
+        const body = (index) => browser.value(`Array.from(sph2d.HEAPF64.subarray(sph2d._page_body(${index}) / 8).slice(0, 3))`);
+        // A place of the scene on the canvas: the picture fits the domain into it.
+        const place = async (x, y, width, height) => {
+            const [canvasWidth, canvasHeight] = await browser.value('[canvas.width, canvas.height]');
+            const strip = 0.045 * canvasHeight, scale = Math.min(canvasWidth / width, (canvasHeight - strip) / height);
+            return at(browser, 0.5 + (x - width / 2) * scale / canvasWidth,
+                (0.5 * (canvasHeight - strip) - (y - height / 2) * scale) / canvasHeight);
+        };
+        await open(browser, text('6_ship.yaml'));
+        await browser.until('numbers().steps > 5');
+        const before = await body(1);
+        const path = [before, [0.35, 0.9], [0.4, 1], [0.45, 1.05], [0.45, 1.05], [0.45, 1.05], [0.45, 1.05]];
+        await drag(browser, await Promise.all(path.map(([x, y]) => place(x, y, 2.4, 1.2))));
+        const after = await body(1);
+        assert(after[1] > before[1] + 0.1, `the crate is lifted: ${before} to ${after}`);
+        await open(browser, text('7_water_wheel.yaml'));
+        await browser.until('numbers().steps > 5');
+        const angle = (await body(0))[2];
+        await drag(browser, await Promise.all([0, 0.3, 0.6, 0.9, 1.2, 1.5].map((turn) =>
+            place(1.1 + 0.1 * Math.sin(turn), 0.5 + 0.1 * Math.cos(turn), 2.2, 1.2))));
+        assert((await body(0))[2] < angle - 0.1, `the wheel turns: ${angle} to ${(await body(0))[2]}`);
+    },
+
     'touch: a finger pours': async (browser) => {
         await open(browser, text('1_dam_break.yaml'));
         await browser.press('o');
