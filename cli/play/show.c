@@ -43,21 +43,28 @@ static sph2d_status make_picture(game *g, sph2d_picture *picture, sph2d_report *
     return frame_make(&source, &style, &g->buffers, picture, report);
 }
 
+static bool reserve_corners(game *g, size_t most)
+{
+    double *corners = realloc(g->corners, 2 * most * sizeof *corners);
+    if (!corners)
+        return false;
+    g->corners = corners;
+    uint64_t *marks = realloc(g->marks, 2 * most * sizeof *marks);
+    if (!marks)
+        return false;
+    g->marks = marks;
+    g->corner_capacity = most;
+    return true;
+}
+
 /* Adds the reach of the hand while it acts, and the wall that it draws, as lines. */
 static sph2d_status add_hand(game *g, sph2d_picture *picture)
 {
     enum { CIRCLE = 49 };
     const hand *h = &g->hand;
     const size_t own = picture->outline_count, most = own + CIRCLE + HAND_MOST_CORNERS;
-    if (most > g->corner_capacity) {
-        double *corners = realloc(g->corners, 2 * most * sizeof *corners);
-        g->corners = corners ? corners : g->corners;
-        uint64_t *marks = realloc(g->marks, 2 * most * sizeof *marks);
-        g->marks = marks ? marks : g->marks;
-        if (!corners || !marks)
-            return SPH2D_NOMEM;
-        g->corner_capacity = most;
-    }
+    if (most > g->corner_capacity && !reserve_corners(g, most))
+        return SPH2D_NOMEM;
     double *x = g->corners, *y = x + most;
     uint64_t *id = g->marks, *liquid = id + most, next = own > 0 ? picture->outline_id[own - 1] + 1 : 0;
     size_t count = own;
@@ -65,7 +72,7 @@ static sph2d_status add_hand(game *g, sph2d_picture *picture)
     memcpy(y, picture->outline_y, own * sizeof *y);
     memcpy(id, picture->outline_id, own * sizeof *id);
     memcpy(liquid, picture->outline_liquid, own * sizeof *liquid);
-    for (size_t k = 0; k < CIRCLE && (h->down || h->pushes) && h->tool != HAND_WALL; ++k, ++count) {
+    for (size_t k = 0; k < CIRCLE && (h->down || h->pushes) && h->tool != HAND_WALL && !h->grip.holds; ++k, ++count) {
         const double angle = 6.283185307179586 * (double)(k % (CIRCLE - 1)) / (CIRCLE - 1);
         x[count] = h->at.x + h->radius * cos(angle);
         y[count] = h->at.y + h->radius * sin(angle);

@@ -105,6 +105,7 @@ spacing: 0.025
 blocks: [{box: {min: [0.2, 0.5], max: [0.8, 1.1]}}]
 run: {until: 6}
 END
+# shellcheck disable=SC3045 # every shell here has it
 (ulimit -v 2000000 && expect 0 "$SPH2D" check road.yaml) && says 'its start was not tried' && prints '^particles  *about'
 expect 0 "$SPH2D" check road.yaml --json && prints '"particles": [0-9]*'
 {

@@ -55,6 +55,7 @@ table 'x,y,vx' '0,0,1' '1,0,1' '0,0.9,1' '1,0.9,1' && scene 65
 says 'shear.yaml:5:.*blocks\[0\].start.table: liquid at (0.025, 0.925) lies outside the table, .* from (0, 0) to (1, 0.9)'
 table 'x,y,vx' '0,0,1' '1,0,1' '0,1,1' '1,1,1'
 scene 65 --set 'blocks[0].start.flow=still' && says 'blocks\[0\].start: .*more than one thing'
+# shellcheck disable=SC2016 # the quotes of a message
 scene 65 --set 'start={table: shear.csv}' && says 'start: is that of `particles`'
 
 # A coarse run goes on at half the spacing: the same liquid, its momentum and height; and without the snapshot.
@@ -74,6 +75,7 @@ fine() { # fine CODE COMMAND [OPTION...]: of the liquid of the coarse run
 expect 0 "$SPH2D" run scenes/dam.yaml -o coarse -q
 fine 0 check scenes/dam.yaml && prints 'particles *1536 in' && prints 'requested, .* (+0.00 %)'
 fine 0 run scenes/dam.yaml -o whole -q -f
+# shellcheck disable=SC2016 # for awk
 expect 0 awk -F, 'FNR == 2 && FILENAME ~ /whole/ { k = $2; p = $3; m = $4 } FILENAME ~ /coarse/ { a = $2; b = $3; c = $4 }
     END { print k / a, p / b, m / c; exit !(k/a > 0.98 && k/a < 1.02 && p/b > 0.99 && p/b < 1.01 && m/c > 0.99 && m/c < 1.01) }' \
     whole/e.csv coarse/e.csv
