@@ -5,15 +5,18 @@
 // Two heights are lit together. The field itself makes a rounded rim, as wide as a particle; it counts as flat where it
 // is full, so that the lattice of the particles does not show. The depth, the field of much wider balls on a coarse grid,
 // rises slowly behind the rim and gives the body its shape and its colour. Pixels run from the top left, y downwards.
+//
+// Where INSIDE is defined, the field is full and even, so that there is no rim: the field is not needed.
 uniform sampler2D field;
-uniform sampler2D depth;
+uniform sampler2D depth;    // how much it rises over two squares of its grid to the right and down, and its mean
+uniform sampler2D tint;     // the mean colour of the particles
 uniform sampler2D walls;    // their cover
 uniform float radius;       // R [px]
 uniform float threshold;    // of the field: water
+uniform float line_width;   // [px]
 uniform float texel;        // side of a square of the depth's grid [px]
 uniform float margin;       // how many of them lie beside the image
-uniform float depth_inside; // the depth of a large body of water
-uniform bool colored;       // by the particles' colours, which the field has, too
+uniform bool colored;       // by the particles' colours
 uniform bool charted;       // look INK: with lines of equal depth
 
 layout(location = 0) out vec4 color;
@@ -21,6 +24,46 @@ layout(location = 0) out vec4 color;
 const float full = 0.36; // field from which the rim counts as flat
 const vec3 to_light = normalize(vec3(-0.45, -0.75, 0.6));
 const vec3 to_viewer = vec3(0.0, 0.0, 1.0);
+
+// How much the depth rises to the right and down, and its mean.
+vec3 depth_around()
+{
+    return textureLod(depth, (gl_FragCoord.xy / texel + margin) / vec2(textureSize(depth, 0)), 0.0).rgb;
+}
+
+vec3 mean_color(ivec2 here)
+{
+    return texelFetch(tint, here, 0).rgb;
+}
+
+#ifdef INSIDE
+
+float field_at(ivec2 pixel)
+{
+    return 1.0;
+}
+
+vec2 rim_rise(ivec2 here)
+{
+    return vec2(0.0);
+}
+
+vec2 field_rise(ivec2 here)
+{
+    return vec2(0.0);
+}
+
+float cover(float f, vec2 rise)
+{
+    return 1.0;
+}
+
+vec2 surface(float f, vec2 rise)
+{
+    return vec2(1.0e4, 1.0);
+}
+
+#else
 
 float field_at(ivec2 pixel)
 {
@@ -46,21 +89,6 @@ vec2 rim_rise(ivec2 here)
     return 0.25 * (vec2(right - left, below - above) + 0.7071 * vec2(a + b, a - b));
 }
 
-float depth_at(vec2 place)
-{
-    return textureLod(depth, place, 0.0).r / depth_inside;
-}
-
-// How much the depth rises to the right and down, and its mean.
-vec3 depth_around()
-{
-    vec2 grid = 1.0 / vec2(textureSize(depth, 0));
-    vec2 place = (gl_FragCoord.xy / texel + margin) * grid;
-    float right = depth_at(place + vec2(grid.x, 0.0)), left = depth_at(place - vec2(grid.x, 0.0));
-    float below = depth_at(place + vec2(0.0, grid.y)), above = depth_at(place - vec2(0.0, grid.y));
-    return vec3(right - left, below - above, 0.25 * (right + left + below + above));
-}
-
 // How much the field rises over a pixel to the right and down.
 vec2 field_rise(ivec2 here)
 {
@@ -75,40 +103,7 @@ float cover(float f, vec2 rise)
     return smoothstep(threshold - soft, threshold + soft, f);
 }
 
-// The mean colour of the particles.
-vec3 mean_color(ivec2 here, float f)
-{
-    return texelFetch(field, here, 0).gba / f;
-}
-
-#ifdef WATER
-
-const vec3 shallow = vec3(0.30, 0.70, 0.88);
-const vec3 deep = vec3(0.04, 0.36, 0.66);
-const vec3 sky = vec3(0.10, 0.16, 0.18);
-
-vec4 look(ivec2 here, float f)
-{
-    vec3 around = depth_around();
-    float inside = smoothstep(0.1, 1.0, around.z);
-    vec3 normal = normalize(vec3(-1.1 * rim_rise(here) - 1.2 * around.xy, 0.8));
-    float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
-    float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
-    float covered = cover(f, field_rise(here));
-    if (colored) // little light, so that colours are those of the colour bar
-        return vec4(mean_color(here, f) * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
-    vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
-    return vec4(lit, covered);
-}
-
-#else
-
-// Width of lines [px].
-float line_width()
-{
-    ivec2 size = textureSize(field, 0);
-    return max(1.4, float(min(size.x, size.y)) / 300.0);
-}
+#ifndef WATER
 
 float wall_at(vec2 place)
 {
@@ -127,6 +122,30 @@ vec2 surface(float f, vec2 rise)
 
 #endif
 
+#endif
+
+#ifdef WATER
+
+const vec3 shallow = vec3(0.30, 0.70, 0.88);
+const vec3 deep = vec3(0.04, 0.36, 0.66);
+const vec3 sky = vec3(0.10, 0.16, 0.18);
+
+vec4 look(ivec2 here, float f)
+{
+    vec3 around = depth_around();
+    float inside = smoothstep(0.1, 1.0, around.z);
+    vec3 normal = normalize(vec3(-1.1 * rim_rise(here) - 1.2 * around.xy, 0.8));
+    float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
+    float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
+    float covered = cover(f, field_rise(here));
+    if (colored) // little light, so that colours are those of the colour bar
+        return vec4(mean_color(here) * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
+    vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
+    return vec4(lit, covered);
+}
+
+#endif
+
 #ifdef FLAT
 
 const vec3 paint = vec3(0.17, 0.51, 0.81);
@@ -134,8 +153,8 @@ const vec3 paint = vec3(0.17, 0.51, 0.81);
 vec4 look(ivec2 here, float f)
 {
     vec2 rise = field_rise(here), border = surface(f, rise);
-    float edge = border.y * clamp(line_width() + 0.5 - border.x, 0.0, 1.0);
-    vec3 plain = colored ? mean_color(here, f) : paint;
+    float edge = border.y * clamp(line_width + 0.5 - border.x, 0.0, 1.0);
+    vec3 plain = colored ? mean_color(here) : paint;
     return vec4(plain * (1.0 - 0.3 * edge), cover(f, rise));
 }
 
@@ -158,10 +177,10 @@ vec4 look(ivec2 here, float f)
     float gathered = dot(bent.xy, to_light.xy); // below 0 at the side of the light
     float mirrored = pow(1.0 - normal.z, 2.0);
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 90.0);
-    vec3 plain = colored ? mean_color(here, f) : mix(thin, thick, inside);
+    vec3 plain = colored ? mean_color(here) : mix(thin, thick, inside);
     vec3 dark = colored ? 0.4 * plain : shade;
     vec3 lit = gathered < 0.0 ? mix(plain, dark, -1.4 * gathered) : mix(plain, vec3(1.0), 1.1 * gathered);
-    float edge = border.y * clamp(0.6 * line_width() + 0.5 - border.x, 0.0, 1.0);
+    float edge = border.y * clamp(0.6 * line_width + 0.5 - border.x, 0.0, 1.0);
     lit = mix(lit, vec3(1.0), 0.35 * mirrored) * (1.0 - 0.3 * edge) + gloss;
     float opaque = mix(colored ? 0.9 : 0.6, 0.9, max(max(inside, edge), max(gloss, mirrored)));
     return vec4(clamp(lit, 0.0, 1.0), cover(f, rise) * opaque);
@@ -183,7 +202,7 @@ vec4 look(ivec2 here, float f)
 {
     vec3 around = depth_around();
     vec2 rise = field_rise(here), border = surface(f, rise);
-    float wide = line_width();
+    float wide = line_width;
     float line = border.y * clamp(wide + 0.5 - border.x, 0.0, 1.0);
     float change = 0.5 * length(around.xy) / texel;
     float below = 0.0;
@@ -191,7 +210,7 @@ vec4 look(ivec2 here, float f)
         float part = float(k) / 4.0;
         below = max(below, (0.75 - 0.6 * part) * level_line(around.z, 0.66 + 0.32 * part, change, 0.5 * wide));
     }
-    vec3 paper = colored ? mean_color(here, f) : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
+    vec3 paper = colored ? mean_color(here) : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
     return vec4(mix(paper, ink, max(line, below)), cover(f, rise));
 }
 
@@ -201,6 +220,8 @@ void main()
 {
     ivec2 here = ivec2(gl_FragCoord.xy);
     float f = field_at(here);
+#ifndef INSIDE
     if (f < 0.4 * threshold) discard;
+#endif
     color = look(here, f);
 }

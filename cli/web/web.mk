@@ -19,7 +19,7 @@ WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd12
     -Wno-unknown-pragmas -Wno-pass-failed -Iinclude -Isrc -Icli -I$(BUILD)/gen -I$(WEB)/headers \
     -I$(WEB_LIBS)/libfyaml/include -I$(WEB_LIBS)/chipmunk/include
 # What takes the time of steps is compiled for speed, all else for size.
-WEB_FAST := src/particles/% src/methods/%
+WEB_FAST := src/particles/% src/methods/% src/render/field_grid.%
 web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Os)
 WEB_LINK := -O3 -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
     -sALLOW_MEMORY_GROWTH=1 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sSUPPORT_LONGJMP=0 -sTOTAL_STACK=1MB \

@@ -33,7 +33,7 @@ sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_re
     gl->EnableVertexAttribArray(1);
     gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, (const void *)offsetof(sph2d__dot, color));
     gl->EnableVertexAttribArray(2);
-    gl->VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, stride, (const void *)offsetof(sph2d__dot, weight));
+    gl->VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, stride, (const void *)offsetof(sph2d__dot, across));
     return sph2d__gl_check(gl, "preparing to draw particles", report);
 }
 
@@ -67,7 +67,7 @@ void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view 
     const double span = list->value_max - list->value_min;
     sph2d__dots_begin(gl, dots, SPH2D__TRIANGLE);
     for (size_t i = 0; i < list->count; ++i) {
-        sph2d__dot dot = {.weight = 1.0F};
+        sph2d__dot dot = {.across = 1.0F};
         if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, dot.pixel))
             continue;
         if (list->values)

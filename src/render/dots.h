@@ -11,7 +11,7 @@
 typedef struct sph2d__dot {
     float pixel[2];         /**< centre [px] */
     unsigned char color[4]; /**< red, green, blue, opacity */
-    float weight;           /**< number of particles that it represents */
+    float across;           /**< of a row of squares: their number */
 } sph2d__dot;
 
 /** The figure around a centre, by its number of vertices, which a program distinguishes by gl_VertexID. */

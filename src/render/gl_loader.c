@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What OpenGL ES has only by extensions. */
-static bool blends_floats(const sph2d__gl *gl)
+/* What OpenGL ES has only by an extension. */
+static bool interpolates_floats(const sph2d__gl *gl)
 {
     const char *extensions = (const char *)gl->GetString(GL_EXTENSIONS);
-    return extensions && strstr(extensions, "EXT_float_blend") && strstr(extensions, "OES_texture_float_linear");
+    return extensions && strstr(extensions, "OES_texture_float_linear");
 }
 
 /* OSMesa returns a pointer for any name, so a pointer does not show that a function exists. The version is checked
@@ -33,7 +33,7 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
                  version ? version : "none");
         return false;
     }
-    gl->half = gl->es && !blends_floats(gl);
+    gl->half = gl->es && !interpolates_floats(gl);
     return true;
 }
 

@@ -18,7 +18,6 @@
     X(BindTexture, PFNGLBINDTEXTUREPROC)                                                                               \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                                                                       \
     X(BlendEquation, PFNGLBLENDEQUATIONPROC)                                                                           \
-    X(BlendFunc, PFNGLBLENDFUNCPROC)                                                                                   \
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
     X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
     X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
@@ -74,7 +73,7 @@ typedef struct sph2d__gl {
     SPH2D__GL_MAP(SPH2D__GL_MEMBER)
 #undef SPH2D__GL_MEMBER
     bool es;   /**< OpenGL ES, as in browsers */
-    bool half; /**< 32-bit floats cannot be blended and interpolated, 16-bit ones can */
+    bool half; /**< 32-bit floats cannot be interpolated, 16-bit ones can */
 } sph2d__gl;
 
 /** Opens the context "osmesa" or "egl", or with NULL the first that works, makes it current and loads its functions.

@@ -39,31 +39,21 @@ bool sph2d__lumps_add(sph2d__lumps *lumps, const float pixel[2])
     return true;
 }
 
-static void add_nodes(const sph2d__gl *gl, const sph2d__lumps *lumps, sph2d__dots *dots)
+void sph2d__lumps_sum(sph2d__lumps *lumps, sph2d__field_grid *grid, const sph2d__view *view,
+                      const sph2d__dot_list *list, double radius)
 {
+    const double texel = lumps->texel, reach = radius / texel;
+    for (size_t i = 0; i < list->count; ++i) {
+        float pixel[2];
+        if (sph2d__view_place(view, list->x[i], list->y[i], list->reach, pixel) && !sph2d__lumps_add(lumps, pixel))
+            sph2d__field_grid_add(grid, (float[2]){(float)(pixel[0] / texel), (float)(pixel[1] / texel)}, reach, 1.0F,
+                                  NULL);
+    }
     const float *weight = lumps->weights;
     for (int row = 0; row < lumps->rows; ++row)
-        for (int column = 0; column < lumps->columns; ++column, ++weight) {
-            const sph2d__dot dot = {
-                .pixel = {(float)((column + 0.5) * lumps->texel), (float)((row + 0.5) * lumps->texel)},
-                .weight = *weight};
+        for (int column = 0; column < lumps->columns; ++column, ++weight)
             if (*weight > 0.0F)
-                sph2d__dots_add(gl, dots, &dot);
-        }
-}
-
-void sph2d__lumps_draw(const sph2d__gl *gl, sph2d__lumps *lumps, sph2d__dots *dots, const sph2d__view *view,
-                       const sph2d__dot_list *list)
-{
-    sph2d__dots_begin(gl, dots, SPH2D__TRIANGLE);
-    for (size_t i = 0; i < list->count; ++i) {
-        sph2d__dot dot = {.weight = 1.0F};
-        if (sph2d__view_place(view, list->x[i], list->y[i], list->reach, dot.pixel) &&
-            !sph2d__lumps_add(lumps, dot.pixel))
-            sph2d__dots_add(gl, dots, &dot);
-    }
-    add_nodes(gl, lumps, dots);
-    sph2d__dots_end(gl, dots);
+                sph2d__field_grid_add(grid, (float[2]){(float)column + 0.5F, (float)row + 0.5F}, reach, *weight, NULL);
 }
 
 void sph2d__lumps_destroy(sph2d__lumps *lumps)

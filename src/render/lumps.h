@@ -7,6 +7,7 @@
 #define SPH2D_RENDER_LUMPS_H
 
 #include "render/dots.h"
+#include "render/field_grid.h"
 
 /** Nodes are the centres of squares, from the top left corner of a view. */
 typedef struct sph2d__lumps {
@@ -25,10 +26,10 @@ void sph2d__lumps_reset(sph2d__lumps *lumps, int columns, int rows, double texel
 /** Distributes a particle over the four nodes around it by bilinear weights; false if it is not between four nodes. */
 bool sph2d__lumps_add(sph2d__lumps *lumps, const float pixel[2]);
 
-/** Draws a list with the program, target and blending in use: particles between the nodes as lumps, the others one by
- *  one. The grid must be empty. */
-void sph2d__lumps_draw(const sph2d__gl *gl, sph2d__lumps *lumps, sph2d__dots *dots, const sph2d__view *view,
-                       const sph2d__dot_list *list);
+/** Adds the balls of a list, of a radius [px], to the sums at the nodes: particles between the nodes as lumps, with what
+ *  is in them already, the others one by one. */
+void sph2d__lumps_sum(sph2d__lumps *lumps, sph2d__field_grid *grid, const sph2d__view *view,
+                      const sph2d__dot_list *list, double radius);
 
 /** Frees it; it may be zeroed. */
 void sph2d__lumps_destroy(sph2d__lumps *lumps);

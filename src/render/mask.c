@@ -45,7 +45,7 @@ void sph2d__mask_draw(const sph2d__gl *gl, const sph2d__mask *mask, GLuint progr
     sph2d__program_set_int(gl, program, "cover", 0);
     sph2d__program_set_vec2(gl, program, "image_size", target->width, target->height);
     sph2d__program_set_float(gl, program, "tile", SPH2D__TILE);
-    sph2d__tiles_draw(gl, &mask->tiles, dots);
+    sph2d__tiles_draw(gl, &mask->tiles, dots, SPH2D__TILE_TOUCHED);
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }
 

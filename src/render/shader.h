@@ -7,9 +7,9 @@
 #include "render/gl_loader.h"
 
 /** Builds names[0].vert and names[1].frag, the built-in text or, where `dir` is not NULL, the files in that folder.
- *  `defined` is a name that the preprocessor knows in both, NULL for none; it follows the first line, "#version". Each
- *  message of the compiler becomes a diagnostic with the line of the GLSL. The caller deletes *program; 0 after a
- *  failure. Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
+ *  `defined` is a name that the preprocessor knows in both, NULL for none; it follows the first line, "#version", and may
+ *  have more lines of the preprocessor, 80 characters in all. Each message of the compiler becomes a diagnostic with the
+ *  line of the GLSL. The caller deletes *program; 0 after a failure. Errors: SPH2D_RENDER, SPH2D_NOINPUT, SPH2D_NOMEM. */
 sph2d_status sph2d__program_build(const sph2d__gl *gl, const char *dir, const char *names[2], const char *defined,
                                   GLuint *program, sph2d_report *report);
 

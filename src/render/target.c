@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file target.c
- *  Framebuffers: the image, and the float textures in which the metaballs' fields are summed. */
+ *  Framebuffers, such as the image. */
 #include "render/target.h"
 
 static const char *framebuffer_text(GLenum framebuffer_status)
@@ -27,6 +27,15 @@ static const char *framebuffer_text(GLenum framebuffer_status)
     default:
         return "unknown reason";
     }
+}
+
+void sph2d__texture_prepare(const sph2d__gl *gl, GLuint texture, GLint filter)
+{
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 /* Ends a creation: checks for errors and for completeness of the framebuffer. */
@@ -61,45 +70,21 @@ static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei 
     return SPH2D_RENDER;
 }
 
-/* Starts a framebuffer with a texture of a format; the caller ends it by finish(). */
-static sph2d_status create_texture(const sph2d__gl *gl, sph2d__target *target, GLint format, GLenum layout, GLenum type,
-                                   GLint filter, sph2d_report *report)
+sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                                        sph2d_report *report)
 {
-    const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, target->width, target->height, report);
+    *target = (sph2d__target){.width = width, .height = height};
+    const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, width, height, report);
     if (status != SPH2D_OK)
         return status;
     gl->GenFramebuffers(1, &target->framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     gl->GenTextures(1, &target->texture);
-    gl->BindTexture(GL_TEXTURE_2D, target->texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, format, target->width, target->height, 0, layout, type, NULL);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    sph2d__texture_prepare(gl, target->texture, GL_NEAREST);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
     gl->BindTexture(GL_TEXTURE_2D, 0);
-    return SPH2D_OK;
-}
-
-sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
-                                        sph2d_report *report)
-{
-    *target = (sph2d__target){.width = width, .height = height};
-    const sph2d_status status = create_texture(gl, target, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST, report);
-    return status == SPH2D_OK ? finish(gl, target, "making the picture", report) : status;
-}
-
-/* R32F, not R16F, where it can be: half precision rounds a sum of ten balls to three digits, and blending 32-bit floats
- * is as fast. */
-sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int channels, GLint filter,
-                                        GLsizei width, GLsizei height, sph2d_report *report)
-{
-    *target = (sph2d__target){.width = width, .height = height};
-    const GLint one = gl->half ? GL_R16F : GL_R32F, four = gl->half ? GL_RGBA16F : GL_RGBA32F;
-    const sph2d_status status = create_texture(gl, target, channels == 1 ? one : four, channels == 1 ? GL_RED : GL_RGBA,
-                                               GL_FLOAT, filter, report);
-    return status == SPH2D_OK ? finish(gl, target, "making the field of the metaballs", report) : status;
+    return finish(gl, target, "making the picture", report);
 }
 
 void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,

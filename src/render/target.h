@@ -7,6 +7,9 @@
 #include "render/gl_loader.h"
 #include "render/view.h"
 
+/** Binds a texture and sets its filter, GL_NEAREST or GL_LINEAR; beyond its edges are their values. */
+void sph2d__texture_prepare(const sph2d__gl *gl, GLuint texture, GLint filter);
+
 typedef struct sph2d__target {
     GLsizei width, height;
     GLuint framebuffer, texture;
@@ -16,11 +19,6 @@ typedef struct sph2d__target {
 /** An 8-bit RGBA target. Errors: SPH2D_RENDER, SPH2D_NOMEM. */
 sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
                                         sph2d_report *report);
-
-/** A target of 32-bit floats, one or four a pixel, which the next pass reads with `filter`, GL_NEAREST or GL_LINEAR.
- *  Errors: SPH2D_RENDER, SPH2D_NOMEM. */
-sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int channels, GLint filter,
-                                        GLsizei width, GLsizei height, sph2d_report *report);
 
 /** Copies a box of pixels to a framebuffer, which is bound then. */
 void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,
