@@ -85,12 +85,15 @@ sph2d_status sph2d__drawing_arrange(const sph2d__drawing *self, const sph2d_pict
 static void fill_box(const sph2d__drawing *self, sph2d__pixel_box box, const unsigned char color[3])
 {
     const sph2d__gl *gl = &self->gl;
+    if (box.width <= 0 || box.height <= 0)
+        return;
     gl->Scissor(box.x, box.y, box.width, box.height);
     gl->ClearColor((float)color[0] / 255.0F, (float)color[1] / 255.0F, (float)color[2] / 255.0F, 1.0F);
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/* A light background, slightly darker outside the view. */
+/* A light background, slightly darker outside the view: the larger part is cleared with all of the image, which takes
+ * little in a software renderer. */
 static void draw_background(const sph2d__drawing *self, const sph2d__view *view, sph2d_box box)
 {
     const sph2d__gl *gl = &self->gl;
@@ -100,9 +103,16 @@ static void draw_background(const sph2d__drawing *self, const sph2d__view *view,
         gl->Clear(GL_COLOR_BUFFER_BIT);
         return;
     }
+    const sph2d__pixel_box seen = sph2d__view_cover(view, box);
+    const int right = seen.x + seen.width, below = seen.y + seen.height;
     gl->Enable(GL_SCISSOR_TEST);
-    fill_box(self, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : outside);
-    fill_box(self, sph2d__view_cover(view, box), on_paper(self) ? paper : inside);
+    fill_box(self, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : inside);
+    if (!on_paper(self)) {
+        fill_box(self, (sph2d__pixel_box){0, 0, self->width, seen.y}, outside);
+        fill_box(self, (sph2d__pixel_box){0, below, self->width, self->height - below}, outside);
+        fill_box(self, (sph2d__pixel_box){0, seen.y, seen.x, seen.height}, outside);
+        fill_box(self, (sph2d__pixel_box){right, seen.y, self->width - right, seen.height}, outside);
+    }
     gl->Disable(GL_SCISSOR_TEST);
 }
 
