@@ -156,13 +156,14 @@ void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, in
             blend(canvas, column, row, ink, 1.0);
 }
 
-/* Distance of a point from the line between two points. */
-static double segment_distance(double x, double y, const double from[2], const double to[2])
+/* Square of the distance of a point from the line between two points. */
+static double segment_square(double x, double y, const double from[2], const double to[2])
 {
     const double dx = to[0] - from[0], dy = to[1] - from[1], square = dx * dx + dy * dy;
     const double along = square > 0.0 ? ((x - from[0]) * dx + (y - from[1]) * dy) / square : 0.0;
-    const double t = fmin(fmax(along, 0.0), 1.0);
-    return hypot(x - from[0] - t * dx, y - from[1] - t * dy);
+    const double t = along < 0.0 ? 0.0 : (along < 1.0 ? along : 1.0);
+    const double right = x - from[0] - t * dx, up = y - from[1] - t * dy;
+    return right * right + up * up;
 }
 
 void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const double to[2], double half,
@@ -175,7 +176,7 @@ void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const
     const int bottom = (int)fmin(ceil(fmax(from[1], to[1]) + reach), canvas->height);
     for (int row = top; row < bottom; ++row)
         for (int column = left; column < right; ++column) {
-            const double cover = half + 0.5 - segment_distance(column + 0.5, row + 0.5, from, to);
+            const double cover = half + 0.5 - sqrt(segment_square(column + 0.5, row + 0.5, from, to));
             if (cover > 0.0)
                 blend(canvas, column, row, ink, fmin(cover, 1.0));
         }
@@ -193,12 +194,13 @@ static double glyph_distance(const char *glyph, double x, double y)
             continue;
         }
         const double point[2] = {glyph[0] - '0', glyph[1] - '0'};
-        nearest = fmin(nearest, segment_distance(x, y, pen_down ? last : point, point));
+        const double square = segment_square(x, y, pen_down ? last : point, point);
+        nearest = square < nearest ? square : nearest;
         memcpy(last, point, sizeof last);
         pen_down = true;
         glyph += 2;
     }
-    return nearest;
+    return sqrt(nearest);
 }
 
 /* Draws a glyph whose grid's origin is at (x, y) [px]. */
