@@ -165,7 +165,7 @@ TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $
 CORE_LIBS := -lm
 IO_LIBS := $(call pc_libs,hdf5 libfyaml) -lm
 CONTACTS_LIBS := -lchipmunk -lm
-RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lm)
+RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lz -lm)
 
 # ---- sources and objects ---------------------------------------------------------------------------------------------
 VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2d/version.h)

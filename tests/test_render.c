@@ -198,6 +198,43 @@ END_TEST
 
 /* ---- PNG --------------------------------------------------------------------------------------------------------- */
 
+static void check_file(const unsigned char *pixels, unsigned width, unsigned height, sph2d_background background)
+{
+    const bool alpha = background == SPH2D_BACKGROUND_TRANSPARENT;
+    const size_t size = (size_t)4 * width * height;
+    ck_assert_int_eq(sph2d_png_write(path_in_folder("c.png"), pixels, width, height, background, NULL), SPH2D_OK);
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    ck_assert_int_ne(png_image_begin_read_from_file(&image, path_in_folder("c.png")), 0);
+    ck_assert(image.width == width && image.height == height);
+    ck_assert_uint_eq(image.format, alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB);
+    image.format = PNG_FORMAT_RGBA;
+    unsigned char *back = malloc(size);
+    ck_assert_ptr_nonnull(back);
+    ck_assert_int_ne(png_image_finish_read(&image, NULL, back, 0, NULL), 0);
+    ck_assert_uint_eq(image.warning_or_error, 0);
+    for (size_t k = 0; k < size; ++k)
+        ck_assert_uint_eq(back[k], k % 4 == 3 && !alpha ? 255 : pixels[k]);
+    free(back);
+}
+
+/** Noise, which does not compress, and even colours, of sizes from one pixel to several chunks of data. */
+START_TEST(png_holds_any_pixels)
+{
+    static const unsigned sizes[][2] = {{1, 1}, {1, 40}, {40, 1}, {7, 5}, {171, 128}, {333, 211}, {2048, 3}, {3, 9000}};
+    static unsigned char pixels[4 * 333 * 211];
+    uint64_t seed = 21;
+    for (int even = 0; even < 2; ++even) {
+        for (size_t k = 0; k < sizeof pixels; ++k)
+            pixels[k] = even ? 77 : (unsigned char)test_random(&seed, 0, 255.99);
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+            check_file(pixels, sizes[i][0], sizes[i][1], SPH2D_BACKGROUND_OPAQUE);
+            check_file(pixels, sizes[i][0], sizes[i][1], SPH2D_BACKGROUND_TRANSPARENT);
+        }
+    }
+    ck_assert_int_eq(empty_folder(), 1);
+}
+END_TEST
+
 START_TEST(png_holds_the_pixels)
 {
     splash *s = make_splash(0.0);
@@ -284,6 +321,7 @@ Suite *suite_render(void)
     tcase_add_test(files, bad_shaders_are_located);
     tcase_add_test(files, pictures_are_checked);
     tcase_add_test(files, png_holds_the_pixels);
+    tcase_add_test(files, png_holds_any_pixels);
     tcase_add_test(files, unwritable_png_leaves_nothing);
     suite_add_tcase(suite, files);
     return suite;
