@@ -102,6 +102,7 @@
     X(viscosity_form)                                                                                                  \
     X(viscous_step)                                                                                                    \
     X(outlines)                                                                                                        \
+    X(vorticity)                                                                                                       \
     X(coverage)                                                                                                        \
     X(contacts)                                                                                                        \
     X(contacts_pile)                                                                                                   \

@@ -97,6 +97,14 @@ START_TEST(simulations)
     NOTHING(sph2d_sim_sample(sim, at, NULL));
     UNKNOWN(sph2d_sim_densities(NULL).reported);
     ck_assert_int_eq(sph2d_sim_densities(NULL).status, SPH2D_INVALID);
+    const double one[1] = {0};
+    double curl[1];
+    REFUSED("'x'", sph2d_vorticity(1, NULL, one, one, one, 1, curl, &report));
+    REFUSED("'y'", sph2d_vorticity(1, one, NULL, one, one, 1, curl, &report));
+    REFUSED("'vx'", sph2d_vorticity(1, one, one, NULL, one, 1, curl, &report));
+    REFUSED("'vy'", sph2d_vorticity(1, one, one, one, NULL, 1, curl, &report));
+    REFUSED("'out'", sph2d_vorticity(1, one, one, one, one, 1, NULL, &report));
+    REFUSED_SILENTLY(sph2d_vorticity(1, one, one, one, one, 1, NULL, NULL));
     ZEROS(sph2d_view, sph2d_sim_fluid(NULL));
     ZEROS(sph2d_view, sph2d_sim_walls(NULL));
     ZEROS(sph2d_state, sph2d_sim_state(NULL));

@@ -36,6 +36,16 @@ SPH2D_API size_t sph2d_field_count(sph2d_group group);
  *  count 0 and data NULL. `index` must be below sph2d_field_count(group), else an array without name is returned. */
 SPH2D_API sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
 
+/** The vorticity dv_y/dx - dv_x/dy at each of `count` particles of liquid [1/s]: that of the linear functions that fit the
+ *  velocities of the particles within three spacings best, by weighted least squares, so that it is exact for linear
+ *  velocities, also at surfaces and walls. NaN where this does not exist: at a particle that has no others around it or
+ *  only some on a line, or whose position or velocity is not finite, which others leave out.
+ *
+ *  `x`, `y` [m], `vx`, `vy` [m/s] and `out` have `count` items each, `spacing` is that of the particles [m], > 0. Errors:
+ *  SPH2D_INVALID, SPH2D_NOMEM. */
+SPH2D_API sph2d_status sph2d_vorticity(size_t count, const double *x, const double *y, const double *vx,
+                                       const double *vy, double spacing, double *out, sph2d_report *report);
+
 #ifdef __cplusplus
 }
 #endif
