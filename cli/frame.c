@@ -61,6 +61,20 @@ static bool reserve(frame_buffers *buffers, size_t count)
     return true;
 }
 
+/* What nearly all values are below in size: three times their root of the mean square, or the largest. A few at a splash
+ * would else leave all others grey. */
+static double usual_size(const double *values, size_t count)
+{
+    double squares = 0, largest = 0, known = 0;
+    for (size_t i = 0; i < count; ++i)
+        if (isfinite(values[i])) {
+            squares += values[i] * values[i];
+            largest = fmax(largest, fabs(values[i]));
+            ++known;
+        }
+    return known > 0 ? fmin(3 * sqrt(squares / known), largest) : 0;
+}
+
 /* Sets the values that colour the particles, and the label of the colour bar. */
 static sph2d_status set_values(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_picture *picture, sph2d_report *report)
@@ -70,13 +84,19 @@ static sph2d_status set_values(const particle_source *source, const frame_style 
     picture->value_min = style->frames.color_range.x;
     picture->value_max = style->frames.color_range.y;
     picture->value_label = buffers->label;
-    return frame_values(source, style->frames.color, picture->count, values, buffers->label, sizeof buffers->label,
-                        report);
+    picture->diverging = frame_diverging(style->frames.color);
+    const sph2d_status status = frame_values(source, style->frames.color, picture->count, values, buffers->label,
+                                             sizeof buffers->label, report);
+    if (status == SPH2D_OK && picture->diverging && picture->value_min == 0 && picture->value_max == 0) {
+        picture->value_max = usual_size(values, picture->count);
+        picture->value_min = 0 - picture->value_max;
+    }
+    return status;
 }
 
-/* Sets the velocities for arrows. */
-static sph2d_status set_arrows(const particle_source *source, const frame_style *style, frame_buffers *buffers,
-                               sph2d_picture *picture, sph2d_report *report)
+/* Sets the velocities for arrows and streamlines. */
+static sph2d_status set_velocities(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                                   sph2d_picture *picture, sph2d_report *report)
 {
     const sph2d_array velocities = frame_vectors(source, SPH2D_GROUP_FLUID, "Velocities");
     if (!velocities.name || velocities.count != picture->count)
@@ -86,10 +106,18 @@ static sph2d_status set_arrows(const particle_source *source, const frame_style 
         memcpy(array_of(buffers, VX, picture->count), velocities.data[0], bytes);
         memcpy(array_of(buffers, VY, picture->count), velocities.data[1], bytes);
     }
-    picture->vx = array_of(buffers, VX, picture->count);
-    picture->vy = array_of(buffers, VY, picture->count);
+    const double *vx = array_of(buffers, VX, picture->count), *vy = array_of(buffers, VY, picture->count);
+    if (style->frames.arrows == SPH2D_SWITCH_ON) {
+        picture->vx = vx;
+        picture->vy = vy;
+    }
+    if (style->frames.streamlines == SPH2D_SWITCH_ON) {
+        picture->stream_vx = vx;
+        picture->stream_vy = vy;
+    }
     picture->arrow_spacing = style->frames.arrow_spacing;
     picture->arrow_speed = style->frames.arrow_speed;
+    picture->streamline_spacing = style->frames.streamline_spacing;
     return SPH2D_OK;
 }
 
@@ -119,7 +147,7 @@ static void cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph
             continue;
         arrays[X][kept] = x[i];
         arrays[Y][kept] = y[i];
-        if (picture->vx) {
+        if (picture->vx || picture->stream_vx) {
             arrays[VX][kept] = arrays[VX][i];
             arrays[VY][kept] = arrays[VY][i];
         }
@@ -179,8 +207,8 @@ static sph2d_status set_arrays(const particle_source *source, const frame_style 
     sph2d_status status = SPH2D_OK;
     if (style->frames.color)
         status = set_values(source, style, buffers, picture, report);
-    if (status == SPH2D_OK && style->frames.arrows == SPH2D_SWITCH_ON)
-        status = set_arrows(source, style, buffers, picture, report);
+    if (status == SPH2D_OK && (style->frames.arrows == SPH2D_SWITCH_ON || style->frames.streamlines == SPH2D_SWITCH_ON))
+        status = set_velocities(source, style, buffers, picture, report);
     if (status == SPH2D_OK && style->frames.isolines)
         status = set_isolines(source, style, buffers, picture, report);
     if (status == SPH2D_OK)
@@ -216,6 +244,11 @@ sph2d_status frame_widen_range(const particle_source *source, const frame_style 
 {
     sph2d_picture picture;
     sph2d_status status = frame_make(source, style, buffers, &picture, report);
+    if (status == SPH2D_OK && picture.diverging) { /* a few may be beyond it */
+        range->x = fmin(range->x, picture.value_min);
+        range->y = fmax(range->y, picture.value_max);
+        return SPH2D_OK;
+    }
     for (size_t i = 0; status == SPH2D_OK && picture.values && i < picture.count; ++i) {
         range->x = fmin(range->x, picture.values[i]); /* NaN is left out */
         range->y = fmax(range->y, picture.values[i]);

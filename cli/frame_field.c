@@ -10,6 +10,9 @@
 
 #include "text.h"
 
+/* What is computed from velocities. */
+static const char speed[] = "speed", vorticity[] = "vorticity";
+
 sph2d_array frame_field(const particle_source *source, sph2d_group group, const char *name)
 {
     if (source->snapshot) {
@@ -37,9 +40,14 @@ sph2d_status frame_field_missing(sph2d_report *report, const char *name)
     return SPH2D_FORMAT;
 }
 
+bool frame_diverging(const char *name)
+{
+    return strcmp(name, vorticity) == 0;
+}
+
 bool frame_color_known(const char *name)
 {
-    if (strcmp(name, "speed") == 0)
+    if (strcmp(name, speed) == 0 || strcmp(name, vorticity) == 0)
         return true;
     for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
         sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
@@ -51,7 +59,7 @@ bool frame_color_known(const char *name)
 
 char *frame_colors(char *out, size_t size)
 {
-    snprintf(out, size, "speed");
+    snprintf(out, size, "%s, %s", speed, vorticity);
     for (size_t i = 0; i < sph2d_field_count(SPH2D_GROUP_FLUID); ++i) {
         sph2d_array field = sph2d_field(NULL, SPH2D_GROUP_FLUID, i);
         size_t used = strlen(out);
@@ -68,6 +76,21 @@ static void fill_speeds(double *values, const sph2d_array *velocities)
         values[i] = sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
 }
 
+static double spacing_of(const particle_source *source)
+{
+    return source->snapshot ? sph2d_snapshot_get_info(source->snapshot).spacing : sph2d_sim_scene(source->sim)->spacing;
+}
+
+static sph2d_status fill_vorticities(double *values, const particle_source *source, const sph2d_array *velocities,
+                                     sph2d_report *report)
+{
+    const sph2d_array places = frame_vectors(source, SPH2D_GROUP_FLUID, "Coordinates");
+    if (!places.name || places.count != velocities->count)
+        return frame_field_missing(report, "Coordinates");
+    return sph2d_vorticity(places.count, places.data[0], places.data[1], velocities->data[0], velocities->data[1],
+                           spacing_of(source), values, report);
+}
+
 static void fill_values(double *values, const sph2d_array *field)
 {
     for (size_t i = 0; i < field->count; ++i)
@@ -78,17 +101,21 @@ static void fill_values(double *values, const sph2d_array *field)
 sph2d_status frame_values(const particle_source *source, const char *name, size_t count, double *values, char *label,
                           size_t size, sph2d_report *report)
 {
-    const bool speed = strcmp(name, "speed") == 0;
+    const bool is_speed = strcmp(name, speed) == 0, is_vorticity = strcmp(name, vorticity) == 0;
+    const bool derived = is_speed || is_vorticity;
     const sph2d_array field =
-        speed ? frame_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : frame_field(source, SPH2D_GROUP_FLUID, name);
-    if (!field.name || field.count != count || (!speed && field.components != 1))
-        return frame_field_missing(report, speed ? "Velocities" : name);
-    if (speed)
+        derived ? frame_vectors(source, SPH2D_GROUP_FLUID, "Velocities") : frame_field(source, SPH2D_GROUP_FLUID, name);
+    if (!field.name || field.count != count || (!derived && field.components != 1))
+        return frame_field_missing(report, derived ? "Velocities" : name);
+    char unit[TEXT_SIZE] = "1/s";
+    if (!is_vorticity)
+        text_unit(unit, field.unit);
+    snprintf(label, size, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
+    if (is_vorticity)
+        return fill_vorticities(values, source, &field, report);
+    if (is_speed)
         fill_speeds(values, &field);
     else
         fill_values(values, &field);
-    char unit[TEXT_SIZE];
-    text_unit(unit, field.unit);
-    snprintf(label, size, unit[0] != '\0' ? "%s [%s]" : "%s", name, unit);
     return SPH2D_OK;
 }

@@ -19,7 +19,7 @@ sph2d_array frame_field(const particle_source *source, sph2d_group group, const 
 sph2d_array frame_vectors(const particle_source *source, sph2d_group group, const char *name);
 
 /** Writes the values of a quantity of `count` particles, and its name with the unit, "speed [m/s]". Errors: SPH2D_FORMAT
- *  if it is missing. */
+ *  if it is missing, SPH2D_NOMEM. */
 sph2d_status frame_values(const particle_source *source, const char *name, size_t count, double *values, char *label,
                           size_t size, sph2d_report *report);
 
@@ -29,7 +29,10 @@ sph2d_status frame_field_missing(sph2d_report *report, const char *name);
 /** Whether there is a quantity of this name to colour by. */
 bool frame_color_known(const char *name);
 
-/** All of them, "speed, Densities, ...". Returns `out`. */
+/** Whether its values are of either sign, for colours that show that. */
+bool frame_diverging(const char *name);
+
+/** All of them, "speed, vorticity, Densities, ...". Returns `out`. */
 char *frame_colors(char *out, size_t size);
 
 #endif

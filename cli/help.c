@@ -52,7 +52,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "  arrows 0  gravity; none            V B       viscosity up, down\n"
                   "  T Y       surface tension          K L       stiffness\n"
                   "  M N C     metaballs, points; look of metaballs; colour\n"
-                  "  X I       arrows of the velocity; isolines of pressure\n"
+                  "  X Z I     arrows of the velocity; streamlines; isolines of pressure\n"
                   "  1 to 9    scenes of its own\n"
                   "  R A       from the start; with as many particles as follow the clock\n"
                   "  S F       save; film\n"

@@ -33,6 +33,7 @@ enum {
     OPTION_VIEW,
     OPTION_FOLLOW,
     OPTION_ARROWS,
+    OPTION_STREAMLINES,
     OPTION_ISOLINES,
     OPTION_RADIUS,
     OPTION_COLOR,
@@ -94,9 +95,10 @@ static const option_row rows[] = {
     {OPTION_VIEW, "view", "X,Y,X,Y", CLI_RENDER, "lower left and upper right corner of what is shown in metres"},
     {OPTION_FOLLOW, "follow", "NAME", CLI_RENDER, "keep an obstacle or body in the middle"},
     {OPTION_ARROWS, "arrows", NULL, CLI_RENDER, "draw arrows of the velocity"},
-    {OPTION_ISOLINES, "isolines", "FIELD", CLI_RENDER, "draw lines of equal values: speed, Pressures, Densities"},
+    {OPTION_STREAMLINES, "streamlines", NULL, CLI_RENDER, "draw evenly spaced lines along the velocity"},
+    {OPTION_ISOLINES, "isolines", "FIELD", CLI_RENDER, "draw lines of equal values: speed, vorticity, Pressures"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
-    {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, Pressures, Densities"},
+    {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, vorticity, Pressures"},
     {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
     {OPTION_FILM, "film", "FILE", CLI_RENDER, "make a film in place of PNG files, by ffmpeg: .mp4, .gif, .png, .apng"},
     {OPTION_FPS, "fps", "N", CLI_RENDER, "snapshots for each second of the film; else it has the scene's pace"},
@@ -337,6 +339,9 @@ static bool set_flag(cli_options *options, int id)
         return true;
     case OPTION_ARROWS:
         options->arrows = true;
+        return true;
+    case OPTION_STREAMLINES:
+        options->streamlines = true;
         return true;
     case OPTION_ALL:
         options->all = true;

@@ -46,7 +46,7 @@ typedef struct cli_options {
     sph2d_look look;
     double radius;  /**< [m] */
     double view[4]; /**< left, bottom, right, top [m]; all 0: not given */
-    bool arrows;
+    bool arrows, streamlines;
     const char *follow, *isolines;
     const char *color;
     double range[2]; /**< equal: not given */

@@ -36,6 +36,8 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
         frames->follow = options->follow;
     if (options->arrows)
         frames->arrows = SPH2D_SWITCH_ON;
+    if (options->streamlines)
+        frames->streamlines = SPH2D_SWITCH_ON;
     if (options->isolines && (!frames->isolines || strcmp(options->isolines, frames->isolines) != 0))
         frames->isoline_step = 0; /* that of another field does not apply */
     if (options->isolines)

@@ -44,7 +44,7 @@ import weakref
 import numpy as np
 
 __all__ = ["BodyState", "Densities", "Diagnostic", "Error", "Particles", "Plan", "Renderer", "Sample", "Scene",
-           "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary"]
+           "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary", "vorticity"]
 __version__ = "0.1.0"
 
 # ---- what is used of the headers -------------------------------------------------------------------------------------
@@ -80,8 +80,8 @@ typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
 typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
 typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; sph2d_look look;
     sph2d_background background; sph2d_box view; const char *follow; double radius; const char *color;
-    sph2d_vec2 color_range; sph2d_switch arrows; double arrow_spacing; double arrow_speed; const char *isolines;
-    double isoline_step; sph2d_switch caption; } sph2d_frames;
+    sph2d_vec2 color_range; sph2d_switch arrows; double arrow_spacing; double arrow_speed; sph2d_switch streamlines;
+    double streamline_spacing; const char *isolines; double isoline_step; sph2d_switch caption; } sph2d_frames;
 typedef struct sph2d_diagnostic { sph2d_severity severity; sph2d_code code; char path[96]; char file[256];
     int line, column; char excerpt[160]; char message[320]; char hint[480]; } sph2d_diagnostic;
 typedef struct sph2d_report { size_t count; size_t dropped; size_t errors; sph2d_diagnostic items[20]; } sph2d_report;
@@ -123,8 +123,9 @@ typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_ve
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
     sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
 typedef struct sph2d_picture { sph2d_box view; double radius; size_t count; const double *x, *y; const double *values;
-    double value_min, value_max; const char *value_label; double spacing; const double *vx, *vy; double arrow_spacing;
-    double arrow_speed; const double *level_values; double level_step; const char *level_label; size_t outline_count;
+    double value_min, value_max; bool diverging; const char *value_label; double spacing; const double *vx, *vy;
+    double arrow_spacing; double arrow_speed; const double *stream_vx, *stream_vy; double streamline_spacing;
+    const double *level_values; double level_step; const char *level_label; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
     const char *caption; const char *notes; } sph2d_picture;
 """
@@ -161,6 +162,8 @@ void sph2d_shared_release(const void *block);
 sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
 sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
 size_t sph2d_field_count(sph2d_group group);
+sph2d_status sph2d_vorticity(size_t count, const double *x, const double *y, const double *vx, const double *vy,
+    double spacing, double *out, sph2d_report *report);
 sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
 bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out);
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
@@ -1150,6 +1153,17 @@ def _space_of(source):
     return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"])
 
 
+def vorticity(source):
+    """The vorticity dv_y/dx - dv_x/dy at each of source.fluid [1/s], of a Simulation or Snapshot: an array of its own. It
+    is exact for linear velocities, also at surfaces; NaN at particles that are alone. Errors: Error with status NOMEM."""
+    fluid, report = source.fluid, _STRUCT["report"]()
+    arrays = [np.ascontiguousarray(numbers, float) for numbers in (fluid.x, fluid.y, fluid.vx, fluid.vy)]
+    out = np.empty(len(fluid))
+    _tell(_CORE.sph2d_vorticity(len(out), *(array.ctypes.data for array in arrays), _space_of(source).spacing,
+                                out.ctypes.data, ctypes.byref(report)), report)
+    return out
+
+
 def _word_index(name, word):
     """The number of a word of the key run.frames.NAME."""
     words = _words(f"run.frames.{name}")
@@ -1206,7 +1220,8 @@ class Renderer:
         _tell(function(self._renderer, *arguments, ctypes.byref(report)), report)
 
     def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None,
-             notes=None, arrows=False, levels=None, level_label=None, level_step=0):
+             notes=None, arrows=False, levels=None, level_label=None, level_step=0, diverging=False, streamlines=False,
+             streamline_spacing=0):
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
         blue, alpha (255 but for a transparent background), top row first.
 
@@ -1217,7 +1232,9 @@ class Renderer:
         line of ASCII text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
         box; default None. arrows: whether arrows show the velocity, as long as two squares of their lattice for the
         largest speed; default False. levels: numbers to draw isolines of, one for each of source.fluid, at multiples of
-        level_step, default 0: a round number; level_label: what the strip calls them. Errors: Error with status
+        level_step, default 0: a round number; level_label: what the strip calls them. diverging: colours for values of
+        either sign, as those of vorticity(), and a range symmetric about 0; default False. streamlines: whether evenly
+        spaced lines along the velocity are drawn, streamline_spacing apart [m], default 0: a 40th of a square view. Errors: Error with status
         INVALID, RENDER, NOMEM; ValueError for values or levels of another shape."""
         space, fluid = _space_of(source), source.fluid
         kept = _within(fluid, space)
@@ -1232,6 +1249,8 @@ class Renderer:
                 arrays[name] = np.asarray(numbers, float)[kept]
         if arrows:
             arrays["vx"], arrays["vy"] = fluid.vx[kept], fluid.vy[kept]
+        if streamlines:
+            arrays["stream_vx"], arrays["stream_vy"] = fluid.vx[kept], fluid.vy[kept]
         picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
         (left, bottom), (right, top) = space.domain
@@ -1241,6 +1260,7 @@ class Renderer:
         picture.radius = self._default_radius * space.spacing if radius is None else radius
         picture.wall_thickness, picture.spacing, picture.level_step = thick, space.spacing, level_step
         picture.value_min, picture.value_max = value_range
+        picture.diverging, picture.streamline_spacing = diverging, streamline_spacing
         picture.value_label, picture.caption, picture.notes, picture.level_label = (
             None if text is None else text.encode("ascii", "replace") for text in (label, caption, notes, level_label))
         with self._lock:

@@ -10,7 +10,9 @@
 #define RENDER_SUITES(X)
 #else
 #define RENDER_SUITES(X)                                                                                               \
-    X(render) X(drawing) X(shapes) X(looks) X(background) X(lines) X(field_grid) X(lumps) X(frame_times) X(null_render)
+    X(render)                                                                                                          \
+    X(drawing)                                                                                                         \
+    X(shapes) X(looks) X(background) X(lines) X(field_grid) X(streamlines) X(lumps) X(frame_times) X(null_render)
 #endif
 
 #define SUITES(X)                                                                                                      \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_lines.c
  *  Arrows and isolines: linear fields are exact, lines are where the field has its levels, arrows point along the velocity
- *  and are as long as the caption's, and nonsense is refused or harmless. */
+ *  and are as long as the caption's, colours of values of either sign, and nonsense is refused or harmless. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -195,6 +195,27 @@ START_TEST(liquid_at_rest_has_no_arrows)
 }
 END_TEST
 
+/** Values of either sign: blue, grey and red, 0 in the middle of a range that is symmetric. */
+START_TEST(diverging_colours_have_grey_at_zero)
+{
+    sph2d_renderer *renderer = make_flat();
+    picture.values = values;
+    picture.diverging = true;
+    for (int i = 0; i < COUNT; ++i)
+        values[i] = x[i] < 0.4 ? -1.0 : x[i] < 0.8 ? 0.0 : 4.0;
+    const unsigned char *pixels = draw(renderer, &picture) + (size_t)4 * WIDTH * (HEIGHT / 2);
+    const unsigned char *left = pixels + (size_t)4 * 60, *middle = pixels + (size_t)4 * 250,
+                        *right = pixels + (size_t)4 * 400;
+    ck_assert(left[2] > left[0] + 20 && left[2] < left[0] + 100); /* a quarter of the way to blue */
+    ck_assert(abs(middle[0] - middle[1]) < 6 && abs(middle[1] - middle[2]) < 6 && middle[0] > 190);
+    ck_assert(right[0] > 160 && right[2] < 80);
+    for (int i = 0; i < COUNT; ++i)
+        values[i] = 0.0;
+    draw(renderer, &picture);
+    sph2d_renderer_destroy(renderer);
+}
+END_TEST
+
 START_TEST(nonsense_is_refused_or_left_out)
 {
     sph2d_renderer *renderer = make_flat();
@@ -242,6 +263,7 @@ Suite *suite_lines(void)
     tcase_add_test(cases, isolines_have_a_sensible_number);
     tcase_add_test(cases, arrows_are_as_long_as_their_speed);
     tcase_add_test(cases, liquid_at_rest_has_no_arrows);
+    tcase_add_test(cases, diverging_colours_have_grey_at_zero);
     tcase_add_test(cases, nonsense_is_refused_or_left_out);
     suite_add_tcase(suite, cases);
     return suite;

@@ -170,6 +170,7 @@ static void start(void)
       scene.run.frames.view = ((sph2d_box){{NAN, 0}, {1, 2}}))                                                         \
     X(frames_follow_nobody, "run.frames.follow", CONFLICT, scene.run.frames.follow = "nobody")                         \
     X(arrows_backwards, "run.frames.arrow_spacing", OUT_OF_RANGE, scene.run.frames.arrow_spacing = -1)                 \
+    X(streamlines_backwards, "run.frames.streamline_spacing", OUT_OF_RANGE, scene.run.frames.streamline_spacing = -1)  \
     X(isolines_of_no_step, "run.frames.isoline_step", OUT_OF_RANGE, scene.run.frames.isoline_step = NAN)               \
     X(frames_too_small, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[1] = 15)                                \
     X(frames_too_large, "run.frames.size", OUT_OF_RANGE, scene.run.frames.size[0] = 16385)                             \

@@ -93,7 +93,9 @@ static const char *const goldens[] = {
     "run:\n  until: 4\n  snapshots:\n    per_second: 60\n    compress: 6\n  frames:\n    every: 0.1\n"
     "    size: [640, 480]\n    style: points\n    look: ink\n    background: transparent\n    view:\n      min: [-1, "
     "0]\n      max: [1, 0.5]\n    follow: post\n    radius: 0.02\n    "
-    "color: speed\n    color_range: [0, 5]\n    arrows: on\n    arrow_spacing: 0.1\n    arrow_speed: 2\n    isolines: "
+    "color: speed\n    color_range: [0, 5]\n    arrows: on\n    arrow_spacing: 0.1\n    arrow_speed: 2\n    "
+    "streamlines: on\n"
+    "    streamline_spacing: 0.05\n    isolines: "
     "Pressures\n    isoline_step: 500\n    caption: off\n"
     "  max_energy_rise: 0.25\n  impacts: [0.5, 1, 1e-05]\n",
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "common.h"
+#include "scene/derive.h"
 #include "sph2d/field.h"
 
 enum { MOST = 128 * 128 };
@@ -160,6 +161,32 @@ START_TEST(what_has_no_vorticity_is_nan)
 }
 END_TEST
 
+/** A scene's colour bar reaches ten times the speed of a fall over the smaller side of the domain, to either side. */
+START_TEST(scenes_have_a_range_for_it)
+{
+    sph2d_block block = {.shape = {.kind = SPH2D_SHAPE_BOX, .box = {{0, 0}, {1, 0.5}}}};
+    sph2d_scene scene = sph2d_scene_default();
+    scene.domain = (sph2d_box){{0, 0}, {4, 2}};
+    scene.gravity = (sph2d_vec2){0, -9};
+    scene.spacing = 0.05;
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.run.frames.color = "vorticity";
+    scene.run.frames.streamlines = SPH2D_SWITCH_ON;
+    sph2d_frames frames = sph2d__frames_resolve(&scene);
+    ck_assert_double_eq_tol(frames.color_range.y, 10 * sqrt(2 * 9 * 0.5) / 2, 1e-12);
+    ck_assert(frames.color_range.x == -frames.color_range.y);
+    ck_assert_double_eq_tol(frames.arrow_speed, sqrt(2 * 9 * 0.5), 1e-12);
+    scene.run.frames.color_range = (sph2d_vec2){-1, 3};
+    frames = sph2d__frames_resolve(&scene);
+    ck_assert(frames.color_range.x == -1 && frames.color_range.y == 3);
+    scene.gravity = (sph2d_vec2){0, 0}; /* that of each frame */
+    scene.run.frames.color_range = (sph2d_vec2){0, 0};
+    frames = sph2d__frames_resolve(&scene);
+    ck_assert(frames.color_range.x == 0 && frames.color_range.y == 0);
+}
+END_TEST
+
 START_TEST(nonsense_is_refused)
 {
     const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
@@ -185,6 +212,7 @@ Suite *suite_vorticity(void)
     tcase_add_test(cases, errors_fall_with_the_spacing);
     tcase_add_test(cases, the_order_of_particles_does_not_matter);
     tcase_add_test(cases, what_has_no_vorticity_is_nan);
+    tcase_add_test(cases, scenes_have_a_range_for_it);
     tcase_add_test(cases, nonsense_is_refused);
     suite_add_tcase(suite, cases);
     return suite;

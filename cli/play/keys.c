@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 /* The fields that colour the liquid, in turn. */
-static const char *const colors[] = {NULL, "speed", "Pressures"};
+static const char *const colors[] = {NULL, "speed", "Pressures", "vorticity"};
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
@@ -18,7 +18,7 @@ const char game_help[] = "mouse: left uses the tool or holds a body, right pushe
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
                          "M metaballs, points  N look  C colour\n"
-                         "X arrows  I isolines of pressure\n"
+                         "X arrows  Z streamlines  I isolines of pressure\n"
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
 
@@ -68,10 +68,11 @@ static void next_look(game *g)
     game_tell(g, "look: %s", names[frames->look]);
 }
 
-static void switch_arrows(game *g)
+/* Arrows or streamlines. */
+static void switch_lines(game *g, sph2d_switch *lines)
 {
     sph2d_frames *frames = &g->style.frames;
-    frames->arrows = frames->arrows == SPH2D_SWITCH_ON ? SPH2D_SWITCH_OFF : SPH2D_SWITCH_ON;
+    *lines = *lines == SPH2D_SWITCH_ON ? SPH2D_SWITCH_OFF : SPH2D_SWITCH_ON;
     if (frames->arrow_speed == 0) /* the same in all pictures */
         frames->arrow_speed = sqrt(2 * sph2d_sim_plan(g->live.sim)->head);
 }
@@ -201,7 +202,10 @@ void game_key(game *g, int key)
         next_look(g);
         break;
     case 'X':
-        switch_arrows(g);
+        switch_lines(g, &g->style.frames.arrows);
+        break;
+    case 'Z':
+        switch_lines(g, &g->style.frames.streamlines);
         break;
     case 'I':
         switch_isolines(g);

@@ -99,10 +99,14 @@ typedef struct sph2d_picture {
     /** Values at the ends of the colour bar; both 0: the smallest and largest value. */
     double value_min, value_max;
 
+    /** Colours for values of either sign, from blue over grey to red, and a range of values that is symmetric about 0 where
+     *  both of its ends are 0. Default false: from dark blue over green to yellow. */
+    bool diverging;
+
     /** Text at the colour bar, "speed [m/s]"; NULL for none. */
     const char *value_label;
 
-    /** Spacing of the particles [m]; for arrows and isolines, which need it. */
+    /** Spacing of the particles [m]; for arrows, streamlines and isolines, which need it. */
     double spacing;
 
     /** Their velocities [m/s], shown by arrows on a square lattice at whole multiples of its side; NULL: no arrows. One of
@@ -114,6 +118,14 @@ typedef struct sph2d_picture {
 
     /** The speed whose arrow is as long as two of these sides [m/s]; 0: the largest of the particles. */
     double arrow_speed;
+
+    /** Their velocities [m/s], shown by streamlines: lines along them, evenly spaced, with heads that show the direction.
+     *  They end at surfaces and walls, and where the liquid is slower than a 200th of the fastest, or a thousandth of
+     *  arrow_speed. NULL: none. */
+    const double *stream_vx, *stream_vy;
+
+    /** Distance between them [m], six pixels at least; 0: a 40th of the side of a square as large as the view. */
+    double streamline_spacing;
 
     /** One value per particle, shown by isolines where they are whole multiples of level_step; NULL: none. */
     const double *level_values;

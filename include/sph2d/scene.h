@@ -856,12 +856,13 @@ typedef struct sph2d_frames {
     /** Radius of a metaball or point [m], >= 0; default 0: 2 spacings (metaballs), half a spacing (points). */
     double radius;
 
-    /** Quantity that colours them, "speed" or a field's name, "Pressures", "Densities"; default NULL: one colour. */
+    /** Quantity that colours them, "speed", "vorticity" or a field's name, "Pressures", "Densities"; default NULL: one
+     *  colour. */
     const char *color;
 
     /** Values at the two ends of the colour bar; default (0, 0): for speed 0 to that of a fall over the whole height, or
-     *  of what drives the liquid if that is faster; for Pressures 0 to the pressure below that height; for other fields
-     *  the range of each frame. */
+     *  of what drives the liquid if that is faster; for Pressures 0 to the pressure below that height; for vorticity ten
+     *  times that speed over the smaller side of the domain, to either side; for other fields the range of each frame. */
     sph2d_vec2 color_range;
 
     /** Arrows of the velocity on a square lattice: on or off; default off. */
@@ -874,7 +875,14 @@ typedef struct sph2d_frames {
      *  of what drives the liquid if that is faster. */
     double arrow_speed;
 
-    /** Quantity with lines where it is a multiple of isoline_step, "speed" or a field's name; default NULL: no lines. */
+    /** Streamlines: evenly spaced lines along the velocity of the moment: on or off; default off. */
+    sph2d_switch streamlines;
+
+    /** Distance between them [m], >= 0; default 0: a 40th of the side of a square as large as the view. */
+    double streamline_spacing;
+
+    /** Quantity with lines where it is a multiple of isoline_step, "speed", "vorticity" or a field's name; default NULL: no
+     *  lines. */
     const char *isolines;
 
     /** Difference from line to line, in the field's unit, >= 0; default 0: a round number, for about ten lines to what

@@ -16,7 +16,7 @@ enum { TICKS_TARGET = 5, TICKS_MAX = 16, NUMBER_SIZE = 40, LABEL_SIZE = 64 };
 /* Relative difference below which two numbers count as equal in a legend. */
 static const double resolution = 1.0e-9;
 
-void sph2d__color_range(const double *values, size_t count, double *min, double *max)
+void sph2d__color_range(const double *values, size_t count, bool symmetric, double *min, double *max)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (size_t i = 0; i < count; ++i) {
@@ -28,7 +28,10 @@ void sph2d__color_range(const double *values, size_t count, double *min, double 
     if (low > high)
         low = high = 0.0;
     const double size = fmax(fabs(low), fabs(high));
-    if (size == 0.0) {
+    if (symmetric) {
+        high = size > 0.0 ? size : 1.0;
+        low = -high;
+    } else if (size == 0.0) {
         high = 1.0;
     } else if (high - low <= resolution * size) {
         low -= 0.1 * size;
@@ -101,26 +104,26 @@ int sph2d__colorbar_height(int width, int height)
     return at.width > 0 ? at.bar_y + at.bar_height + (int)lrint(PAD * at.unit) : 0;
 }
 
-static void draw_bar(const sph2d__canvas *canvas, const layout *at)
+static void draw_bar(const sph2d__canvas *canvas, const layout *at, bool diverging)
 {
     static const sph2d__ink frame = {70, 78, 88, 1.0};
     sph2d__canvas_fill(canvas, at->bar_x - 1, at->bar_y - 1, at->bar_width + 2, at->bar_height + 2, frame);
     for (int row = 0; row < at->bar_height; ++row) {
         unsigned char color[4];
-        sph2d__colormap(1.0 - (row + 0.5) / at->bar_height, color);
+        sph2d__colormap(1.0 - (row + 0.5) / at->bar_height, diverging, color);
         const sph2d__ink ink = {color[0], color[1], color[2], 1.0};
         sph2d__canvas_fill(canvas, at->bar_x, at->bar_y + row, at->bar_width, 1, ink);
     }
 }
 
-void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, const char *label)
+void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, bool diverging, const char *label)
 {
     static const sph2d__ink ink = {40, 46, 54, 1.0};
     const layout at = arrange(canvas->width, canvas->height, label);
     if (at.width == 0)
         return;
     sph2d__canvas_text(canvas, at.bar_x, at.bar_y - 7.0 * at.unit, at.unit, at.title, ink);
-    draw_bar(canvas, &at);
+    draw_bar(canvas, &at, diverging);
 
     tick ticks[TICKS_MAX];
     const int count = place_ticks(min, max, ticks);

@@ -4,7 +4,10 @@
 #ifndef SPH2D_RENDER_COLORMAP_H
 #define SPH2D_RENDER_COLORMAP_H
 
-/** The opaque colour of `t` from 0 to 1, clamped; grey where it is NaN. */
-void sph2d__colormap(double t, unsigned char color[4]);
+#include <stdbool.h>
+
+/** The opaque colour of `t` from 0 to 1, clamped; grey where it is NaN. `diverging`: of two hues that meet in a light grey
+ *  at 1/2, for values of either sign. */
+void sph2d__colormap(double t, bool diverging, unsigned char color[4]);
 
 #endif

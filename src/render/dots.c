@@ -71,7 +71,7 @@ void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view 
         if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, dot.pixel))
             continue;
         if (list->values)
-            sph2d__colormap((list->values[i] - list->value_min) / span, dot.color);
+            sph2d__colormap((list->values[i] - list->value_min) / span, list->diverging, dot.color);
         else
             memcpy(dot.color, list->color, sizeof dot.color);
         sph2d__dots_add(gl, dots, &dot);

@@ -33,6 +33,7 @@ typedef struct sph2d__dot_list {
     unsigned char color[4]; /**< of all particles, if there are no values */
     const double *values;   /**< one a particle, coloured from `value_min` to `value_max`; NULL for none */
     double value_min, value_max;
+    bool diverging; /**< the colours of sph2d__colormap() */
 } sph2d__dot_list;
 
 /** Errors: SPH2D_NOMEM, SPH2D_RENDER. */

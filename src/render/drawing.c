@@ -76,7 +76,7 @@ sph2d_status sph2d__drawing_arrange(const sph2d__drawing *self, const sph2d_pict
         return SPH2D_INVALID;
     }
     if (out->legend && out->min == 0.0 && out->max == 0.0)
-        sph2d__color_range(picture->values, picture->count, &out->min, &out->max);
+        sph2d__color_range(picture->values, picture->count, picture->diverging, &out->min, &out->max);
     return SPH2D_OK;
 }
 
@@ -125,7 +125,8 @@ static sph2d_status draw_liquid(sph2d__drawing *self, const sph2d_picture *pictu
                                    .color = {26, 112, 176, 255},
                                    .values = picture->values,
                                    .value_min = at->min,
-                                   .value_max = at->max};
+                                   .value_max = at->max,
+                                   .diverging = picture->diverging};
     if (self->style == SPH2D_STYLE_METABALLS)
         return sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid, picture,
                                      self->walls.mask.texture, report);
@@ -143,7 +144,7 @@ sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *pic
     sph2d__walls_find(gl, &self->walls, &at->view, picture);
     sph2d_status status = draw_liquid(self, picture, at, report);
     if (status == SPH2D_OK)
-        status = sph2d__lines_find(&self->lines, &at->view, picture, &self->scales, report);
+        status = sph2d__lines_find(&self->lines, &at->view, picture, &self->walls.mask.cover, &self->scales, report);
     sph2d__lines_draw(gl, &self->lines, self->mask_program, &self->dots, &self->target);
     sph2d__walls_draw(gl, &self->walls, self->mask_program, &self->dots, &self->target, picture);
     gl->Disable(GL_SCISSOR_TEST);
@@ -185,7 +186,7 @@ static void write_part(const sph2d__drawing *self, const sph2d__canvas *canvas, 
                        const sph2d__layout *at, int part)
 {
     if (part == LEGEND)
-        sph2d__colorbar_draw(canvas, at->min, at->max, picture->value_label);
+        sph2d__colorbar_draw(canvas, at->min, at->max, picture->diverging, picture->value_label);
     else if (part == STRIP)
         sph2d__caption_draw(canvas, &at->view, picture->caption, &self->scales, picture->level_label);
     else
@@ -220,7 +221,8 @@ static uint64_t mark_of(const sph2d__drawing *self, const sph2d_picture *picture
     const char *const texts[PARTS] = {
         [LEGEND] = picture->value_label, [STRIP] = picture->caption, [NOTES] = picture->notes};
     const char *text = texts[part] ? texts[part] : "", *label = picture->level_label ? picture->level_label : "";
-    const double numbers[8] = {part,
+    const double numbers[9] = {part,
+                               picture->diverging,
                                at->min,
                                at->max,
                                at->view.scale,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lines.c
- *  Arrows and isolines become straight pieces, and these thin rectangles. */
+ *  Arrows, streamlines and isolines become straight pieces, and these thin rectangles. */
 #include "render/lines.h"
 
 #include <math.h>
@@ -8,6 +8,7 @@
 
 #include "render/canvas.h"
 #include "render/round_number.h"
+#include "render/streamlines.h"
 
 /* Parts of the places around a node that particles must have: a straight surface has a half. */
 static const double part_for_arrows = 0.25, part_for_isolines = 0.4;
@@ -28,26 +29,26 @@ sph2d_status sph2d__lines_create(const sph2d__gl *gl, sph2d__lines *lines, GLsiz
     return sph2d__mask_create(gl, &lines->mask, width, height, report);
 }
 
-static void add_piece(sph2d__lines *lines, sph2d_vec2 from, sph2d_vec2 to)
+void sph2d__lines_add(sph2d__lines *lines, const sph2d__piece *piece)
 {
     if (lines->count == lines->capacity) {
         const size_t capacity = lines->capacity ? 2 * lines->capacity : 1024;
-        double(*grown)[4] = realloc(lines->ends, capacity * sizeof *grown);
+        sph2d__piece *grown = realloc(lines->pieces, capacity * sizeof *grown);
         lines->failed |= !grown;
         if (!grown)
             return;
-        lines->ends = grown;
+        lines->pieces = grown;
         lines->capacity = capacity;
     }
-    double *ends = lines->ends[lines->count++];
-    ends[0] = from.x;
-    ends[1] = from.y;
-    ends[2] = to.x;
-    ends[3] = to.y;
+    lines->pieces[lines->count++] = *piece;
 }
 
-/* The box of the plane that an image shows. */
-static sph2d_box shown(const sph2d__view *view)
+static void add_piece(sph2d__lines *lines, sph2d_vec2 from, sph2d_vec2 to)
+{
+    sph2d__lines_add(lines, &(sph2d__piece){.from = from, .to = to});
+}
+
+sph2d_box sph2d__lines_box(const sph2d__view *view)
 {
     const sph2d_vec2 upper = sph2d__view_locate(view, 0, 0),
                      lower = sph2d__view_locate(view, view->width, view->height);
@@ -82,7 +83,8 @@ static void find_arrows(sph2d__lines *lines, const sph2d__view *view, const sph2
     sph2d__sampled *s = &lines->sampled;
     if (!(speed > 0.0))
         return;
-    lines->failed |= !sph2d__sampled_take(s, shown(view), fmax(wanted, smallest_square / view->scale), &samples);
+    lines->failed |=
+        !sph2d__sampled_take(s, sph2d__lines_box(view), fmax(wanted, smallest_square / view->scale), &samples);
     if (lines->failed)
         return;
     const double pixels = 2.0 * s->step * view->scale / speed; /* for 1 m/s */
@@ -173,7 +175,8 @@ static void find_isolines(sph2d__lines *lines, const sph2d__view *view, const sp
 {
     const sph2d__samples samples = {p->count, p->x, p->y, p->level_values, NULL, p->spacing};
     sph2d__sampled *s = &lines->sampled;
-    lines->failed |= !sph2d__sampled_take(s, shown(view), fmax(p->spacing, smallest_cell / view->scale), &samples);
+    lines->failed |=
+        !sph2d__sampled_take(s, sph2d__lines_box(view), fmax(p->spacing, smallest_cell / view->scale), &samples);
     const double step = lines->failed ? 0.0 : step_of(s, p->level_step);
     for (int row = 0; row + 1 < s->rows && step > 0.0; ++row)
         for (int column = 0; column + 1 < s->columns; ++column) {
@@ -189,32 +192,37 @@ static void find_isolines(sph2d__lines *lines, const sph2d__view *view, const sp
 }
 
 sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *picture,
-                               sph2d__scales *scales, sph2d_report *report)
+                               const sph2d__cover *walls, sph2d__scales *scales, sph2d_report *report)
 {
     *scales = (sph2d__scales){0};
     lines->count = 0;
     lines->failed = false;
     if (picture->level_values && picture->count > 0)
         find_isolines(lines, view, picture, scales);
+    if (picture->stream_vx && picture->count > 0 && !lines->failed)
+        sph2d__streamlines_find(lines, view, picture, walls);
     if (picture->vx && picture->count > 0 && !lines->failed)
         find_arrows(lines, view, picture, scales);
     if (!lines->failed)
         return SPH2D_OK;
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing arrows and isolines");
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
+                     "out of memory for drawing arrows, streamlines and isolines");
     return SPH2D_NOMEM;
 }
 
 /* ---- drawing ----------------------------------------------------------------------------------------------------- */
 
-/* Adds a piece as a rectangle that goes beyond its ends by half its width. */
-static void add_rectangle(sph2d__cover *cover, const double ends[4], double wide)
+/* Adds a piece as a rectangle, or trapezium. */
+static void add_rectangle(sph2d__cover *cover, const sph2d__piece *p, double wide)
 {
-    const double x = ends[2] - ends[0], y = ends[3] - ends[1], length = hypot(x, y);
+    const double x = p->to.x - p->from.x, y = p->to.y - p->from.y, length = hypot(x, y);
     const double along = length > 0.0 ? 0.5 * wide / length : 0.0, ax = along * x, ay = along * y;
-    const double corners[4][2] = {{ends[0] - ax - ay, ends[1] - ay + ax},
-                                  {ends[0] - ax + ay, ends[1] - ay - ax},
-                                  {ends[2] + ax + ay, ends[3] + ay - ax},
-                                  {ends[2] + ax - ay, ends[3] + ay + ax}};
+    const double wider = 1.0 + p->wider / wide, bx = wider * ax, by = wider * ay; /* where it begins */
+    const double on = p->has_next ? 0.0 : 1.0, ex = on * ax, ey = on * ay;        /* beyond its ends */
+    const double corners[4][2] = {{p->from.x - ex - by, p->from.y - ey + bx},
+                                  {p->from.x - ex + by, p->from.y - ey - bx},
+                                  {p->to.x + ex + ay, p->to.y + ey - ax},
+                                  {p->to.x + ex - ay, p->to.y + ey + ax}};
     for (int k = 0; k < 4; ++k)
         sph2d__cover_edge(cover, corners[k], corners[(k + 1) % 4]);
 }
@@ -225,7 +233,7 @@ static void draw_wide(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, 
     sph2d__cover *cover = &lines->mask.cover;
     sph2d__cover_clear(cover, target->width, target->height);
     for (size_t k = 0; k < lines->count; ++k)
-        add_rectangle(cover, lines->ends[k], wide);
+        add_rectangle(cover, &lines->pieces[k], wide);
     sph2d__cover_fill(cover); /* all turn the same way: where some overlap is no hole */
     sph2d__mask_upload(gl, &lines->mask);
     sph2d__mask_draw(gl, &lines->mask, program, dots, target, color);
@@ -246,6 +254,6 @@ void sph2d__lines_destroy(const sph2d__gl *gl, sph2d__lines *lines)
 {
     sph2d__mask_destroy(gl, &lines->mask);
     sph2d__sampled_free(&lines->sampled);
-    free(lines->ends);
+    free(lines->pieces);
     *lines = (sph2d__lines){0};
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lines.h
- *  Lines over the liquid: arrows of its velocity, and isolines of a field. */
+ *  Lines over the liquid: arrows of its velocity, streamlines, and isolines of a field. */
 #ifndef SPH2D_RENDER_LINES_H
 #define SPH2D_RENDER_LINES_H
 
@@ -8,10 +8,17 @@
 #include "render/sampled.h"
 #include "render/view.h"
 
+/** A straight piece of a line, in pixels. */
+typedef struct sph2d__piece {
+    sph2d_vec2 from, to;
+    double wider;  /**< where it begins: the head of an arrow */
+    bool has_next; /**< others go on from its ends, which are cut off; else they go on for half its width */
+} sph2d__piece;
+
 typedef struct sph2d__lines {
     sph2d__mask mask;
     sph2d__sampled sampled;
-    double (*ends)[4]; /**< of straight pieces: from x, y to x, y [px] */
+    sph2d__piece *pieces;
     size_t count, capacity;
     bool failed; /**< for want of memory */
 } sph2d__lines;
@@ -26,9 +33,15 @@ typedef struct sph2d__scales {
 sph2d_status sph2d__lines_create(const sph2d__gl *gl, sph2d__lines *lines, GLsizei width, GLsizei height,
                                  sph2d_report *report);
 
-/** Finds the isolines and arrows of a picture. Errors: SPH2D_NOMEM. */
+/** Finds the isolines, streamlines and arrows of a picture, whose walls cover the image. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *picture,
-                               sph2d__scales *scales, sph2d_report *report);
+                               const sph2d__cover *walls, sph2d__scales *scales, sph2d_report *report);
+
+/** Adds a piece. Sets `failed` when memory is short. */
+void sph2d__lines_add(sph2d__lines *lines, const sph2d__piece *piece);
+
+/** The part of the plane that an image shows. */
+sph2d_box sph2d__lines_box(const sph2d__view *view);
 
 /** Draws what was found, dark with a light edge, over the contents of `target` with the program "tiles", "mask". */
 void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, sph2d__dots *dots,

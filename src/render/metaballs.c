@@ -148,7 +148,8 @@ static void sum_field(sph2d__field_grid *field, const sph2d__view *view, const s
         if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, pixel))
             continue;
         if (list->values)
-            sph2d__colormap((list->values[i] - list->value_min) / (list->value_max - list->value_min), color);
+            sph2d__colormap((list->values[i] - list->value_min) / (list->value_max - list->value_min), list->diverging,
+                            color);
         sph2d__field_grid_add(field, pixel, radius, 1.0F, (float[3]){color[0], color[1], color[2]});
     }
 }

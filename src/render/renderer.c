@@ -139,15 +139,17 @@ static sph2d_status check_picture(const sph2d_picture *picture, sph2d_report *re
         return invalid(report, "the picture has outlines without positions, numbers or sides of liquid");
     if (!(picture->wall_thickness >= 0.0 && isfinite(picture->wall_thickness)))
         return invalid(report, "the thickness of the picture's walls is not a finite number of at least 0");
-    const bool lined = picture->count > 0 && (picture->vx || picture->level_values);
-    if (picture->count > 0 && !picture->vx != !picture->vy)
+    const bool lined = picture->count > 0 && (picture->vx || picture->stream_vx || picture->level_values);
+    if (picture->count > 0 && (!picture->vx != !picture->vy || !picture->stream_vx != !picture->stream_vy))
         return invalid(report, "the picture has one component of velocities: give both, or none");
     if (lined && !(picture->spacing > 0.0 && isfinite(picture->spacing)))
-        return invalid(report,
-                       "the picture has arrows or isolines, and its particles' spacing is not a positive number");
-    if (!is_length(picture->arrow_spacing) || !is_length(picture->arrow_speed) || !is_length(picture->level_step))
-        return invalid(report,
-                       "the picture's arrow_spacing, arrow_speed or level_step is not a finite number of at least 0");
+        return invalid(
+            report,
+            "the picture has arrows, streamlines or isolines, and its particles' spacing is not a positive number");
+    if (!is_length(picture->arrow_spacing) || !is_length(picture->arrow_speed) ||
+        !is_length(picture->streamline_spacing) || !is_length(picture->level_step))
+        return invalid(report, "the picture's arrow_spacing, arrow_speed, streamline_spacing or level_step is not a "
+                               "finite number of at least 0");
     const bool automatic = picture->value_min == 0.0 && picture->value_max == 0.0;
     if (picture->values && !automatic &&
         !(picture->value_min < picture->value_max && isfinite(picture->value_max - picture->value_min)))

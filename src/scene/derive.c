@@ -199,6 +199,9 @@ static double largest_expected(const sph2d_scene *scene, const char *name)
     const double head = sph2d__scene_derive(scene).head;
     if (strcmp(name, "speed") == 0)
         return sqrt(2 * head);
+    if (strcmp(name, "vorticity") == 0) /* shear that is ten times that of the scene: layers and eddies */
+        return 10 * sqrt(2 * head) /
+               fmin(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
     return strcmp(name, "Pressures") == 0 ? scene->fluid.density * head : 0;
 }
 
@@ -206,9 +209,13 @@ sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene)
 {
     static const double lines = 10; /* to that value */
     sph2d_frames frames = scene->run.frames;
-    if (frames.color && frames.color_range.x == 0 && frames.color_range.y == 0)
+    if (frames.color && frames.color_range.x == 0 && frames.color_range.y == 0) {
         frames.color_range.y = largest_expected(scene, frames.color);
-    if (frames.arrows == SPH2D_SWITCH_ON && frames.arrow_speed == 0)
+        if (strcmp(frames.color, "vorticity") == 0) /* of either sign */
+            frames.color_range.x = 0 - frames.color_range.y;
+    }
+    const bool of_speed = frames.arrows == SPH2D_SWITCH_ON || frames.streamlines == SPH2D_SWITCH_ON;
+    if (of_speed && frames.arrow_speed == 0)
         frames.arrow_speed = largest_expected(scene, "speed");
     if (frames.isolines && frames.isoline_step == 0) {
         const double step = largest_expected(scene, frames.isolines) / lines;

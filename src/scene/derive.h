@@ -41,7 +41,8 @@ double sph2d__scene_reach(const sph2d_scene *scene);
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
 
 /** The scene's frames with the defaults that follow from its head: the ends of the colour bar 0 and sqrt(2 head) for
- *  speed, density * head for pressure, (0, 0) for other fields; the speed of arrows sqrt(2 head); isolines a round number
+ *  speed, density * head for pressure, ten times that speed over the domain's smaller side, with either sign, for
+ *  vorticity, (0, 0) for other fields; the speed of arrows, which streamlines know, too, sqrt(2 head); isolines a round number
  *  near a tenth of these. */
 sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene);
 

@@ -73,7 +73,7 @@ for bad in -j0 -j1025 -jx '-j 2x' --isa=mmx --max-wall=3x --max-wall=0 --max-wal
     --set=a --set==1; do
     expect 64 "$SPH2D" run x -o y "$bad"
 done
-for bad in --size=10x10 --size=100 --size=100x --size=99999x9 --style=x --look=x --background=x --view=1,1,0,2 --view=0,0,1 --isolines=x --arrows=x --radius=0 --radius=nan --color=x --range=1 \
+for bad in --size=10x10 --size=100 --size=100x --size=99999x9 --style=x --look=x --background=x --view=1,1,0,2 --view=0,0,1 --isolines=x --arrows=x --streamlines=x --radius=0 --radius=nan --color=x --range=1 \
     --range=2,1 --range=a,b; do
     expect 64 "$SPH2D" render x -o y "$bad"
 done

@@ -65,7 +65,7 @@ done
 sleep 0.3
 xdotool mouseup 1
 sleep 0.3
-xdotool key v v v n n n x i f
+xdotool key v v v n n n x i z c c c f
 until_there film_000/frame_000001.png
 xdotool key f s
 until_there played_000/snapshot_000000.h5

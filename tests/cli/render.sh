@@ -20,7 +20,7 @@ same as_points/frame_000000.png points/frames/frame_000005.png
 # Options change the picture; frames are numbered in the order given.
 snapshot=points/snapshot_000005.h5
 for option in --size=200x100 --style=metaballs --radius=0.1 --background=transparent --view=0,0,0.5,0.5 --arrows \
-    --isolines=Pressures --color=Pressures --range=0,9; do
+    --streamlines --color=vorticity --isolines=Pressures --color=Pressures --range=0,9; do
     expect 0 "$SPH2D" render $snapshot -o "with$option" -q "$option"
     cmp -s "with$option/frame_000000.png" points/frames/frame_000005.png && fail "$option changes nothing"
 done
@@ -65,11 +65,13 @@ run:
   until: 0.1
   snapshots: {every: 0.05}
   frames:
-    {every: 0.05, size: [200, 100], view: {min: [0, 0], max: [1, 0.5]}, follow: ball, caption: off, arrows: on, isolines: speed}
+    {every: 0.05, size: [200, 100], view: {min: [0, 0], max: [1, 0.5]}, follow: ball, caption: off, arrows: on, streamlines: on,
+     isolines: vorticity, color: vorticity}
 END
 expect 0 "$SPH2D" run fall.yaml -o fall -q
-expect 0 "$SPH2D" render fall/snapshot_*.h5 -o again_fall -q
+expect 0 "$SPH2D" render fall/snapshot_*.h5 -o again_fall -q -j 1
 same fall/frames again_fall
+expect 0 "$SPH2D" run fall.yaml -o fall_1 -q -j 1 && same fall/frames fall_1/frames
 cmp -s again_fall/frame_000000.png again_fall/frame_000002.png && fail 'the view rests'
 expect 65 "$SPH2D" run fall.yaml -o x -s run.frames.follow=bal && absent x && says 'did you mean'
 expect 65 "$SPH2D" render fall/snapshot_000001.h5 -o x --follow bal && says "no obstacle or body 'bal'"

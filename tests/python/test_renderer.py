@@ -81,13 +81,24 @@ class Pictures(common.InFolder):
         with sph2d.Renderer(400, 300) as renderer:
             plain = renderer.draw(self.sim, caption="")
             for lines in ({"levels": fluid.x}, {"levels": fluid.y, "level_step": 0.1}, {"arrows": True},
+                          {"streamlines": True}, {"streamlines": True, "streamline_spacing": 0.02},
                           {"levels": fluid.x, "level_label": "x [m]"}):
                 self.assertEqual((renderer.draw(self.sim, caption="", **lines) != plain).any(),
-                                 "arrows" not in lines or np.hypot(fluid.vx, fluid.vy).max() > 0, lines)
+                                 not {"arrows", "streamlines"} & lines.keys() or np.hypot(fluid.vx, fluid.vy).max() > 0, lines)
             with self.assertRaises(ValueError):
                 renderer.draw(self.sim, levels=fluid.x[1:])
             with self.assertRaises(sph2d.Error):
                 renderer.draw(self.sim, levels=fluid.x, level_step=-1)
+            with self.assertRaises(sph2d.Error):
+                renderer.draw(self.sim, streamlines=True, streamline_spacing=-1)
+
+    def test_vorticity(self):
+        values = sph2d.vorticity(self.sim)
+        self.assertEqual(values.shape, (len(self.sim.fluid),))
+        with sph2d.Renderer(400, 300) as renderer:
+            pictures = [renderer.draw(self.sim, self.sim.fluid.x - 0.5, diverging=diverging).tobytes()
+                        for diverging in (False, True)]
+            self.assertNotEqual(*pictures)
 
     def test_nonsense(self):
         for arguments in ((8, 100), (100, 20000), (-1, 100), (2 ** 32 + 100, 100), (100, 100, "dots"),
