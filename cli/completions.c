@@ -8,14 +8,14 @@
 
 #include "command.h"
 #include "frame.h"
-#include "options.h"
+#include "option_table.h"
 #include "templates.h"
 
 static void print_words(const option_row *row)
 {
     char colors[200];
     const char *separator = "";
-    const char *const *words = options_words(row);
+    const char *const *words = options_words(row->id);
     if (strcmp(row->name, "color") == 0) { /* "speed, Densities": without the commas */
         for (const char *c = frame_colors(colors, sizeof colors); *c != '\0'; ++c)
             if (*c != ',')

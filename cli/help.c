@@ -16,7 +16,7 @@
 #include "json.h"
 #include "keys.h"
 #include "message.h"
-#include "options.h"
+#include "option_table.h"
 #include "pages.h"
 #include "templates.h"
 #include "text.h"

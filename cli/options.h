@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file options.h
- *  The options of all subcommands, from one table (options.c) for parsing and help. */
+ *  The options of all subcommands: parsed here, listed in option_table.c, given their meaning in option_values.c. */
 #ifndef SPH2D_CLI_OPTIONS_H
 #define SPH2D_CLI_OPTIONS_H
 
@@ -56,23 +56,5 @@ typedef struct cli_options {
  *  an error, which is reported. */
 bool options_parse(cli_options *options, const char *name, unsigned command, int argc, char **argv);
 void options_free(cli_options *options);
-
-/** An option as a row of the table. */
-typedef struct option_row {
-    int id;               /**< its letter, or a number above 255 */
-    const char *name;     /**< the long name */
-    const char *argument; /**< what it is called in help; NULL: none */
-    unsigned commands;    /**< bits of the commands that take it */
-    const char *text;
-} option_row;
-
-/** Row number `i` of the table; NULL beyond its end. */
-const option_row *options_row(size_t i);
-
-/** The values that an option can have, NULL-terminated; NULL if there is no list of them here. */
-const char *const *options_words(const option_row *row);
-
-/** Prints the options that a command takes, one a line, to stdout. */
-void options_print(unsigned command);
 
 #endif
