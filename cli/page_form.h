@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+/** @file page_form.h
+ *  The forms that the pages of keys come in: Markdown (pages_markdown.c) and mdoc (pages_manual.c). pages.c walks over the
+ *  keys and tells a form what it meets; the form prints it to stdout. */
+#ifndef SPH2D_CLI_PAGE_FORM_H
+#define SPH2D_CLI_PAGE_FORM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PAGE_NAME_SIZE = 80, PAGE_VALUES_SIZE = 320, PAGE_LINE_SIZE = 2000 };
+
+/** A key in words. */
+typedef struct page_entry {
+    char name[PAGE_NAME_SIZE]; /**< seen from its section: "box.min" */
+    const char *type;
+    const char *unit;
+    char values[PAGE_VALUES_SIZE]; /**< range, or words between `marks` */
+    bool one_of;                   /* the values are words */
+    bool required;
+    const char *fallback; /**< its default; NULL for none */
+    bool literal;         /* the default could stand in a file as it is */
+    char methods[PAGE_VALUES_SIZE];
+    const char *text;
+    const char *section; /**< that the key has of its own; NULL for none */
+} page_entry;
+
+/** A form that the pages come in. */
+typedef struct page_form {
+    const char *marks[2]; /**< around a word of a scene file */
+    void (*section)(const char *name, const char *title);
+    void (*paragraph)(const char *text);
+    void (*begin_keys)(void);
+    void (*key)(const page_entry *e);
+    void (*end_keys)(void);
+    void (*begin_table)(const char *intro, const char *const *heads, size_t count);
+    void (*row)(const char *const *cells, size_t count);
+    void (*end_table)(void);
+} page_form;
+
+extern const page_form page_markdown, page_manual;
+
+/** Starts a sentence with a capital letter, unless with a symbol or a word of scene files. */
+void page_capitalise(char *text);
+
+#endif
