@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file advect.c
- *  Stages that time schemes share: advection with walls and periodic sides, sorting, the second kick. */
+ *  Advection: particles are moved by their displacements, stopped by walls and wrapped at periodic sides. */
 #include <math.h>
 #include <string.h>
 
@@ -356,58 +356,4 @@ sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sp
     sim->record.energy_walls += (double)a.met.driven * sph2d__sim_energy_quantum(sim);
     sim->record.energy_diffused += (double)a.met.diffused * sph2d__sim_energy_quantum(sim);
     return a.met.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
-}
-
-sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
-{
-    sph2d__system *s = &sim->system;
-    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SORT);
-    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->team);
-    sph2d__profile_enter(&s->profile, before);
-    return sorted ? SPH2D_OK : SPH2D_NOMEM;
-}
-
-void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt)
-{
-    double max_gain = s->speed > 0 ? limit * s->support / (s->speed * dt) : INFINITY;
-    s->shift_gain = fmin(s->method.shifting * gain, max_gain);
-}
-
-void sph2d__predict(sph2d_sim *sim, double dt, sph2d__batch *w)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    for (size_t i = w->first; i < w->first + w->count; ++i) {
-        f->vx[i] += dt / 2 * f->ax[i];
-        f->vy[i] += dt / 2 * f->ay[i];
-    }
-}
-
-void sph2d__keep_accelerations(sph2d__store *f)
-{
-    double *x = f->old_ax, *y = f->old_ay;
-    f->old_ax = f->ax;
-    f->old_ay = f->ay;
-    f->ax = x;
-    f->ay = y;
-}
-
-/** Arguments of the second kick. */
-typedef struct kick {
-    sph2d__store *fluid;
-    double dt;
-} kick;
-
-static void kick_some(void *with, size_t first, size_t last)
-{
-    const kick *k = with;
-    const sph2d__store *f = k->fluid;
-    for (size_t i = first; i < last; ++i) {
-        f->vx[i] += k->dt / 2 * (f->ax[i] - f->old_ax[i]);
-        f->vy[i] += k->dt / 2 * (f->ay[i] - f->old_ay[i]);
-    }
-}
-
-void sph2d__second_kick(sph2d__system *s, double dt)
-{
-    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, kick_some, &(kick){&s->fluid, dt});
 }
