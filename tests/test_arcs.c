@@ -8,7 +8,7 @@
 #include "common.h"
 #include "scene/basin.h"
 #include "scene/liquid_side.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.02;

@@ -6,7 +6,7 @@
 
 #include "base/pi.h"
 #include "common.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.01;

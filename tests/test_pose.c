@@ -7,7 +7,7 @@
 #include "base/pi.h"
 #include "boundary/moving.h"
 #include "common.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 
 static sph2d_pose_point points[] = {{.t = 0.5, .x = 0, .y = 0}, {.t = 1.5, .x = 2, .y = -1}, {.t = 2, .x = 2, .y = 3}};
 

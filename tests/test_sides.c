@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.02;

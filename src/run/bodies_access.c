@@ -3,7 +3,7 @@
  *  Bodies and obstacles as callers see and steer them. */
 #include <math.h>
 
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "sim/simulation.h"
 
 static sph2d_body_state unknown(void)

@@ -5,7 +5,7 @@
 
 #include "run/run.h"
 #include "scene/bodies.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "scene/wall_names.h"
 
 /** The obstacle or body that moves and is nearest to a position, within the support radius; SIZE_MAX: none. */

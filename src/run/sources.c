@@ -10,6 +10,7 @@
 #include "methods/terms/tension.h"
 #include "run/run.h"
 #include "scene/derive.h"
+#include "scene/shape.h"
 #include "sim/stages.h"
 
 /* A source emits no particle nearer than this many spacings to another. The rows of a jet are one spacing apart; the

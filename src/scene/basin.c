@@ -11,6 +11,7 @@
 #include "scene/bodies.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 

@@ -9,7 +9,7 @@
 #include "base/pi.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 
 /** Area and second moment about the centroid of a closed outline. */
 typedef struct moments {

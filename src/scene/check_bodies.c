@@ -8,9 +8,9 @@
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
+#include "scene/outline.h"
 #include "scene/overlap.h"
 #include "scene/resolve.h"
-#include "scene/shape.h"
 
 typedef sph2d__checker checker;
 

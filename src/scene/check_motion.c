@@ -12,8 +12,8 @@
 #include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
-#include "scene/shape.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;

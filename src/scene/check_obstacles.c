@@ -9,6 +9,7 @@
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };

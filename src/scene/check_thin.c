@@ -18,6 +18,7 @@
 
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
 
 /* Maximum number of samples along a wall segment; and steps per spacing across it. */

@@ -7,8 +7,8 @@
 
 #include "scene/bodies.h"
 #include "scene/checker.h"
+#include "scene/outline.h"
 #include "scene/overlap.h"
-#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 typedef sph2d__checker checker;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "scene/bodies.h"
+#include "scene/outline.h"
 #include "scene/shape.h"
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)

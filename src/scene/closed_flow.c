@@ -6,7 +6,7 @@
 
 #include "scene/bodies.h"
 #include "scene/openings.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 
 /* Places across the channel at which a section is sampled, and corners of an outline at which there is one, at most. */
 enum { PLACES = 400, CORNERS = 100 };

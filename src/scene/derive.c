@@ -15,6 +15,7 @@
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 #include "scene/start.h"

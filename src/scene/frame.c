@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "base/memory.h"
-#include "scene/shape.h"
 
 bool sph2d__scene_is_driven(const sph2d_scene *scene)
 {

@@ -6,7 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 
 /* Maximum numbers of samples along a wall segment, and along an edge of a block's bounding box. */
 static const double MAX_ALONG = 2000, MAX_ACROSS = 40;

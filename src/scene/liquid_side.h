@@ -5,7 +5,6 @@
 #define SPH2D_SCENE_LIQUID_SIDE_H
 
 #include "base/memory.h"
-#include "scene/shape.h"
 
 /** Thickness of the layers of a generalised wall: whole spacings, at least the support radius [m]. */
 double sph2d__layer_thickness(const sph2d_scene *scene);

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "base/pi.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 
 static bool swings(sph2d_swing s)
 {

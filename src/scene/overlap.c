@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "scene/wall_names.h"
 
 /** An outline as its pieces, where its obstacle is at a time. */

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "scene/shape.h"
+#include "scene/outline.h"
 
 /* What counts as near an obstacle [spacings]: more than all clearances of the liquid, and the thickness of layers. */
 static const double NEAR = 6;

@@ -8,7 +8,7 @@
 
 #include "base/pi.h"
 #include "scene/bodies.h"
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "scene/shape.h"
+#include "scene/outline.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
 

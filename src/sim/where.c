@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "scene/bodies.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 /** The nearest part so far. */

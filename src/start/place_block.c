@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/pi.h"
+#include "scene/shape.h"
 #include "start/packing.h"
 #include "start/start.h"
 

@@ -9,6 +9,7 @@
 #include "scene/bodies.h"
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "start/start.h"
 
 /* Cells use 32-bit indices. */

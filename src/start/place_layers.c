@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
+#include "scene/shape.h"
 #include "start/layers.h"
 #include "start/start.h"
 

@@ -8,6 +8,7 @@
 
 #include "scene/liquid_side.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "start/cloud.h"
 
 /* A side that is at most so many cells from a grid line lies on it. */

@@ -5,7 +5,6 @@
 #ifndef SPH2D_START_REGION_H
 #define SPH2D_START_REGION_H
 
-#include "scene/shape.h"
 #include "sim/simulation.h"
 
 /** Sample points of a cell, and of a quarter of it. */
