@@ -31,6 +31,7 @@ typedef struct checked {
     double step_seconds, step_cpu; /* measured, per step */
     double steps;                  /* expected of the run */
     double seconds, cpu;           /* expected of the run [s] */
+    double disk;                   /* expected of its snapshots without compression [bytes] */
     uint64_t steps_measured;
     sph2d_report report;
 } checked;
@@ -78,6 +79,8 @@ static void estimate(checked *c)
     c->cpu = c->steps * run.particles * run.cost * c->step_cpu;
     if ((particles < MIN_SCALING || c->scene->source_count > 0) && run.cpu_of_particle > 0)
         c->cpu = c->steps * (run.cpu_of_step + run.mean * run.cpu_of_particle);
+    const double mean = c->scene->source_count > 0 && run.mean > 0 ? run.mean : particles * run.particles;
+    c->disk = c->plan.disk + (mean - particles) * c->plan.disk_of_particle;
     c->seconds = c->step_cpu > 0 ? c->cpu * c->step_seconds / c->step_cpu : c->cpu;
 }
 
@@ -169,18 +172,20 @@ static sph2d_status create_affordable(checked *c)
     return SPH2D_OK;
 }
 
-/* From the coarse scene's numbers to those of the scene: areas by k^2, lengths and steps by k. */
+/* From the coarse scene's numbers to those of the scene: areas by k^2, lengths and steps by k. Of snapshots what is not
+ * liquid is walls, mostly. */
 static void extrapolate(checked *c)
 {
     const double k = c->coarsening;
     sph2d_plan *p = &c->plan;
+    const double liquid = c->disk - p->disk + (double)p->fluid_particles * p->disk_of_particle;
+    c->disk = k * (c->disk - liquid) + k * k * liquid;
     p->fluid_particles = (size_t)((double)p->fluid_particles * k * k);
     p->wall_particles = (size_t)((double)p->wall_particles * k);
     p->particle_mass /= k * k;
     p->support_radius /= k;
     p->time_step /= k;
     p->memory *= k * k;
-    p->disk *= k * k;
     c->steps *= k;
     c->cpu *= k * k * k;
     c->seconds *= k * k * k;
@@ -252,7 +257,8 @@ static void print_table(const checked *c)
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
     text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
-    text_row("snapshots", "%.0f, %s without compression", plan->snapshots, text_bytes(disk, plan->disk));
+    text_row("snapshots", "%.0f, %s%s", plan->snapshots, text_bytes(disk, c->disk),
+             c->scene->run.snapshots.compress > 0 ? " without compression" : "");
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
              (unsigned)c->scene->run.frames.size[1]);
     if (c->steps_measured > 0)
@@ -301,7 +307,7 @@ static void print_object(const checked *c)
     json_number(&line, "memory_bytes", plan->memory);
     json_number(&line, "snapshots", plan->snapshots);
     json_number(&line, "frames", plan->frames);
-    json_number(&line, "disk_bytes", plan->disk);
+    json_number(&line, "disk_bytes", c->disk);
     json_number(&line, "seconds", c->steps_measured > 0 ? c->seconds : NAN);
     json_number(&line, "cpu_seconds", c->steps_measured > 0 ? c->cpu : NAN);
     json_count(&line, "threads", (uint64_t)sph2d_sim_threads(c->sim));

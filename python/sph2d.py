@@ -94,7 +94,7 @@ typedef struct sph2d_plan { size_t fluid_particles; size_t wall_particles; size_
     double area_left_out; double most_left_out; size_t most_left_out_block; double area_placed; double particle_mass;
     double support_radius; double sound_speed; char sound_speed_formula[160]; double head; double impact_compression;
     double time_step; const char *time_step_limit; double steps; double memory; double snapshots, frames;
-    double disk; } sph2d_plan;
+    double disk; double disk_of_particle; } sph2d_plan;
 typedef struct sph2d_allocator { void *resize; void *user; } sph2d_allocator;
 typedef struct sph2d_sim_options { size_t struct_size; int threads; sph2d_isa isa; sph2d_allocator allocator;
     bool profile; } sph2d_sim_options;

@@ -1127,8 +1127,11 @@ typedef struct sph2d_plan {
     /** Numbers of outputs to run.until. */
     double snapshots, frames;
 
-    /** Snapshots on disk, uncompressed [bytes]. */
+    /** Snapshots on disk, uncompressed, with as many particles as at the start [bytes]. */
     double disk;
+
+    /** What one more particle in all of them takes [bytes]. */
+    double disk_of_particle;
 } sph2d_plan;
 
 /** Number of particles that the blocks, lists and sides of a valid scene need, without placing any: areas over those of a

@@ -38,12 +38,6 @@ static double outputs_until(sph2d_rate rate, double until)
     return interval > 0 ? floor(until / interval * (1 + 1e-12)) + 1 : 0;
 }
 
-/** Bytes of a snapshot: three vectors of three, four scalars, an id and two indices a particle, and what HDF5 adds. */
-static double snapshot_bytes(double particles)
-{
-    return particles * (3 * 3 + 4 + 1 + 2) * sizeof(double) + 8e4;
-}
-
 static const char *limit_name(sph2d__limit limit)
 {
     static const char *const names[SPH2D__LIMIT_COUNT] = {"acoustic", "force", "viscous", "fixed"};
@@ -70,5 +64,6 @@ void sph2d__sim_make_plan(sph2d_sim *sim)
     plan->memory = (double)sim->memory.bytes;
     plan->snapshots = outputs_until(scene->run.snapshots.rate, scene->run.until);
     plan->frames = outputs_until(scene->run.frames.rate, scene->run.until);
-    plan->disk = plan->snapshots * snapshot_bytes((double)(s->fluid.count + s->walls.count));
+    plan->disk = plan->snapshots * sph2d__snapshot_bytes(sim, &plan->disk_of_particle);
+    plan->disk_of_particle *= plan->snapshots;
 }

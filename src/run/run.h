@@ -34,6 +34,9 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
 /** Samples the compression every few steps. */
 void sph2d__sim_sample(sph2d_sim *sim);
 
+/** Bytes of a snapshot without compression, and of a particle of the liquid in it. */
+double sph2d__snapshot_bytes(sph2d_sim *sim, double *of_particle);
+
 /** Fills the plan of a simulation that is ready for its first step. */
 void sph2d__sim_make_plan(sph2d_sim *sim);
 
