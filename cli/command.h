@@ -16,7 +16,7 @@
     X(play, PLAY, "[SCENE]", "show a scene in a window, and play with it")                                             \
     X(render, RENDER, "PATH... -o DIR", "draw snapshots as a sequence of PNG files, or as a film")                     \
     X(plot, PLOT, "DIR [PROBE...]", "draw what the probes of a run wrote, over time")                                  \
-    X(export, EXPORT, "SNAPSHOT", "print the particles of a snapshot as CSV")                                          \
+    X(export, EXPORT, "PATH...", "print the particles of a snapshot as CSV, or write files for VTK")                   \
     X(check, CHECK, "SCENE", "report all errors of a scene, then estimate the run")                                    \
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
     X(info, INFO, "PATH...", "print the contents of a snapshot, or what became of a run")                              \

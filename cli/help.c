@@ -80,10 +80,15 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d plot out\n"
         "  sph2d plot out energy gauge -o energy.png\n",
     [CLI__EXPORT] =
-        "One row per particle of the liquid, by its number, and a column with its unit for each field. Scenes read\n"
-        "such a file as 'particles' and as 'start.table' of a block.\n"
+        "As CSV: one row per particle of the liquid, by its number, and a column with its unit for each field. Scenes\n"
+        "read such a file as 'particles' and as 'start.table' of a block. As poly data for VTK, .vtp: liquid, "
+        "boundary\n"
+        "particles and outlines, told apart by Kinds. As a series, .pvd: snapshots, or those of a run's folder, as\n"
+        "NAME_000000.vtp and so on, and their times in NAME.pvd, which ParaView opens.\n"
         "\n"
-        "  sph2d export out/snapshot_000042.h5 -o particles.csv\n",
+        "  sph2d export out/snapshot_000042.h5 -o particles.csv\n"
+        "  sph2d export out/snapshot_000042.h5 -o splash.vtp\n"
+        "  sph2d export out -o splash.pvd\n",
     [CLI__CHECK] =
         "Reports all errors at once, each with its line. If there are none: particles, derived values with their\n"
         "formulas, and estimates of steps, memory, disk and time. SCENE may be -, the standard input.\n"

@@ -23,7 +23,7 @@ static const char *const gl_words[] = {"osmesa", "egl", NULL};
 static const option_row rows[] = {
     {'o', "output", "DIR", CLI_RUN | CLI_RENDER | CLI_STUDY, "folder for the files; empty, new, or a study's own"},
     {'o', "output", "FILE", CLI_PLOT, "file for the picture, .svg or .png; default DIR/plot.svg"},
-    {'o', "output", "FILE", CLI_EXPORT, "CSV file; default the standard output"},
+    {'o', "output", "FILE", CLI_EXPORT, "file, .csv, .vtp or, for a series, .pvd; default CSV to standard output"},
     {'f', "force", NULL, CLI_RUN | CLI_RENDER | CLI_INIT | CLI_STUDY,
      "replace the files of an earlier run there; a study runs all rows again"},
     {'s', "set", "KEY=VALUE", CLI_RUN | CLI_RESUME | CLI_PLAY | CLI_CHECK | CLI_STUDY,

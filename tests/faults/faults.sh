@@ -19,7 +19,7 @@ ulimit -c 0
 mkdir "$REFERENCE" && : >"$CODES"
 cd "$here"
 
-cases=(library run run_over resume check info info_run plot export init study shard)
+cases=(library run run_over resume check info info_run plot export export_series init study shard)
 ! "$SPH2D" --version | grep -q '^rendering.*\(osmesa\|egl\)' || cases+=(run_frames render preview)
 [ $# = 0 ] || cases=("$@")
 
@@ -29,6 +29,8 @@ cases=(library run run_over resume check info info_run plot export init study sh
 "$SPH2D" info "$REFERENCE/run" >"$REFERENCE/info_run.txt"
 mkdir "$REFERENCE/export"
 "$SPH2D" export "$REFERENCE/run/snapshot_000001.h5" -q -o "$REFERENCE/export/particles.csv"
+mkdir "$REFERENCE/export_series"
+"$SPH2D" export "$REFERENCE/run" -q -o "$REFERENCE/export_series/flow.pvd"
 (cd "$REFERENCE" && "$SPH2D" init out -q --template drop && mv out init) # the scene names its own path
 (cd "$folder" && "$LIBRARY") >"$REFERENCE/library.txt"
 case " ${cases[*]} " in *' run_frames '* | *' render '*)
@@ -50,7 +52,7 @@ stride() {
     if [ -n "${FULL:-}" ]; then
         echo 1
     else
-        case $1 in library | init | plot) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | info_run | export | study | shard) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
+        case $1 in library | init | plot) echo 1 ;; run_frames | render | preview) echo 997 ;; check | info | info_run | export | export_series | study | shard) echo 7 ;; run_over) echo 199 ;; *) echo 23 ;; esac
     fi
 }
 

@@ -35,6 +35,7 @@ run_command() {
     info_run) set -- "$SPH2D" info "$REFERENCE/run" ;;
     plot) set -- "$SPH2D" plot "$REFERENCE/run" -o picture.svg ;;
     export) set -- "$SPH2D" export "$REFERENCE/run/snapshot_000001.h5" -q -o out/particles.csv ;;
+    export_series) set -- "$SPH2D" export "$REFERENCE/run" -q -o out/flow.pvd ;;
     study) set -- "$SPH2D" study "$study" -q -j 1 -J 2 -o out ;;
     shard) set -- "$SPH2D" study "$study" -q --shard 2/2 -o out ;;
     library) set -- "$LIBRARY" ;;
@@ -48,7 +49,7 @@ prepare() {
     case $case in
     resume) mkdir out && cp "$REFERENCE"/run/*.csv "$REFERENCE"/run/snapshot_00000[01].h5 out ;;
     run_over) cp -r "$REFERENCE/run" out ;;
-    preview | export) mkdir out ;;
+    preview | export | export_series) mkdir out ;;
     shard) "$SPH2D" study "$study" -q --shard 1/2 -o out ;;
     esac
 }
@@ -68,7 +69,7 @@ check_files() {
             [ -z "$(tail -c 1 "out/$file")" ] || wrong "$file does not end with its line"
             ;;
         study/* | shard/*) ;;
-        export/*) cmp -s "out/$file" "$expected/$file" || wrong "$file is not what it should be" ;;
+        export/* | export_series/*) cmp -s "out/$file" "$expected/$file" || wrong "$file is not what it should be" ;;
         *.csv)
             cmp -s -n "$(stat -c %s "out/$file")" "out/$file" "$expected/$file" || wrong "$file is not what it should be"
             [ -z "$(tail -c 1 "out/$file")" ] || [ "$fault" != "${fault#truncate}" ] ||
