@@ -37,11 +37,17 @@ skip() { # NAME WHY
 checked() {
     if grep -qE -- "$2" printed; then echo "ok   recipes/$1"; else bad "$1" "prints nothing like '$2'"; fi
 }
-# with MODULES: sets `python` to the first that has them, or fails.
+# with MODULES: sets `python` to the first that has them, or fails. vtk>=9.3 is VTK from that version on.
 with() {
     for python in $pythons; do
         for module in "$@"; do
-            "$python" -c "import $module" 2>/dev/null || continue 2
+            case $module in
+            'vtk>='*)
+                "$python" -c "from vtkmodules.vtkCommonCore import vtkVersion as v
+assert (v.GetVTKMajorVersion(), v.GetVTKMinorVersion()) >= tuple(map(int, '${module#*=}'.split('.')))" 2>/dev/null
+                ;;
+            *) "$python" -c "import $module" 2>/dev/null ;;
+            esac || continue 2
         done
         return 0
     done
@@ -82,8 +88,13 @@ program matplotlib 'Pictures with Matplotlib' 'h5py matplotlib' 'apt install pyt
 if with h5py matplotlib && ! is_whole picture.png; then bad matplotlib 'picture.png is not whole'; fi
 program swiftsimio swiftsimio swiftsimio 'pip install swiftsimio' \
     "^$liquid particles, at most [1-9][0-9.]* kPa .*after 1000\.[0-9]* ms\$"
-program vtk 'ParaView and VTK' vtkmodules 'pip install vtk' \
+program vtk 'ParaView and VTK' 'vtk>=9.3' 'pip install vtk' \
     "^$liquid particles, $walls boundary particles, 1 wall, 2 solids and bodies; the raft is at 1\.[5-9][0-9]* m\$"
+
+commands 'Older ParaView and VTK, VisIt' >commands.sh
+sh -e commands.sh >printed 2>&1 || bad export 'ends with an error'
+program vtp 'Older ParaView and VTK, VisIt' vtkmodules 'apt install python3-vtk9' \
+    "^$liquid particles after 1\.00 s, at most [1-9][0-9]{3,4} Pa, 2 solids and bodies\$"
 
 # files NAME FILE...: the commands of commands.sh run, and these files come out, whole.
 files() {
