@@ -14,7 +14,14 @@
 #include "snapshot.h"
 #include "text.h"
 
-static const char *const group_names[] = {"fluid", "wall", "run"};
+static const char *const group_names[] = {[SPH2D_GROUP_FLUID] = "fluid",
+                                          [SPH2D_GROUP_WALL] = "wall",
+                                          [SPH2D_GROUP_RUN] = "run",
+                                          [SPH2D_GROUP_OUTLINE] = "outline"};
+
+/* The groups as the table has them. */
+static const sph2d_group groups[] = {SPH2D_GROUP_FLUID, SPH2D_GROUP_WALL, SPH2D_GROUP_OUTLINE, SPH2D_GROUP_RUN};
+enum { GROUPS = sizeof groups / sizeof *groups };
 
 static double value_of(const sph2d_array *array, unsigned component, size_t index)
 {
@@ -87,14 +94,15 @@ static void print_table(const char *path, const sph2d_snapshot *snapshot)
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
     sph2d_state state = sph2d_snapshot_state(snapshot);
     print_header(path, &info);
-    for (int group = SPH2D_GROUP_FLUID; group <= SPH2D_GROUP_RUN; ++group) {
+    for (size_t g = 0; g < GROUPS; ++g) {
+        const sph2d_group group = groups[g];
         if (group != SPH2D_GROUP_RUN)
             printf("%s\n  %-20s %-4s %12s %-10s %14s %14s\n", group_names[group], "field", "type", "shape", "unit",
                    "smallest", "largest");
         else
             printf("%s\n", group_names[group]);
         for (size_t i = 0; i < state.array_count; ++i) {
-            if ((int)state.arrays[i].group != group)
+            if (state.arrays[i].group != group)
                 continue;
             if (group == SPH2D_GROUP_RUN)
                 print_run_array(&state.arrays[i]);

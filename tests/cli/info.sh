@@ -5,7 +5,7 @@
 
 expect 0 "$SPH2D" run "$TINY" -o folder --no-frames -q
 expect 0 "$SPH2D" info folder/snapshot_000010.h5 && silent
-for row in file scene 'written by' time domain spacing fluid wall run; do
+for row in file scene 'written by' time domain spacing fluid wall outline run; do
     prints "^$row"
 done
 prints '^scene *tiny' && prints 'Coordinates *f64 .* m ' && prints 'Pressures .* Pa ' && prints 'ParticleIDs *u64'
@@ -20,6 +20,8 @@ for line in open("out"):
     assert fields["fluid", "Coordinates"]["range"][0][0] >= 0
     assert fields["fluid", "Velocities"]["unit"] == "m/s"
     assert fields["wall", "Coordinates"]["count"] > 0
+    assert fields["outline", "WallIDs"]["count"] == fields["outline", "Coordinates"]["count"] > 0
+    assert {group for group, _ in fields} == {"fluid", "wall", "outline", "run"}
     assert snapshot["steps"] > 0 and snapshot["domain"]["max"] == [1, 1]
 END
 fi
