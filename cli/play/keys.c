@@ -12,13 +12,19 @@
 static const char *const colors[] = {NULL, "speed", "Pressures", "vorticity"};
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
+#ifdef SPH2D__SMALL /* as in src/render/lines.c */
+#define STREAMLINES_HELP ""
+#else
+#define STREAMLINES_HELP "Z streamlines  "
+#endif
+
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
                          "P pull  O pour  E wipe  W wall   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
                          "M metaballs, points  N look  C colour\n"
-                         "X arrows  Z streamlines  I isolines of pressure\n"
+                         "X arrows  " STREAMLINES_HELP "I isolines of pressure\n"
                          "A as many particles as follow the clock\n"
                          "S save  F film  H this help  Q quit";
 
@@ -204,9 +210,11 @@ void game_key(game *g, int key)
     case 'X':
         switch_lines(g, &g->style.frames.arrows);
         break;
+#ifndef SPH2D__SMALL
     case 'Z':
         switch_lines(g, &g->style.frames.streamlines);
         break;
+#endif
     case 'I':
         switch_isolines(g);
         break;

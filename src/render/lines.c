@@ -199,8 +199,12 @@ sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, con
     lines->failed = false;
     if (picture->level_values && picture->count > 0)
         find_isolines(lines, view, picture, scales);
+#ifdef SPH2D__SMALL /* a page has no room for streamlines */
+    (void)walls;
+#else
     if (picture->stream_vx && picture->count > 0 && !lines->failed)
         sph2d__streamlines_find(lines, view, picture, walls);
+#endif
     if (picture->vx && picture->count > 0 && !lines->failed)
         find_arrows(lines, view, picture, scales);
     if (!lines->failed)
