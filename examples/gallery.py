@@ -32,7 +32,7 @@ SCENES = {
              "A ship on a mooring, in waves that a piston makes."),
     "honey": ("examples/honey", 0.5, ["look=flat", "size=[800, 400]"],
               "Honey that is poured faster than it can spread folds to and fro."),
-    "vortex street": ("examples/cylinder", 8, ["every=8", "color=speed", "size=[800, 220]"],
+    "vortex street": ("examples/cylinder", 8, ["every=8", "color=vorticity", "color_range=[-60, 60]", "size=[800, 220]"],
                       "Vortices leave a cylinder in a stream by turns, Re 100."),
     "splash": ("examples/falling_circle", 0.16, ["style=metaballs", "color_range=[0, 1]", "size=[800, 450]"],
                "A light cylinder falls into water."),
