@@ -58,6 +58,7 @@
     X(turning)                                                                                                         \
     X(arcs)                                                                                                            \
     X(slip)                                                                                                            \
+    X(stick)                                                                                                           \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(absorb)                                                                                                          \

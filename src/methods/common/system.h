@@ -95,6 +95,7 @@ typedef struct sph2d__system {
     sph2d_slip wall_slip;
     const unsigned char *wall_slips;
     bool walls_rough, walls_smooth; /**< some have no slip, or the friction of smooth walls */
+    bool walls_stick;               /**< no slip is pair by pair, and with the profile's curvature: terms/stick.h */
     double slip_length;             /**< of smooth walls [m] */
     sph2d__body body;
 

@@ -9,6 +9,7 @@
 
 #include "kernels/kernel.h"
 #include "methods/terms/shift.h"
+#include "methods/terms/stick.h"
 #include "methods/terms/viscosity.h"
 #include "methods/terms/viscosity_pair.h"
 #include "methods/wcsph/pair.h"
@@ -18,6 +19,7 @@
 typedef struct force_sums {
     sph2d__lanes press_x, press_y;     /* central forces: pressure, and viscosity of the central form */
     sph2d__drag drag;                  /* viscosity of Morris' form */
+    sph2d__lanes bend;                 /* minus the part of the Laplacian that lies behind walls: stick.h */
     sph2d__lanes uniform_x, uniform_y; /* (m_j/m) grad W: the force of a uniform pressure */
     sph2d__lanes xx, xy, yy;           /* minus M */
     sph2d__lanes density_grad_x, density_grad_y;
@@ -49,8 +51,10 @@ typedef struct constants {
     sph2d__real weight;        /**< of the central form [1/m^2] */
     double eddies;             /**< subgrid viscosity over the strain rate [Pa s^2] */
     sph2d__real no_slip;       /**< 1 if walls are rough, else 0 */
-    const unsigned char *slips;
-    const uint64_t *ids; /**< of boundary particles: their slip, where walls differ, by id, and their ids */
+    sph2d__real nearest;       /**< least distance from a surface [m]; 0 where liquid does not stick pair by pair */
+    const sph2d__store *walls;
+    const unsigned char *slips; /**< of boundary particles, where walls differ, by id */
+    const double *spins;        /**< how fast they turn, by id, where some do [1/s] */
 } constants;
 
 /* Lower bound of divisors that may be 0. */
@@ -175,14 +179,37 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
     }
 }
 
+/** Makes (dvx, dvy), the velocity relative to boundary particle j, that relative to the image of stick.h, and adds its
+ *  share of the Laplacian. */
+SPH2D__INLINE void stick_to(force_sums *sums, const constants *k, const pair *p, size_t j, sph2d__real volume,
+                            sph2d__lanes *dvx, sph2d__lanes *dvy)
+{
+    const sph2d__store *w = k->walls;
+    const sph2d__real nx = (sph2d__real)w->normal_x[j], ny = (sph2d__real)w->normal_y[j];
+    const sph2d__real depth = (sph2d__real)w->depth[j];
+    sph2d__lanes gain = sph2d__lanes_all((sph2d__real)SPH2D__IN_CORNERS), bend = p->r2 / (sph2d__real)SPH2D__IN_CORNERS;
+    if (depth > 0 && depth < INFINITY) {
+        sph2d__lanes before = sph2d__lanes_max(p->dx * nx + p->dy * ny - depth, sph2d__lanes_all(k->nearest));
+        gain = 1 + depth / before;
+        bend = (before + depth) * depth;
+    }
+    sums->bend += p->g * volume * bend;
+    const sph2d__real spin = k->spins ? (sph2d__real)k->spins[w->id[j]] : 0;
+    sph2d__lanes ux = gain * *dvx + (gain - 1) * spin * p->dy, uy = gain * *dvy - (gain - 1) * spin * p->dx;
+    *dvx = ux;
+    *dvy = uy;
+}
+
 /** Adds a boundary particle. They have different masses; smooth ones have no viscosity. */
 SPH2D__INLINE void add_wall(force_sums *sums, terms with, const constants *k, const group_state *own, const pair *p,
                             const sph2d__packed *w, size_t j)
 {
     const sph2d__real volume = w->volume[j], ratio = w->mass[j] * k->inverse_mass;
-    const sph2d__real no_slip = k->slips ? k->slips[k->ids[j]] == SPH2D_SLIP_NONE : k->no_slip;
+    const sph2d__real no_slip = k->slips ? k->slips[k->walls->id[j]] == SPH2D_SLIP_NONE : k->no_slip;
     const sph2d__real theirs = ratio > 0 ? (w->pressure[j] + k->background) * volume * volume / ratio : 0;
     sph2d__lanes dvx = own->vx - w->vx[j], dvy = own->vy - w->vy[j];
+    if (k->nearest > 0 && no_slip > 0)
+        stick_to(sums, k, p, j, volume, &dvx, &dvy);
     sph2d__lanes jump = dvx * p->dx + dvy * p->dy, felt = volume * no_slip * jump;
     damped by = {own->liquid * felt, own->artificial * felt};
     sph2d__lanes share = p->g * (volume * no_slip);
@@ -255,9 +282,24 @@ SPH2D__INLINE void finish_concentration(sph2d__system *s, size_t i, const force_
     f->grad_c_y[i] = cy;
 }
 
+/** The acceleration by viscosity in Morris' form, of particle i, which is kept where the force of walls needs it. */
+SPH2D__INLINE sph2d_vec2 drag_of(sph2d__system *s, size_t i, const force_sums *sums, int l, const constants *k)
+{
+    sph2d__store *f = &s->fluid;
+    double drag = 2 * k->viscosity.laplacian * slope_scale(s) / f->density[i];
+    if (k->nearest > 0)
+        drag *= sph2d__unbend(-slope_scale(s) * (double)sums->bend[l]);
+    sph2d_vec2 a = {drag * (double)sums->drag.x[l], drag * (double)sums->drag.y[l]};
+    if (k->nearest > 0) {
+        f->image_vx[i] = a.x;
+        f->image_vy[i] = a.y;
+    }
+    return a;
+}
+
 /** Adds the acceleration of the sums. `pv2` is the particle's own p V^2, for sums without it. */
-SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int l, terms with, const constants *k,
-                            double pv2, double density, double *ax, double *ay)
+SPH2D__INLINE void add_sums(sph2d__system *s, size_t i, const force_sums *sums, int l, terms with, const constants *k,
+                            double pv2, double *ax, double *ay)
 {
     double scale = slope_scale(s), press = -scale / s->mass;
     double x = sums->press_x[l], y = sums->press_y[l];
@@ -268,9 +310,9 @@ SPH2D__INLINE void add_sums(const sph2d__system *s, const force_sums *sums, int 
     *ax += press * x;
     *ay += press * y;
     if (with.laplacian) {
-        double drag = 2 * k->viscosity.laplacian * scale / density;
-        *ax += drag * (double)sums->drag.x[l];
-        *ay += drag * (double)sums->drag.y[l];
+        sph2d_vec2 drag = drag_of(s, i, sums, l, k);
+        *ax += drag.x;
+        *ay += drag.y;
     }
 }
 
@@ -294,8 +336,10 @@ static constants constants_of(const sph2d__system *s)
                        .weight = (sph2d__real)s->central_weight,
                        .eddies = sph2d__has_eddies(&s->method) ? s->rest_density * filter * filter : 0,
                        .no_slip = s->walls_rough,
+                       .nearest = (sph2d__real)(s->walls_stick ? SPH2D__NEAREST * s->spacing : 0),
+                       .walls = &s->walls,
                        .slips = s->wall_slips,
-                       .ids = s->walls.id};
+                       .spins = s->wall_spin};
 }
 
 /* |S| H/c0 above which tensile control acts only if it removes energy. */
@@ -337,7 +381,7 @@ SPH2D__INLINE void finish(sph2d__system *s, size_t i, const force_sums *sums, co
         if (with.detail >= SPH2D__DETAIL_SHIFT)
             finish_concentration(s, i, sums, l, min_eigenvalue, scale, wall_packing / s->lattice_values);
     }
-    add_sums(s, sums, l, with, k, pv2, f->density[i], &ax, &ay);
+    add_sums(s, i, sums, l, with, k, pv2, &ax, &ay);
     sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
     f->ax[i] = ax;
     f->ay[i] = ay;

@@ -83,7 +83,7 @@ SPH2D__INLINE void finish_image(const sph2d__system *s, sph2d__store *w, size_t 
     bool wet = share > 0; /* of dry walls their own velocity */
     /* A wall that turns: what is mirrored is the velocity of the liquid relative to the wall's at the same place. */
     double turn = s->wall_spin ? s->wall_spin[w->id[b]] * share / s->rest_density : 0;
-    double ratio = wet ? image_ratio(s, b, sums, l, share) : 0;
+    double ratio = wet && !s->walls_stick ? image_ratio(s, b, sums, l, share) : 0; /* else images differ by pair */
     double slip_x = w->vx[b] - share * (double)sums->vx[l] + turn * (double)sums->weight_y[l];
     double slip_y = w->vy[b] - share * (double)sums->vy[l] - turn * (double)sums->weight_x[l];
     w->image_vx[b] = w->vx[b] + (wet ? ratio * slip_x : 0);

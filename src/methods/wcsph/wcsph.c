@@ -11,6 +11,7 @@
 #include "methods/terms/friction.h"
 #include "methods/terms/rheology.h"
 #include "methods/terms/stable_step.h"
+#include "methods/terms/stick.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
 
@@ -55,6 +56,21 @@ static void walls_placed(sph2d__system *s)
         s->walls.front[b] = fmax(1 - sum_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
 }
 
+/* The largest rate at which liquid that sticks to walls pair by pair is damped, a quarter of a spacing from them, is up
+ * to this times that inside (stick.h). Where viscosity is that close to limiting the step, images are those of the mean
+ * (wall_pair.h): liquid as thick as that has no layer that is thinner than H. */
+static const double STICKING_RATE = 4;
+
+/** Whether liquid sticks to rough walls pair by pair. */
+static bool sticks(const sph2d__system *s)
+{
+    if (!s->walls_rough || s->viscosities || s->method.viscosity_form != SPH2D_VISCOSITY_MORRIS)
+        return false;
+    double step = fmax(s->method.cfl * s->support / s->sound_speed, s->method.time_step);
+    double viscous = sph2d__viscosity_step(s->method.kernel) * s->support * s->support;
+    return STICKING_RATE * step * sph2d__viscosity_limiting(s) < viscous;
+}
+
 static void prepare(sph2d__system *s)
 {
     double q = s->spacing / s->support, unit = sph2d__kernel_value_at(s->method.kernel, q);
@@ -70,6 +86,7 @@ static void prepare(sph2d__system *s)
     s->central_weight = sph2d__central_weight(s->method.kernel, s->support);
     bool varies = s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN && s->method.viscosity_form == SPH2D_VISCOSITY_MONAGHAN;
     s->viscosity_limits = varies || sph2d__viscosity_limits(s);
+    s->walls_stick = sticks(s);
 }
 
 /** Whether density diffusion has Fourtakas' form, of the excess over hydrostatic density. */
@@ -159,6 +176,7 @@ static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, s->walls_press ? SPH2D_PHASE_WALLS : SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, set_some_pressures);
+    s->walls_stick = sticks(s); /* viscosity may have been changed */
     if (!sph2d__rheology_set(s))
         return false;
     sph2d__pack_fluid(s);
@@ -199,8 +217,17 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     force.friction = sph2d__friction_of(s, b, dx, dy);
     if (sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
         return force;
-    force.friction = sph2d__viscosity_force(sph2d__viscosity_at(s, i), vi * vb * g, dx, dy, f->vx[i] - w->image_vx[b],
-                                            f->vy[i] - w->image_vy[b]);
+    sph2d_vec2 jump = {f->vx[i] - w->image_vx[b], f->vy[i] - w->image_vy[b]};
+    double bent = 0;
+    if (s->walls_stick) {
+        jump = sph2d__stick_jump(s, b, sph2d__stick(s, b, dx, dy), dx, dy, jump.x, jump.y);
+        bent = -s->mass * vb * g * sph2d__bend(s, b, dx, dy);
+    }
+    force.friction = sph2d__viscosity_force(sph2d__viscosity_at(s, i), vi * vb * g, dx, dy, jump.x, jump.y);
+    if (s->walls_stick) {
+        force.friction.x += bent * f->image_vx[i];
+        force.friction.y += bent * f->image_vy[i];
+    }
     return force;
 }
 
@@ -227,10 +254,11 @@ static sph2d__set unused(const sph2d_method_options *m)
         SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) | SPH2D__BIT(packing) | SPH2D__BIT(acting_pressure);
     sph2d__set shifts = SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y);
     sph2d__set concentration = SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | shifts | STRAINS;
+    sph2d__set drags = SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy);
     bool floats = m->precision == SPH2D_PRECISION_MIXED;
     return (detail < SPH2D__DETAIL_GRADIENT ? gradients : 0) | (detail < SPH2D__DETAIL_EIGENVALUE ? surface : 0) |
            (detail < SPH2D__DETAIL_SHIFT ? concentration : 0) | (floats || !diffuses_excess(m) ? excess : 0) |
-           (floats ? SPH2D__BIT(volume) : 0);
+           (floats ? SPH2D__BIT(volume) : 0) | (m->viscosity_form != SPH2D_VISCOSITY_MORRIS ? drags : 0);
 }
 
 const sph2d__method sph2d__wcsph = {
@@ -240,7 +268,8 @@ const sph2d__method sph2d__wcsph = {
              SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(density_rate) |
              SPH2D__BIT(density_grad_x) | SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) |
              SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(min_eigenvalue) | SPH2D__BIT(surface_distance) |
-             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | SPH2D__BIT(acting_pressure) | STRAINS,
+             SPH2D__BIT(excess) | SPH2D__BIT(filling) | SPH2D__BIT(packing) | SPH2D__BIT(acting_pressure) | STRAINS |
+             SPH2D__BIT(image_vx) | SPH2D__BIT(image_vy),
     .unused = unused,
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(density_grad_x) |
                SPH2D__BIT(density_grad_y) | SPH2D__BIT(grad_c_x) | SPH2D__BIT(grad_c_y) | SPH2D__BIT(min_eigenvalue) |
