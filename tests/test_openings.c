@@ -673,11 +673,41 @@ START_TEST(a_solid_before_an_opening_is_refused)
 }
 END_TEST
 
+/* An inflow over a whole side is told where liquid stands lower; not one that ends there, has a surface, lets out, or lies
+ * above dry ground. */
+START_TEST(an_inflow_above_the_level_is_told)
+{
+    static const struct {
+        double depth, velocity, to;
+        sph2d_switch surface;
+        bool told;
+    } cases[] = {{0.1, 1, NAN, SPH2D_SWITCH_OFF, true},   {0.1, 1, 0.1, SPH2D_SWITCH_OFF, false},
+                 {0.1, 1, NAN, SPH2D_SWITCH_ON, false},   {0.1, -1, NAN, SPH2D_SWITCH_OFF, false},
+                 {0.25, 1, NAN, SPH2D_SWITCH_OFF, false}, {0, 1, NAN, SPH2D_SWITCH_OFF, false}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        lay_channel(0.5, 0.25, true);
+        c.scene.gravity.y = -9.81;
+        c.scene.boundary.top = SPH2D_SIDE_OPEN;
+        c.blocks[0] = cases[k].depth > 0 ? test_block(0, 0, 0.5, cases[k].depth) : test_block(0.25, 0, 0.5, 0.1);
+        c.openings[0].velocity = cases[k].velocity;
+        c.openings[0].to = cases[k].to;
+        c.openings[0].free_surface = cases[k].surface;
+        sph2d_report report = {0};
+        ck_assert_msg(sph2d_scene_check(&c.scene, &report) == SPH2D_OK, "%zu: %s", k, test_report_text(&report));
+        bool told = report.count == 1 && report.items[0].severity == SPH2D_WARNING &&
+                    strcmp(report.items[0].path, "openings[0]") == 0;
+        ck_assert_msg(told == cases[k].told, "%zu: %s", k, test_report_text(&report));
+        sph2d_report_clear(&report);
+    }
+}
+END_TEST
+
 Suite *suite_openings(void)
 {
     Suite *suite = suite_create("openings");
     TCase *test = tcase_create("openings");
     tcase_set_timeout(test, 120);
+    tcase_add_test(test, an_inflow_above_the_level_is_told);
     tcase_add_test(test, a_stream_stays_a_lattice);
     tcase_add_test(test, disorder_leaves_with_the_stream);
     tcase_add_test(test, a_stream_starts_from_rest);
