@@ -695,7 +695,7 @@ pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
 MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
-DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/notes/*.md examples/*.* \
+DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/*.png docs/gallery/*.png docs/notes/*.md examples/*.* \
     $(foreach e,yaml csv py md,examples/*/*.$(e))))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
