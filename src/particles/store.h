@@ -34,8 +34,8 @@ enum { SPH2D__PADDING = 16 };
     X(shift_ax) /* rates of velocity and density by advection with the shift velocity */                                   \
     X(shift_ay)                                                                                                            \
     X(shift_density_rate)                                                                                                  \
-    X(image_vx) /* velocity of a boundary particle in viscous terms, extrapolated for no slip [m/s]; of liquid its     \
-                 * acceleration by viscosity, where walls_stick [m/s^2] */   \
+    X(image_vx) /* velocity of a boundary particle in viscous terms, extrapolated for no slip [m/s]; of liquid its         \
+                 * acceleration by viscosity, where walls_stick [m/s^2] */                                                 \
     X(image_vy)                                                                                                            \
     X(normal_x) /* unit normal from a boundary particle to the wall's surface */                                           \
     X(normal_y)                                                                                                            \

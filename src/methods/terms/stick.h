@@ -28,6 +28,14 @@
  * single surface, in a corner: that of one as far behind it as the liquid is before it. */
 static const double SPH2D__NEAREST = 0.25, SPH2D__IN_CORNERS = 2;
 
+/** d_i: how far a fluid particle at (dx, dy) from b is before the surface in front of b [m]. */
+static inline double sph2d__before(const sph2d__system *s, size_t b, double dx, double dy)
+{
+    const sph2d__store *w = &s->walls;
+    double before = dx * w->normal_x[b] + dy * w->normal_y[b] - w->depth[b], least = SPH2D__NEAREST * s->spacing;
+    return before > least ? before : least;
+}
+
 /** 1 + d_b/d_i of a fluid particle at (dx, dy) from boundary particle b; 0 where that lets it slip. */
 static inline double sph2d__stick(const sph2d__system *s, size_t b, double dx, double dy)
 {
@@ -37,8 +45,7 @@ static inline double sph2d__stick(const sph2d__system *s, size_t b, double dx, d
     double depth = w->depth[b];
     if (!(depth > 0 && depth < INFINITY))
         return SPH2D__IN_CORNERS;
-    double before = dx * w->normal_x[b] + dy * w->normal_y[b] - depth, least = SPH2D__NEAREST * s->spacing;
-    return 1 + depth / (before > least ? before : least);
+    return 1 + depth / sph2d__before(s, b, dx, dy);
 }
 
 /** What b adds to B of a fluid particle there, over -V_b W'/r: d_b (d_b + d_i) [m^2]. */
@@ -48,8 +55,7 @@ static inline double sph2d__bend(const sph2d__system *s, size_t b, double dx, do
     double depth = w->depth[b];
     if (!(depth > 0 && depth < INFINITY))
         return (dx * dx + dy * dy) / SPH2D__IN_CORNERS;
-    double before = dx * w->normal_x[b] + dy * w->normal_y[b] - depth, least = SPH2D__NEAREST * s->spacing;
-    return depth * (depth + (before > least ? before : least));
+    return depth * (depth + sph2d__before(s, b, dx, dy));
 }
 
 /** 1/(1 - B), B at most that of a particle on a wall. */
