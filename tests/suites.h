@@ -37,6 +37,7 @@
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
+    X(fitted_openings)                                                                                                 \
     X(projection)                                                                                                      \
     X(reported_pressure)                                                                                               \
     X(limited_viscosity)                                                                                               \

@@ -331,23 +331,17 @@ START_TEST(walls_that_are_not_there_are_refused)
     static const struct {
         const char *name, *on;
         sph2d_probe_kind kind;
-        sph2d_operators operators;
         sph2d_code code;
         const char *path, *text;
     } cases[] = {
-        {"post", "past", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "post"},
-        {"post", "nothing of the kind", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT,
-         "probes[0].on", "the name of an obstacle, body or side: post, left, right, bottom, top"},
-        {"post", "top", SPH2D_PROBE_WORK, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "not a wall"},
-        {"post", "post", SPH2D_PROBE_ENERGY, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "probes[0].on", "force"},
-        {"left", "left", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_CONFLICT, "obstacles[0].name",
-         "side"},
-        {"a b", "left", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].name",
-         "letters"},
-        {"", "left", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_SYMMETRIC, SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].name",
-         "letters"},
-        {"post", "post", SPH2D_PROBE_FORCE, SPH2D_OPERATORS_FITTED, SPH2D_CODE_UNSUPPORTED, "probes[0].kind",
-         "symmetric"},
+        {"post", "past", SPH2D_PROBE_FORCE, SPH2D_CODE_CONFLICT, "probes[0].on", "post"},
+        {"post", "nothing of the kind", SPH2D_PROBE_FORCE, SPH2D_CODE_CONFLICT, "probes[0].on",
+         "the name of an obstacle, body or side: post, left, right, bottom, top"},
+        {"post", "top", SPH2D_PROBE_WORK, SPH2D_CODE_CONFLICT, "probes[0].on", "not a wall"},
+        {"post", "post", SPH2D_PROBE_ENERGY, SPH2D_CODE_CONFLICT, "probes[0].on", "force"},
+        {"left", "left", SPH2D_PROBE_FORCE, SPH2D_CODE_CONFLICT, "obstacles[0].name", "side"},
+        {"a b", "left", SPH2D_PROBE_FORCE, SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].name", "letters"},
+        {"", "left", SPH2D_PROBE_FORCE, SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].name", "letters"},
     };
     flood_start();
     flood.scene.probe_count = 1;
@@ -356,7 +350,6 @@ START_TEST(walls_that_are_not_there_are_refused)
         flood.post.name = cases[k].name;
         flood.probes[0].on = cases[k].on;
         flood.probes[0].kind = cases[k].kind;
-        flood.scene.method.operators = cases[k].operators;
         sph2d_report report = {0};
         ck_assert_int_eq(sph2d_scene_check(&flood.scene, &report), SPH2D_SCENE);
         ck_assert_msg(test_report_has(&report, cases[k].code, cases[k].path) &&

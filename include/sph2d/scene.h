@@ -530,8 +530,8 @@ typedef struct sph2d_opening_history {
     const char *file;
 } sph2d_opening_history;
 
-/** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph with symmetric
- *  operators, generalised walls. Just one of velocity, flow_rate, pressure and level is given, by a number or over
+/** An opening: a part of a side that is a wall, through which liquid flows in or out; method wcsph, generalised walls;
+ *  with fitted operators without a level or a free surface. Just one of velocity, flow_rate, pressure and level is given, by a number or over
  *  time, a velocity also over place and time. Behind it, outside the domain,
  *  is a reservoir, some support radii long, full of particles that move as prescribed: with velocity or flow_rate they
  *  have that velocity and the pressure of the liquid before them, with pressure that pressure and the velocity of the

@@ -93,7 +93,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
     s->tension = limited ? tension : INFINITY;
-    bool fills = sim->given.opening_count > 0 && scene->method.shifting > 0 && sph2d__liquid_fills(&sim->given);
+    bool fills =
+        sim->given.opening_count > 0 && scene->method.shifting > 0 && !fitted && sph2d__liquid_fills(&sim->given);
     s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
     s->tension = fills ? fmax(s->tension, TENSION * s->rest_density * s->head) : s->tension;
     s->liquid = &scene->fluid;
@@ -109,7 +110,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
     sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
-    sph2d__set walls = sim->method->walls & ~(s->walls_smooth ? 0 : friction);
+    sph2d__set walls = sim->method->walls & ~(s->walls_smooth || sim->method->surface_force ? 0 : friction);
     s->walls.carried = walls;
     if (sim->method->project && scene->body_count > 0)
         walls |= SPH2D__BIT(push);

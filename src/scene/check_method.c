@@ -9,7 +9,10 @@
 #include "kernels/kernel.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
+#include "scene/liquid_side.h"
 #include "scene/method_table.h"
+#include "scene/openings.h"
+#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/wall_names.h"
 #include "sph2d/key.h"
@@ -308,6 +311,16 @@ static void check_walls(sph2d__checker *c)
     }
 }
 
+/** Whether liquid of blocks leaves room for a surface. Where layers lie beside an open line is not known here, nor what
+ *  particles or a snapshot will fill. */
+static bool has_voids(const sph2d_scene *scene)
+{
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+            return false;
+    return scene->block_count > 0 && scene->particles.count == 0 && !sph2d__liquid_fills(scene);
+}
+
 /** Fitted operators have no free surface: liquid must fill the domain, and walls must be no-slip. */
 static void check_filled_domain(sph2d__checker *c)
 {
@@ -329,6 +342,17 @@ static void check_filled_domain(sph2d__checker *c)
                     "use `wall_slip: none`, or `operators: symmetric`");
     require_feature(c, "sources", scene->source_count > 0, SPH2D_FEATURE_FREE_SURFACE, "use `operators: symmetric`");
     require_feature(c, "openings", scene->opening_count > 0, SPH2D_FEATURE_OPENINGS, NULL);
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        char path[SPH2D__PATH_SIZE];
+        require_feature(c, sph2d__check_path(path, "openings", i, ""), sph2d__opening_has_surface(&scene->openings[i]),
+                        SPH2D_FEATURE_FREE_SURFACE,
+                        "use a velocity, a flow rate or a pressure, or `operators: symmetric`");
+    }
+    if (c->errors == 0 && !sph2d_method_has(sph2d_method_of(&scene->method), SPH2D_FEATURE_FREE_SURFACE) &&
+        has_voids(scene))
+        sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "blocks",
+                                                 "leave room for a free surface, which fitted operators do not have"),
+                              "make them fill the domain, or use `operators: symmetric`");
     require_feature(c, "drains", scene->drain_count > 0, SPH2D_FEATURE_FREE_SURFACE, "use `operators: symmetric`");
 }
 

@@ -165,13 +165,6 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
             sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force, work, body and opening");
         return;
     }
-    if (c->scene->method.operators == SPH2D_OPERATORS_FITTED) {
-        sph2d_diagnostic *d =
-            sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_path(path, "probes", i, ".kind"),
-                               "fitted operators have no forces between particles and walls");
-        sph2d_diagnostic_hint(d, "use symmetric operators, or probes of kind pressure along the wall");
-        return;
-    }
     if (!probe->on)
         return;
     int wall = sph2d__wall_named(c->scene, probe->on);

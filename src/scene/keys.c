@@ -746,8 +746,7 @@ static const sph2d_key scene_items[] = {
     LIST("sources", sources, source, "nozzles that emit liquid"),
     LIST("drains", drains, drain, "areas that remove liquid"),
     LIST("absorbers", absorbers, absorber, "ends where waves die out, so that they do not come back"),
-    LIST("openings", openings, opening,
-         "parts of sides through which liquid flows in or out, wcsph with symmetric operators"),
+    LIST("openings", openings, opening, "parts of sides through which liquid flows in or out, wcsph"),
     LIST("obstacles", obstacles, obstacle, "walls of boundary particles, fixed or moving"),
     LIST("bodies", bodies, body,
          "rigid bodies that the liquid moves; contacts keep them a fifth of a spacing from walls and each other, so "

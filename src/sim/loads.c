@@ -95,6 +95,8 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
     const sph2d__system *s = &sim->system;
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     sph2d__wall_force sum = {{0, 0}, {0, 0}};
+    if (sim->method->surface_force)
+        return w->bounce[b] < 0 && w->skin[b] > 0 ? sim->method->surface_force(s, b) : sum;
     uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
     if (w->bounce[b] >= 0 || cell == UINT32_MAX)
         return sum;
@@ -166,8 +168,9 @@ static sph2d_vec2 rubbed_at(const sph2d_sim *sim, size_t b)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *w = &s->walls;
-    bool across = !sim->method->project && s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS &&
-                  sph2d__slip_of(s, b) == SPH2D_SLIP_NONE;
+    bool across =
+        sim->method->surface_force || (!sim->method->project && s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS &&
+                                       sph2d__slip_of(s, b) == SPH2D_SLIP_NONE);
     double depth = across && w->depth && w->normal_x && w->depth[b] < INFINITY ? w->depth[b] : 0;
     return depth > 0 ? (sph2d_vec2){w->x[b] + depth * w->normal_x[b], w->y[b] + depth * w->normal_y[b]}
                      : (sph2d_vec2){w->x[b], w->y[b]};

@@ -31,6 +31,9 @@
  *  some lanes are *fed*, from the bottom up: those below L, or those of a stream that meets the liquid inside
  *  (openings_measure.c), in the mean over T; a flow rate is divided by their width, in the same mean.
  *
+ *  With fitted operators v also has n (p(0) - p'(0))/(rho0 c0) where a pressure is given, so that p' - rho0 c0 u, which
+ *  leaves, is that of the domain.
+ *
  *  The particles take part in all sums, but their velocity and density are overwritten; what that does to the liquid is
  *  booked as energy fed. */
 #ifndef SPH2D_SIM_OPENINGS_H
@@ -107,6 +110,11 @@ bool sph2d__openings_spent(const sph2d_sim *sim, double x, double y);
 void sph2d__openings_hold_density(sph2d_sim *sim, double dt);
 void sph2d__openings_impose(sph2d_sim *sim);
 void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt);
+
+/** Before a step of `dt` by a scheme that sums rates of several steps: particles in reservoirs move as prescribed, and
+ *  keep their rates for the steps in which they enter the domain. Fits do not conserve energy pair by pair, so that its
+ *  flow is that of pressure at the lines. Nothing without openings. */
+void sph2d__openings_hold_rates(sph2d_sim *sim, double dt);
 
 /** Notes that a particle at a position leaves its reservoir. */
 void sph2d__openings_count_out(sph2d_sim *sim, double x, double y);

@@ -29,6 +29,17 @@ static double lane_velocity(const sph2d_sim *sim, const sph2d__opening *o, size_
     return 8.0 / 27 * sqrt(hypot(sim->record.gravity_x, sim->record.gravity_y) * o->now.fed);
 }
 
+/** With fitted operators a reservoir does not press on what is before it pair by pair: its velocity is that by which
+ *  p' - rho0 c0 u, which leaves, meets the pressure given. Without this 5 % of rho U^2 stayed before the end of a channel
+ *  40 spacings across, and more of the energy was unaccounted for: 1.1 instead of 0.2 % of its scale. */
+static double leaving_velocity(const sph2d_sim *sim, const sph2d__opening *o, size_t k, double pressure)
+{
+    const sph2d__lane *lane = &o->lanes[k];
+    double at_line = pressure - o->means->slope * o->duct;
+    bool fitted = sim->system.method.operators == SPH2D_OPERATORS_FITTED;
+    return fitted && lane->wet ? (at_line - lane->pressure) / (sim->system.rest_density * sim->system.sound_speed) : 0;
+}
+
 /** What a lane prescribes at its line: velocity inwards and sidewards, pressure p', and its slope. */
 static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k, double part, double values[4])
 {
@@ -37,9 +48,10 @@ static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k,
     bool known = o->means->age > 0;
     if (!o->has_velocity) {
         double sound = known ? -impedance * (o->now.velocity - o->means->velocity) : 0;
-        values[0] += part * lane_velocity(sim, o, k);
+        double pressure = o->value + sound_part(o, k) * sound;
+        values[0] += part * (lane_velocity(sim, o, k) + leaving_velocity(sim, o, k, pressure));
         values[1] += part * (lane->inward < 0 ? lane->sideward : 0);
-        values[2] += part * (o->value + sound_part(o, k) * sound);
+        values[2] += part * pressure;
     } else {
         values[0] += part * (known ? -(o->now.pressure - o->means->pressure) / impedance : 0);
         values[2] += part * lane->pressure;
@@ -112,6 +124,36 @@ void sph2d__openings_hold_density(sph2d_sim *sim, double dt)
         if (f->shift_x)
             f->shift_x[i] = f->shift_y[i] = 0;
     }
+}
+
+/** Power of pressure at the line of an opening on the liquid before it [W/m]. */
+static double power_at_line(const sph2d_sim *sim, const sph2d__opening *o)
+{
+    double power = 0;
+    for (size_t k = 0; k < o->lane_count; ++k) {
+        sph2d_vec2 at = sph2d__place_of(o, (sph2d__spot){((double)k + 0.5) * o->lane_width, 0});
+        double pressure = o->lanes[k].pressure + sph2d__rest_pressure(sim, o, at.x, at.y);
+        power += o->lanes[k].wet ? o->lane_width * pressure * o->lanes[k].inward : 0;
+    }
+    return power;
+}
+
+void sph2d__openings_hold_rates(sph2d_sim *sim, double dt)
+{
+    sph2d__store *f = &sim->system.fluid;
+    const double *b = sim->weights;
+    for (size_t i = 0; sim->openings.count > 0 && i < f->count; ++i) {
+        if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
+            continue;
+        f->shift_ax[i] = -(b[0] * f->ax[i] + b[1] * f->old_ax[i] + b[2] * f->older_ax[i]);
+        f->shift_ay[i] = -(b[0] * f->ay[i] + b[1] * f->old_ay[i] + b[2] * f->older_ay[i]);
+        f->shift_density_rate[i] =
+            -(b[0] * f->density_rate[i] + b[1] * f->old_density_rate[i] + b[2] * f->older_density_rate[i]);
+        f->shift_x[i] = f->shift_ax[i] * dt / 2;
+        f->shift_y[i] = f->shift_ay[i] * dt / 2;
+    }
+    for (size_t k = 0; k < sim->openings.count; ++k)
+        sim->record.energy_fed += dt * power_at_line(sim, &sim->openings.items[k]);
 }
 
 void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt)

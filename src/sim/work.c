@@ -292,6 +292,20 @@ void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
     sim->record.energy_diffused -= integrate(&sim->record.power_diffusion, power, span);
 }
 
+/** Sum of v . a and of p/rho^2 drho/dt over the particles that are in no reservoir of an opening. */
+static void sum_rates(const sph2d_sim *sim, double *motion, double *compression)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    *motion = *compression = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        if (sph2d__opening_at(sim, f->x[i], f->y[i]))
+            continue;
+        *motion += f->vx[i] * f->ax[i] + f->vy[i] * f->ay[i];
+        *compression +=
+            sph2d__pressure_of(&sim->system, f->density[i]) / (f->density[i] * f->density[i]) * f->density_rate[i];
+    }
+}
+
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
@@ -300,12 +314,13 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
         return sim->method->evaluate(s);
     if (!evaluate_reversed(sim))
         return false;
-    double reversed = dot_accelerations(&s->fluid), rates = power_of_rates(s, s->fluid.density_rate, 0);
+    double reversed, forward, there, back;
+    sum_rates(sim, &reversed, &back);
     if (!sim->method->evaluate(s))
         return false;
-    double forward = dot_accelerations(&s->fluid), span = r->time + dt - r->booked_time;
-    rates += power_of_rates(s, s->fluid.density_rate, 0);
-    r->energy_diffused -= integrate(&r->power_diffusion, rates / 2, span);
+    sum_rates(sim, &forward, &there);
+    double span = r->time + dt - r->booked_time;
+    r->energy_diffused -= integrate(&r->power_diffusion, (s->mass * back + s->mass * there) / 2, span);
     r->energy_viscous -= integrate(&r->power_viscous, s->mass * (forward - reversed) / 2, span);
     return true;
 }

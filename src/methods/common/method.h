@@ -47,6 +47,9 @@ typedef struct sph2d__method {
     /** Force of boundary particle b on fluid particle i at (dx, dy) from it, within the support radius, as in the last
      *  evaluation or projection. NULL: not available. */
     sph2d__wall_force (*wall_force)(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
+    /** Force of the surface before boundary particle b, in its first layer, on the liquid [N/m], in a method without
+     *  forces between particles and walls; else NULL. */
+    sph2d__wall_force (*surface_force)(const sph2d__system *system, size_t b);
     /** Sets the acceleration of particle i away from each side of the domain by liquid that the method imagines behind
      *  it: left, right, bottom, top [m/s^2]. NULL: none. */
     void (*side_push)(const sph2d__system *system, size_t i, double push[4]);

@@ -97,21 +97,27 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     sph2d__limit_shift(s, SHIFT_GAIN, SHIFT_LIMIT, dt);
     if (!(r->mean_density > 0))
         r->mean_density = mean_density(&s->fluid);
+    sph2d_status status = sim->openings.count > 0 ? sph2d__sort_fluid(sim) : SPH2D_OK; /* some came, some left */
     rotate_rates(&s->fluid);
-    sph2d_status status = sph2d__sim_update_forcing(sim, r->time);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_update_forcing(sim, r->time);
     if (status != SPH2D_OK)
         return status;
     if (!sph2d__sim_book_fitted(sim, dt))
         return SPH2D_NOMEM;
     set_weights(sim->weights, dt, r->last_step, r->older_step);
     r->older_step = r->last_step;
+    sph2d__openings_hold_rates(sim, dt);
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
     status = sph2d__advect(sim, dt, advance, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
-    restore_mean_density(sim);
+    if (sim->openings.count == 0)
+        restore_mean_density(sim);
+    sph2d__openings_impose(sim);
     sph2d__state_equation_apply(s);
+    sph2d__loads_find(sim, 1);
     return SPH2D_OK;
 }

@@ -87,8 +87,9 @@ const sph2d__method sph2d__wcsph_fitted = {
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(density) | RATES | OLD_RATES,
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) | SPH2D__BIT(ax) |
              SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |
-             SPH2D__BIT(density) | SPH2D__BIT(pressure),
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(skin),
     .prepare = prepare,
     .evaluate = evaluate,
+    .surface_force = sph2d__fitted_surface_force,
     .stable_step = stable_step,
 };

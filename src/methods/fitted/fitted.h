@@ -44,6 +44,9 @@ typedef struct sph2d__fitted_passes {
 SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, )
 SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, _mixed)
 
+/** Force of the surface before boundary particle b of the first layer on the liquid [N/m] (fitted_walls.c). */
+sph2d__wall_force sph2d__fitted_surface_force(const sph2d__system *system, size_t b);
+
 /** gamma for a square lattice of spacing 1 and the support radius `ratio`. */
 double sph2d__fitted_residual_gain(double ratio);
 

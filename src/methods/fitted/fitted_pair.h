@@ -11,6 +11,7 @@
 #include "methods/common/packed.h"
 #include "methods/common/state_equation.h"
 #include "methods/fitted/fitted.h"
+#include "methods/fitted/fitted_surface.h"
 
 /* Sums over the neighbours of a particle: moments of order 1 to 4 of (xi, eta), the concentration gradient, then the
  * differences of u, v and rho, by themselves and times each basis function. */
@@ -106,12 +107,6 @@ SPH2D__INLINE void add_moments(fit_sums *to, sph2d__lanes x, sph2d__lanes y, sph
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */
 
-/* Largest depth [dx] of boundary particles of the first layer, which represent the surface. */
-static const double FIRST_LAYER = 0.75;
-/* Weight of the density gradient known at a wall relative to neighbours. Without it the gradient at a wall is an
- * extrapolation, and a cavity at Re 1000 diverged. */
-static const double GRADIENT_WEIGHT = 0.1;
-
 /** Adds a point of a no-slip surface, where the velocity is known, to the velocity sums of a lane. */
 static void add_surface(fit_sums *sums, int lane, double x, double y, const double known[2])
 {
@@ -167,10 +162,7 @@ static void add_wall(const sph2d__system *s, size_t i, size_t b, double x, doubl
     double foot_x = (x + w->depth[b] * w->normal_x[b]) * k->inverse_support;
     double foot_y = (y + w->depth[b] * w->normal_y[b]) * k->inverse_support;
     add_surface(velocity_sums, lane, foot_x, foot_y, known);
-    double gx = -w->ax[b], gy = -w->ay[b];
-    sph2d__body_add(&s->body, f->x[i], f->y[i], w->vx[b], w->vy[b], &gx, &gy);
-    double gradient = f->density[i] / sph2d__sound_speed2_at(s, f->density[i]) * s->support *
-                      (gx * w->normal_x[b] + gy * w->normal_y[b]);
+    double gradient = sph2d__fitted_slope(s, b, f->density[i], (sph2d_vec2){f->x[i], f->y[i]});
     add_normal_gradient(sums, matrix, lane, foot_x, foot_y, w->normal_x[b], w->normal_y[b], gradient);
 }
 
