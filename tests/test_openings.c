@@ -495,6 +495,38 @@ START_TEST(no_void_stays_behind_a_corner)
 }
 END_TEST
 
+/* Liquid at rest under a pressure presses on a box on the floor by that pressure, and by nothing that keeps particles
+ * together. */
+START_TEST(a_box_on_the_floor_feels_the_pressure)
+{
+    const double pressure = 400;
+    lay_channel(1, 0.5, true);
+    c.blocks[0].velocity.x = 0;
+    sph2d_obstacle box = sph2d_obstacle_default();
+    box.name = "box";
+    box.outline.kind = SPH2D_OUTLINE_BOX;
+    box.outline.box = (sph2d_box){{0.4, 0}, {0.6, 0.2}};
+    c.scene.obstacles = &box;
+    c.scene.obstacle_count = 1;
+    c.openings[0].velocity = NAN;
+    c.openings[0].pressure = c.openings[1].pressure = pressure;
+    c.scene.wall_slip = SPH2D_SLIP_NONE;
+    c.scene.method.operators = _i ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_SYMMETRIC;
+    c.probes[0].kind = SPH2D_PROBE_FORCE;
+    c.probes[0].on = "box";
+    start();
+    run_until(3);
+    double v[SPH2D_PROBE_MAX_COLUMNS];
+    sph2d_sample above;
+    ck_assert(sph2d_sim_sample(c.sim, (sph2d_vec2){0.5, 0.2}, &above));
+    ck_assert_double_le(fabs(above.pressure - pressure), 0.2 * pressure); /* sound still comes and goes */
+    ck_assert_uint_eq(sph2d_sim_probe(c.sim, 0, v), 12);
+    ck_assert_double_le(fabs(v[0]), 0.01 * pressure * 0.2);
+    ck_assert_double_le(fabs(v[1] / (above.pressure * 0.2) + 1), 0.05);
+    finish();
+}
+END_TEST
+
 /* ---- bits -------------------------------------------------------------------------------------------------------- */
 
 static void lay_busy_channel(void)
@@ -721,6 +753,7 @@ Suite *suite_openings(void)
     tcase_add_test(test, a_jet_fills_an_empty_tank);
     tcase_add_test(test, no_void_stays_behind_a_cylinder);
     tcase_add_test(test, no_void_stays_behind_a_corner);
+    tcase_add_loop_test(test, a_box_on_the_floor_feels_the_pressure, 0, 2);
     tcase_add_test(test, threads_give_the_same_bits);
     tcase_add_test(test, a_resumed_run_has_the_same_bits);
     tcase_add_loop_test(test, bad_openings_are_refused, 0, FAULTS);

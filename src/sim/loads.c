@@ -94,7 +94,7 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *w = &s->walls, *f = &s->fluid;
-    sph2d__wall_force sum = {{0, 0}, {0, 0}};
+    sph2d__wall_force sum = {0};
     if (sim->method->surface_force)
         return w->bounce[b] < 0 && w->skin[b] > 0 ? sim->method->surface_force(s, b) : sum;
     uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
@@ -111,6 +111,8 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
         sum.pressure.y += force.pressure.y;
         sum.friction.x += force.friction.x;
         sum.friction.y += force.friction.y;
+        sum.background.x += force.background.x;
+        sum.background.y += force.background.y;
     }
     return sum;
 }
@@ -190,10 +192,12 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
         if (in_x + in_y == 0)
             continue;
         sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]), rubbed = rubbed_at(sim, b);
-        sph2d_vec2 press = {in_x * kept * l->forces[b].pressure.x, in_y * kept * l->forces[b].pressure.y};
+        const sph2d__wall_force *force = &l->forces[b];
+        sph2d_vec2 press = {in_x * kept * (force->pressure.x - force->background.x),
+                            in_y * kept * (force->pressure.y - force->background.y)};
         if (l->tensions)
             press = (sph2d_vec2){press.x + in_x * l->tensions[b].x, press.y + in_y * l->tensions[b].y};
-        sph2d_vec2 rub = {in_x * l->forces[b].friction.x, in_y * l->forces[b].friction.y};
+        sph2d_vec2 rub = {in_x * force->friction.x, in_y * force->friction.y};
         add_pull(&sum->pressure, arm, -press.x, -press.y);
         add_pull(&sum->friction, arm_to(sim, point, rubbed.x, rubbed.y), -rub.x, -rub.y);
         sum->power += w->vx[b] * (press.x + rub.x) + w->vy[b] * (press.y + rub.y);

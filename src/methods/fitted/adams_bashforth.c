@@ -81,11 +81,11 @@ static double mean_density(const sph2d__store *f)
 }
 
 /** Restores the mean density, which is constant in a closed domain; the fits are not conservative and let it drift (a
- *  cavity at Re 1000 by 0.07 % in a time L/U), uniformly. */
+ *  cavity at Re 1000 by 0.07 % in a time L/U), uniformly. Openings keep it. */
 static void restore_mean_density(sph2d_sim *sim)
 {
     sph2d__store *f = &sim->system.fluid;
-    double drift = mean_density(f) - sim->record.mean_density;
+    double drift = sim->openings.count > 0 ? 0 : mean_density(f) - sim->record.mean_density;
     for (size_t i = 0; i < f->count; ++i)
         f->density[i] -= drift;
 }
@@ -95,7 +95,7 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
     sph2d__limit_shift(s, SHIFT_GAIN, SHIFT_LIMIT, dt);
-    if (!(r->mean_density > 0))
+    if (!(r->mean_density > 0) && sim->openings.count == 0)
         r->mean_density = mean_density(&s->fluid);
     sph2d_status status = sim->openings.count > 0 ? sph2d__sort_fluid(sim) : SPH2D_OK; /* some came, some left */
     rotate_rates(&s->fluid);
@@ -114,8 +114,7 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
-    if (sim->openings.count == 0)
-        restore_mean_density(sim);
+    restore_mean_density(sim);
     sph2d__openings_impose(sim);
     sph2d__state_equation_apply(s);
     sph2d__loads_find(sim, 1);

@@ -7,7 +7,8 @@
  *
  *  Velocity and density are quadratic polynomials around that point, fitted to the particles and to what is known of
  *  walls, as those around a particle are (fitted.h, fitted_pair.h): at walls the velocity, and the slope of the density
- *  along their normals, by which pressure balances the body force. */
+ *  along their normals, by which pressure balances the body force. Surface that another wall covers is left out: that
+ *  with more boundary particles in front of it than liquid. */
 #include <math.h>
 
 #include "kernels/kernel.h"
@@ -82,16 +83,22 @@ static void solve_or_less(const equations *e, int from, double c[2][TERMS])
         c[0][a] = c[1][a] = 0;
 }
 
-/** A point of the surface, and the wall's velocity there. */
+/** A point of the surface, the wall's velocity there, and the normal into the liquid. */
 typedef struct surface_point {
-    sph2d_vec2 at, velocity;
+    sph2d_vec2 at, velocity, normal;
 } surface_point;
+
+/** What is known around a point, and the weights of liquid and of boundary particles in front of it. */
+typedef struct surroundings {
+    equations velocity, density;
+    double liquid, walls;
+} surroundings;
 
 static surface_point surface_before(const sph2d__system *s, size_t b)
 {
     const sph2d__store *w = &s->walls;
     sph2d_vec2 at = {w->x[b] + w->depth[b] * w->normal_x[b], w->y[b] + w->depth[b] * w->normal_y[b]};
-    return (surface_point){at, sph2d__surface_velocity(s, b)};
+    return (surface_point){at, sph2d__surface_velocity(s, b), {w->normal_x[b], w->normal_y[b]}};
 }
 
 static double weight_at(double x, double y)
@@ -101,7 +108,7 @@ static double weight_at(double x, double y)
 }
 
 /** Adds the liquid around a point. */
-static void add_liquid(const sph2d__system *s, const surface_point *p, equations *velocity, equations *density)
+static void add_liquid(const sph2d__system *s, const surface_point *p, surroundings *to)
 {
     const sph2d__store *f = &s->fluid;
     uint32_t cell = sph2d__cells_find(&s->fluid_cells, p->at.x, p->at.y);
@@ -115,13 +122,29 @@ static void add_liquid(const sph2d__system *s, const surface_point *p, equations
         set_terms(terms, x, y);
         if (!(weight > 0))
             continue;
-        add_equation(velocity, terms, weight, f->vx[i] - p->velocity.x, f->vy[i] - p->velocity.y);
-        add_equation(density, terms, weight, f->density[i] - s->rest_density, 0);
+        add_equation(&to->velocity, terms, weight, f->vx[i] - p->velocity.x, f->vy[i] - p->velocity.y);
+        add_equation(&to->density, terms, weight, f->density[i] - s->rest_density, 0);
+        to->liquid += x * p->normal.x + y * p->normal.y > 0 ? weight : 0;
     }
 }
 
-/** Adds what is known of walls around a point. */
-static void add_surfaces(const sph2d__system *s, const surface_point *p, equations *velocity, equations *density)
+/** Adds what is known at the surface before boundary particle b, less `shift`, around a point. */
+static void add_surface(const sph2d__system *s, const surface_point *p, size_t b, sph2d_vec2 shift, surroundings *to)
+{
+    surface_point other = surface_before(s, b);
+    double x = (other.at.x - p->at.x - shift.x) / s->support, y = (other.at.y - p->at.y - shift.y) / s->support;
+    double weight = weight_at(x, y), terms[TERMS], nx = other.normal.x, ny = other.normal.y;
+    if (!(weight > 0))
+        return;
+    set_terms(terms, x, y);
+    add_equation(&to->velocity, terms, weight, other.velocity.x - p->velocity.x, other.velocity.y - p->velocity.y);
+    const double slope[TERMS] = {0, nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
+    add_equation(&to->density, slope, GRADIENT_WEIGHT * weight, sph2d__fitted_slope(s, b, s->rest_density, other.at),
+                 0);
+}
+
+/** Adds the walls around a point. */
+static void add_walls(const sph2d__system *s, const surface_point *p, surroundings *to)
 {
     const sph2d__store *w = &s->walls;
     uint32_t cell = sph2d__cells_find(&s->wall_cells, p->at.x, p->at.y);
@@ -130,18 +153,13 @@ static void add_surfaces(const sph2d__system *s, const surface_point *p, equatio
     sph2d__ranges ranges;
     sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
-        if (w->bounce[b] >= 0 || w->depth[b] > FIRST_LAYER * s->spacing)
+        double x = (w->x[b] - p->at.x - ranges.x[r]) / s->support, y = (w->y[b] - p->at.y - ranges.y[r]) / s->support;
+        if (w->bounce[b] >= 0)
             continue;
-        surface_point other = surface_before(s, b);
-        double x = (other.at.x - p->at.x - ranges.x[r]) / s->support,
-               y = (other.at.y - p->at.y - ranges.y[r]) / s->support, weight = weight_at(x, y), terms[TERMS];
-        if (!(weight > 0))
-            continue;
-        set_terms(terms, x, y);
-        add_equation(velocity, terms, weight, other.velocity.x - p->velocity.x, other.velocity.y - p->velocity.y);
-        double nx = w->normal_x[b], ny = w->normal_y[b];
-        const double slope[TERMS] = {0, nx, ny, 2 * x * nx, x * ny + y * nx, 2 * y * ny};
-        add_equation(density, slope, GRADIENT_WEIGHT * weight, sph2d__fitted_slope(s, b, s->rest_density, other.at), 0);
+        if (x * p->normal.x + y * p->normal.y > 0)
+            to->walls += weight_at(x, y) * w->mass[b] / s->mass;
+        if (w->depth[b] <= FIRST_LAYER * s->spacing)
+            add_surface(s, p, b, (sph2d_vec2){ranges.x[r], ranges.y[r]}, to);
     }
 }
 
@@ -149,12 +167,14 @@ sph2d__wall_force sph2d__fitted_surface_force(const sph2d__system *s, size_t b)
 {
     const sph2d__store *w = &s->walls;
     const surface_point p = surface_before(s, b);
-    equations velocity = {0}, density = {0};
+    surroundings around = {0};
     double v[2][TERMS], rho[2][TERMS];
-    add_liquid(s, &p, &velocity, &density);
-    add_surfaces(s, &p, &velocity, &density);
-    solve_or_less(&velocity, 1, v);
-    solve_or_less(&density, 0, rho);
+    add_liquid(s, &p, &around);
+    add_walls(s, &p, &around);
+    if (around.liquid <= around.walls)
+        return (sph2d__wall_force){0};
+    solve_or_less(&around.velocity, 1, v);
+    solve_or_less(&around.density, 0, rho);
     double nx = w->normal_x[b], ny = w->normal_y[b], length = w->skin[b], mu = s->viscosity / s->support;
     double press = sph2d__pressure_of(s, s->rest_density + rho[0][0]) * length;
     double shear = v[0][2] + v[1][1]; /* du/dy + dv/dx */
