@@ -214,8 +214,8 @@ static bool is_refused(outcome *o, size_t which)
     sph2d_particle one = {.x = 0.5, .y = 0.9, .density = 1000};
     if (!stage_read(&s, o, "sound_speed: 10",
                     "domain: {min: [0, 0], max: [1, 1]}\n%sspacing: 0.05\n"
-                    "blocks:\n  - box: {min: [0, 0], max: [1, 0.8]}\n",
-                    o->method == FITTED ? periodic_sides : ""))
+                    "blocks:\n  - box: {min: [0, 0], max: [1, %g]}\n",
+                    o->method == FITTED ? periodic_sides : "", o->method == FITTED ? 1 : 0.8))
         return false;
     sph2d_block block = s.scene.blocks[0];
     s.scene.blocks = &block;
