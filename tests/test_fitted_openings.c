@@ -120,9 +120,41 @@ START_TEST(flow_between_plates_keeps_its_parabola)
     ck_assert_double_le(worst, 0.02);
     double slope = (p[1] / n[1] - p[0] / n[0]) / (x[1] / n[1] - x[0] / n[0]), exact = -12 * mu / (0.5 * 0.5);
     ck_assert_double_le(fabs(slope / exact - 1), 0.04);
+    double v[SPH2D_PROBE_MAX_COLUMNS];
+    ck_assert_uint_eq(sph2d_sim_probe(c.sim, 0, v), 5);
+    ck_assert_double_le(fabs(v[3]), -0.5 * DX * exact); /* at the side that which is given, to half a spacing */
     sph2d_summary s = sph2d_sim_summary(c.sim);
     ck_assert_double_gt(s.energy_viscous, 1000);
     ck_assert_double_le(fabs(s.energy_error), 0.03 * s.energy_viscous);
+    finish();
+}
+END_TEST
+
+START_TEST(particles_in_reservoirs_move_as_prescribed)
+{
+    lay_channel(1, 0.5, true, 1);
+    c.openings[0].profile = SPH2D_OPENING_PROFILE_PARABOLA;
+    start();
+    test_steps(c.sim, 20);
+    const sph2d__store *f = &c.sim->system.fluid;
+    enum { MOST = 2000 };
+    static double x[MOST], vx[MOST];
+    size_t checked = 0;
+    memset(vx, 0, sizeof vx);
+    for (size_t i = 0; i < f->count; ++i)
+        if (f->x[i] < -DX && f->id[i] < MOST) {
+            x[f->id[i]] = f->x[i];
+            vx[f->id[i]] = f->vx[i];
+        }
+    double before = sph2d_sim_time(c.sim);
+    test_steps(c.sim, 1);
+    double dt = sph2d_sim_time(c.sim) - before;
+    for (size_t i = 0; i < f->count; ++i)
+        if (f->id[i] < MOST && vx[f->id[i]] > 0) {
+            ck_assert_double_eq_tol(f->x[i], x[f->id[i]] + dt * vx[f->id[i]], 1e-12);
+            ++checked;
+        }
+    ck_assert_uint_ge(checked, 40);
     finish();
 }
 END_TEST
@@ -297,6 +329,7 @@ Suite *suite_fitted_openings(void)
     TCase *tests = tcase_create("fitted_openings");
     tcase_add_test(tests, disorder_leaves_with_the_stream);
     tcase_add_test(tests, flow_between_plates_keeps_its_parabola);
+    tcase_add_test(tests, particles_in_reservoirs_move_as_prescribed);
     tcase_add_loop_test(tests, sound_leaves, 0, 3);
     tcase_add_loop_test(tests, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     tcase_add_test(tests, stress_on_walls_is_that_of_the_flow);
