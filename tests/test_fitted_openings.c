@@ -275,6 +275,69 @@ START_TEST(stress_on_walls_is_that_of_the_flow)
 }
 END_TEST
 
+enum { TERMS = 6 };
+
+/** Adds an equation with a weight to those of a least-squares fit, whose last column is the right side. */
+static void add_row(double fit[TERMS][TERMS + 1], double weight, const double terms[TERMS], double value)
+{
+    for (int a = 0; a < TERMS; ++a) {
+        for (int b = 0; b < TERMS; ++b)
+            fit[a][b] += weight * terms[a] * terms[b];
+        fit[a][TERMS] += weight * terms[a] * value;
+    }
+}
+
+/** The constant term of the fit, by Gauss' elimination from the last term on. */
+static double constant_of(double fit[TERMS][TERMS + 1])
+{
+    for (int n = TERMS - 1; n > 0; --n)
+        for (int m = 0; m < n; ++m) {
+            double part = fit[m][n] / fit[n][n];
+            for (int k = 0; k <= TERMS; ++k)
+                fit[m][k] -= part * fit[n][k];
+        }
+    return fit[0][TERMS] / fit[0][0];
+}
+
+/** Random densities above a floor that knows their slope, rho g/c0^2, with a tenth of the weight. */
+START_TEST(pressure_on_walls_is_that_of_least_squares)
+{
+    const double g = -3, c0 = 10;
+    lay_channel(0.5, 0.5, true, 0);
+    c.scene.opening_count = c.scene.probe_count = 0;
+    c.scene.boundary.left = c.scene.boundary.right = SPH2D_SIDE_PERIODIC;
+    c.scene.gravity.y = g;
+    c.scene.method.sound_speed = c0;
+    start();
+    const sph2d__system *s = &c.sim->system;
+    sph2d__store *f = &c.sim->system.fluid;
+    const sph2d__store *w = &s->walls;
+    uint64_t seed = 7;
+    for (size_t i = 0; i < f->count; ++i)
+        f->density[i] = 1000 * test_random(&seed, 0.99, 1.01);
+    size_t checked = 0;
+    for (size_t k = 0; k < w->count; ++k) {
+        if (!(w->skin[k] > 0) || w->y[k] > 0 || w->x[k] < 0.1 || w->x[k] > 0.4)
+            continue;
+        double fit[TERMS][TERMS + 1] = {{0}}, h = s->support;
+        for (size_t i = 0; i < f->count; ++i) {
+            double x = (f->x[i] - w->x[k]) / h, y = f->y[i] / h, terms[TERMS] = {1, x, y, x * x, x * y, y * y};
+            add_row(fit, pow(fmax(1 - hypot(x, y), 0), 3), terms, f->density[i] - 1000);
+        }
+        for (size_t b = 0; b < w->count; ++b) {
+            double x = (w->x[b] - w->x[k]) / h, terms[TERMS] = {0, 0, 1, 0, x, 0};
+            if (w->skin[b] > 0 && w->y[b] < 0)
+                add_row(fit, 0.1 * pow(fmax(1 - fabs(x), 0), 3), terms, 1000 * g / (c0 * c0) * h);
+        }
+        double pressure = sph2d__pressure_of(s, 1000 + constant_of(fit));
+        ck_assert_double_eq_tol(sph2d__fitted_surface_force(s, k).pressure.y, pressure * DX, 1e-6);
+        ++checked;
+    }
+    ck_assert_uint_ge(checked, 11);
+    finish();
+}
+END_TEST
+
 START_TEST(forces_on_a_flow_balance_its_weight)
 {
     /* Between plates, driven along them: in the end the walls hold what drives it, rho g times the area. */
@@ -328,6 +391,7 @@ Suite *suite_fitted_openings(void)
     tcase_add_loop_test(tests, sound_leaves, 0, 3);
     tcase_add_loop_test(tests, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     tcase_add_loop_test(tests, stress_on_walls_is_that_of_the_flow, 0, 2);
+    tcase_add_test(tests, pressure_on_walls_is_that_of_least_squares);
     tcase_add_test(tests, forces_on_a_flow_balance_its_weight);
     tcase_add_loop_test(tests, what_has_a_surface_is_refused, 0, 3);
     suite_add_tcase(suite, tests);
