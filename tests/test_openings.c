@@ -496,7 +496,7 @@ START_TEST(no_void_stays_behind_a_corner)
 END_TEST
 
 /* Liquid at rest under a pressure presses on a box on the floor by that pressure, and by nothing that keeps particles
- * together. */
+ * together; but for the edges, where pairs have 4 % less, of that, too. */
 START_TEST(a_box_on_the_floor_feels_the_pressure)
 {
     const double pressure = 400;
@@ -522,7 +522,7 @@ START_TEST(a_box_on_the_floor_feels_the_pressure)
     ck_assert_double_le(fabs(above.pressure - pressure), 0.2 * pressure); /* sound still comes and goes */
     ck_assert_uint_eq(sph2d_sim_probe(c.sim, 0, v), 12);
     ck_assert_double_le(fabs(v[0]), 0.01 * pressure * 0.2);
-    ck_assert_double_le(fabs(v[1] / (above.pressure * 0.2) + 1), 0.05);
+    ck_assert_double_le(fabs(v[1] / (above.pressure * 0.2) + 1), _i ? 0.01 : 0.1);
     finish();
 }
 END_TEST

@@ -110,7 +110,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
     sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
-    sph2d__set walls = sim->method->walls & ~(s->walls_smooth || sim->method->surface_force ? 0 : friction);
+    bool lengths = s->walls_smooth || s->background > 0 || sim->method->surface_force;
+    sph2d__set walls = sim->method->walls & ~(lengths ? 0 : friction);
     s->walls.carried = walls;
     if (sim->method->project && scene->body_count > 0)
         walls |= SPH2D__BIT(push);

@@ -111,8 +111,6 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
         sum.pressure.y += force.pressure.y;
         sum.friction.x += force.friction.x;
         sum.friction.y += force.friction.y;
-        sum.background.x += force.background.x;
-        sum.background.y += force.background.y;
     }
     return sum;
 }
@@ -178,6 +176,15 @@ static sph2d_vec2 rubbed_at(const sph2d_sim *sim, size_t b)
                      : (sph2d_vec2){w->x[b], w->y[b]};
 }
 
+/** Force along its normal by which the background pressure presses the liquid from the surface before boundary particle b,
+ *  where no other wall is [N/m]. No reported pressure has it: around a body it is 0, but on a wall that is wet on one side
+ *  it may be many times that of the flow. */
+static double background_on(const sph2d__system *s, size_t b)
+{
+    const sph2d__store *w = &s->walls;
+    return s->background > 0 && w->bounce[b] < 0 ? s->background * w->skin[b] * w->front[b] : 0;
+}
+
 /** Sums over the boundary particles of a load's wall; each force along x and y counts for its own wall. */
 static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
 {
@@ -193,8 +200,9 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
             continue;
         sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]), rubbed = rubbed_at(sim, b);
         const sph2d__wall_force *force = &l->forces[b];
-        sph2d_vec2 press = {in_x * kept * (force->pressure.x - force->background.x),
-                            in_y * kept * (force->pressure.y - force->background.y)};
+        double back = background_on(&sim->system, b);
+        sph2d_vec2 press = {in_x * (kept * force->pressure.x - (back != 0 ? back * w->normal_x[b] : 0)),
+                            in_y * (kept * force->pressure.y - (back != 0 ? back * w->normal_y[b] : 0))};
         if (l->tensions)
             press = (sph2d_vec2){press.x + in_x * l->tensions[b].x, press.y + in_y * l->tensions[b].y};
         sph2d_vec2 rub = {in_x * force->friction.x, in_y * force->friction.y};

@@ -4,8 +4,8 @@
  *  them. A scene without such probes has no loads, and all of these functions return at once.
  *
  *  The force on a wall is minus the sum of what it exerts on the particles, so that momentum is balanced: the pair
- *  forces of its boundary particles as in the method's last evaluation, but for what a background pressure adds (it
- *  would press on walls that liquid wets on one side, as no reported pressure does), the springs of sides, and per step what
+ *  forces of its boundary particles as in the method's last evaluation, less what a background pressure adds on
+ *  walls that liquid wets on one side, as no reported pressure has it, the springs of sides, and per step what
  *  particles lose where they are stopped or reflected. Over a step of the time scheme, impulses are
  *
  *      dt/2 (F(n) + F(n+1))    kick-drift-kick, whose kicks have the force of the step's start and end

@@ -37,7 +37,7 @@ sph2d_status sph2d__sim_set_slips(sph2d_sim *sim)
     for (size_t k = 0; k < sim->scene.obstacle_count; ++k)
         for (uint64_t b = sim->obstacle_ids[k].first; b < sim->obstacle_ids[k].end; ++b)
             of[b] = (unsigned char)sph2d__obstacle_slip(&sim->scene, &sim->scene.obstacles[k]);
-    for (size_t b = 0; w->skin && !sim->method->surface_force && b < w->count; ++b)
+    for (size_t b = 0; s->walls_smooth && b < w->count; ++b)
         if (of[b] != SPH2D_SLIP_SMOOTH)
             w->skin[b] = 0; /* no friction */
     s->wall_slips = of;

@@ -18,7 +18,6 @@ typedef enum sph2d__limit {
 /** Force of a boundary particle on a fluid particle [N/m]. */
 typedef struct sph2d__wall_force {
     sph2d_vec2 pressure, friction;
-    sph2d_vec2 background; /**< the part of `pressure` by the system's background, which no reported pressure has */
 } sph2d__wall_force;
 
 typedef struct sph2d__method {

@@ -215,9 +215,6 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     double press = mass > 0 ? own * vi * vi * mass / s->mass + theirs * vb * vb * s->mass / mass : 0;
     double push = -g * press, slip = push * (dx * w->along_x[b] + dy * w->along_y[b]);
     sph2d__wall_force force = {.pressure = {push * dx - slip * w->along_x[b], push * dy - slip * w->along_y[b]}};
-    double share = mass > 0 ? vi * vi * mass / s->mass + vb * vb * s->mass / mass : 0;
-    double part = press != 0 ? s->background * share / press : 0;
-    force.background = (sph2d_vec2){part * force.pressure.x, part * force.pressure.y};
     force.friction = sph2d__friction_of(s, b, dx, dy);
     if (sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
         return force;
