@@ -37,7 +37,7 @@
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
-    X(fitted_openings)                                                                                                 \
+    X(fitted_openings) X(fitted_wall_forces)                                                                           \
     X(projection)                                                                                                      \
     X(reported_pressure)                                                                                               \
     X(limited_viscosity)                                                                                               \
@@ -65,7 +65,7 @@
     X(absorb)                                                                                                          \
     X(implicit_viscosity)                                                                                              \
     X(closed_flow)                                                                                                     \
-    X(openings)                                                                                                        \
+    X(openings) X(openings_around) X(openings_refused)                                                                 \
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \
     X(sources)                                                                                                         \

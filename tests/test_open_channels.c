@@ -5,93 +5,43 @@
 #include <math.h>
 #include <string.h>
 
-#include "common.h"
+#include "channel.h"
 
 static const double G = 9.81, DX = 0.02;
-
-/** A channel, and what its scene points to. */
-typedef struct channel {
-    sph2d_scene scene;
-    sph2d_block block;
-    sph2d_opening openings[2];
-    sph2d_probe probes[2];
-    sph2d_vec2 points[3];
-    sph2d_sim *sim;
-} channel;
-
-static channel c;
 
 /** A channel of water under air, without friction, with one opening, on the left. */
 static void lay_channel(double width, double height, double depth)
 {
-    c = (channel){.scene = sph2d_scene_default()};
-    c.scene.domain = (sph2d_box){{0, 0}, {width, height}};
-    c.scene.wall_slip = SPH2D_SLIP_FREE;
-    c.scene.spacing = DX;
-    c.block = test_block(0, 0, width, depth);
-    c.scene.blocks = &c.block;
-    c.scene.block_count = depth > 0;
-    for (int k = 0; k < 2; ++k) {
-        c.openings[k] = sph2d_opening_default();
-        c.openings[k].side = k == 0 ? SPH2D_SIDE_NAME_LEFT : SPH2D_SIDE_NAME_RIGHT;
-        c.openings[k].name = k == 0 ? "in" : "out";
-        c.probes[k] = sph2d_probe_default();
-        c.probes[k].kind = SPH2D_PROBE_OPENING;
-        c.probes[k].name = c.probes[k].on = c.openings[k].name;
-        c.probes[k].rate.every = 1;
-    }
-    c.scene.openings = c.openings;
-    c.scene.probes = c.probes;
-    c.scene.opening_count = c.scene.probe_count = 1;
-}
-
-static void start(void)
-{
-    c.sim = test_create(&c.scene, NULL);
-}
-
-static void run_until(double time)
-{
-    while (sph2d_sim_time(c.sim) < time)
-        test_steps(c.sim, 1);
-}
-
-static void finish(void)
-{
-    sph2d_sim_destroy(c.sim);
-}
-
-/** What a probe of an opening reads. */
-typedef struct reading {
-    double velocity, flow_rate, let_in, pressure, wet;
-} reading;
-
-static reading read_opening(size_t index)
-{
-    double v[SPH2D_PROBE_MAX_COLUMNS];
-    ck_assert_uint_eq(sph2d_sim_probe(c.sim, index, v), 5);
-    return (reading){v[0], v[1], v[2], v[3], v[4]};
+    channel = (test_channel){.scene = sph2d_scene_default()};
+    channel.scene.domain = (sph2d_box){{0, 0}, {width, height}};
+    channel.scene.wall_slip = SPH2D_SLIP_FREE;
+    channel.scene.spacing = DX;
+    channel.blocks[0] = test_block(0, 0, width, depth);
+    channel.scene.blocks = channel.blocks;
+    channel.scene.block_count = depth > 0;
+    channel_add_openings();
+    channel.scene.opening_count = channel.scene.probe_count = 1;
 }
 
 /** The mean of what is read from now on until a time. */
-static reading mean_until(size_t index, double time)
+static channel_reading mean_until(size_t index, double time)
 {
-    reading mean = {0};
+    channel_reading mean = {0};
     double count = 0;
-    for (; sph2d_sim_time(c.sim) < time; ++count) {
-        test_steps(c.sim, 5);
-        reading r = read_opening(index);
+    for (; sph2d_sim_time(channel.sim) < time; ++count) {
+        test_steps(channel.sim, 5);
+        channel_reading r = channel_read(index);
         mean.velocity += r.velocity;
         mean.flow_rate += r.flow_rate;
         mean.pressure += r.pressure;
         mean.wet += r.wet;
     }
-    return (reading){mean.velocity / count, mean.flow_rate / count, 0, mean.pressure / count, mean.wet / count};
+    return (channel_reading){mean.velocity / count, mean.flow_rate / count, 0, mean.pressure / count, mean.wet / count};
 }
 
 static void check_energy(double most)
 {
-    sph2d_summary s = sph2d_sim_summary(c.sim);
+    sph2d_summary s = sph2d_sim_summary(channel.sim);
     ck_assert_double_le(fabs(s.energy_error), most * s.energy_scale);
     ck_assert_double_le(s.energy_rise, most * s.energy_scale);
 }
@@ -101,14 +51,14 @@ static void check_energy(double most)
 START_TEST(liquid_at_its_level_stays_at_rest)
 {
     lay_channel(1, 0.6, 0.4);
-    c.openings[0].level = 0.4;
-    start();
-    run_until(3);
-    ck_assert_double_le(fabs(read_opening(0).velocity), 0.03);
-    ck_assert_double_le(fabs(read_opening(0).let_in), 0.5 * DX); /* in 1 m of channel: half a spacing */
-    ck_assert_double_le(fabs(read_opening(0).wet - 0.4), 0.5 * DX);
+    channel.openings[0].level = 0.4;
+    channel_start();
+    channel_run_until(3);
+    ck_assert_double_le(fabs(channel_read(0).velocity), 0.03);
+    ck_assert_double_le(fabs(channel_read(0).let_in), 0.5 * DX); /* in 1 m of channel: half a spacing */
+    ck_assert_double_le(fabs(channel_read(0).wet - 0.4), 0.5 * DX);
     check_energy(0.005);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -116,23 +66,23 @@ START_TEST(a_head_outside_drives_as_torricelli_says)
 {
     /* Through a hole under water, from 0.8 to 0.3 m; into a tank that gives off as much over its far side. */
     lay_channel(1.6, 1, 0.3);
-    c.scene.boundary.right = SPH2D_SIDE_OPEN;
+    channel.scene.boundary.right = SPH2D_SIDE_OPEN;
     sph2d_obstacle sill = sph2d_obstacle_default();
     sill.outline.kind = SPH2D_OUTLINE_BOX;
     sill.outline.box = (sph2d_box){{1.4, 0}, {1.6, 0.3}};
-    c.block.shape.box.max.x = 1.4;
-    c.scene.obstacles = &sill;
-    c.scene.obstacle_count = 1;
-    c.openings[0].to = 0.08;
-    c.openings[0].level = 0.8;
-    start();
-    run_until(0.6);
-    reading r = mean_until(0, 1.2);
+    channel.blocks[0].shape.box.max.x = 1.4;
+    channel.scene.obstacles = &sill;
+    channel.scene.obstacle_count = 1;
+    channel.openings[0].to = 0.08;
+    channel.openings[0].level = 0.8;
+    channel_start();
+    channel_run_until(0.6);
+    channel_reading r = mean_until(0, 1.2);
     ck_assert_double_le(fabs(r.velocity / sqrt(2 * G * (0.8 - 0.3)) - 1), 0.1);
     double head = G * (0.8 - 0.04),
            left = r.velocity * r.velocity / 2 + r.pressure / 1000; /* Bernoulli, at its middle */
     ck_assert_double_le(fabs(left / head - 1), 0.03);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -140,54 +90,54 @@ START_TEST(a_level_lets_in_critical_flow)
 {
     /* Onto a dry bed that falls off: the most that a head L can drive, (2/3)^1.5 sqrt(g) L^1.5. */
     lay_channel(1, 0.6, 0);
-    c.scene.boundary.right = SPH2D_SIDE_OPEN;
-    c.openings[0].level = 0.4;
-    start();
-    run_until(2);
+    channel.scene.boundary.right = SPH2D_SIDE_OPEN;
+    channel.openings[0].level = 0.4;
+    channel_start();
+    channel_run_until(2);
     double most = pow(2.0 / 3, 1.5) * sqrt(G) * pow(0.4, 1.5);
     ck_assert_double_le(fabs(mean_until(0, 4).flow_rate / most - 1), 0.05);
     check_energy(0.02);
-    finish();
+    channel_finish();
 }
 END_TEST
 
 START_TEST(an_opening_in_the_floor_has_the_pressure_of_its_level)
 {
     lay_channel(1, 0.6, 0.4);
-    c.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
-    c.openings[0].from = 0.4;
-    c.openings[0].to = 0.6;
-    c.openings[0].level = 0.4;
-    start();
-    run_until(2);
-    ck_assert_double_le(fabs(read_opening(0).let_in), 0.5 * DX);
-    ck_assert_double_le(fabs(read_opening(0).pressure - 1000 * G * 0.4), 0.02 * 1000 * G * 0.4);
-    finish();
+    channel.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
+    channel.openings[0].from = 0.4;
+    channel.openings[0].to = 0.6;
+    channel.openings[0].level = 0.4;
+    channel_start();
+    channel_run_until(2);
+    ck_assert_double_le(fabs(channel_read(0).let_in), 0.5 * DX);
+    ck_assert_double_le(fabs(channel_read(0).pressure - 1000 * G * 0.4), 0.02 * 1000 * G * 0.4);
+    channel_finish();
 }
 END_TEST
 
 START_TEST(a_level_without_gravity_is_no_pressure)
 {
     lay_channel(0.6, 0.4, 0.2);
-    c.openings[0].level = 0.3;
-    start();
-    test_steps(c.sim, 20);
-    ck_assert_int_eq(sph2d_sim_set_gravity(c.sim, (sph2d_vec2){0, 0}), SPH2D_OK);
-    test_steps(c.sim, 50);
-    sph2d_view f = sph2d_sim_fluid(c.sim);
+    channel.openings[0].level = 0.3;
+    channel_start();
+    test_steps(channel.sim, 20);
+    ck_assert_int_eq(sph2d_sim_set_gravity(channel.sim, (sph2d_vec2){0, 0}), SPH2D_OK);
+    test_steps(channel.sim, 50);
+    sph2d_view f = sph2d_sim_fluid(channel.sim);
     for (size_t i = 0; i < f.count; ++i)
         ck_assert(isfinite(f.x[i]) && isfinite(f.vx[i]) && isfinite(f.density[i]));
-    finish();
+    channel_finish();
 }
 END_TEST
 
 /** Mean over particles far beyond the right opening, of the pressure above that of liquid at rest with a level [Pa]. */
 static double excess_beyond(double level)
 {
-    sph2d_view f = sph2d_sim_fluid(c.sim);
+    sph2d_view f = sph2d_sim_fluid(channel.sim);
     double sum = 0, count = 0;
     for (size_t i = 0; i < f.count; ++i) {
-        if (f.x[i] < c.scene.domain.max.x + 4 * DX || f.y[i] > level / 2)
+        if (f.x[i] < channel.scene.domain.max.x + 4 * DX || f.y[i] > level / 2)
             continue;
         sum += f.pressure[i] - 1000 * G * (level - f.y[i]);
         ++count;
@@ -202,23 +152,23 @@ START_TEST(beyond_a_level_pressure_is_that_of_liquid_at_rest)
     sph2d_obstacle sill = sph2d_obstacle_default();
     sill.outline.kind = SPH2D_OUTLINE_BOX;
     sill.outline.box = (sph2d_box){{1.1, 0}, {1.3, 0.1}};
-    c.scene.obstacles = &sill;
-    c.scene.obstacle_count = 1;
-    c.block.velocity.x = 0.6;
-    c.openings[0].flow_rate = 0.15;
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    c.openings[1].level = 0.2;
-    c.scene.opening_count = c.scene.probe_count = 2;
-    start();
-    run_until(3);
+    channel.scene.obstacles = &sill;
+    channel.scene.obstacle_count = 1;
+    channel.blocks[0].velocity.x = 0.6;
+    channel.openings[0].flow_rate = 0.15;
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel.openings[1].level = 0.2;
+    channel.scene.opening_count = channel.scene.probe_count = 2;
+    channel_start();
+    channel_run_until(3);
     double mean = 0, count = 0;
-    while (sph2d_sim_time(c.sim) < 8) {
-        test_steps(c.sim, 10);
+    while (sph2d_sim_time(channel.sim) < 8) {
+        test_steps(channel.sim, 10);
         mean += excess_beyond(0.2);
         ++count;
     }
     ck_assert_double_le(fabs(mean / count), 35); /* 25 Pa, 2.5 mm of water; 53 Pa with the slope */
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -226,19 +176,19 @@ START_TEST(a_wave_leaves_nothing_above_the_level)
 {
     /* Four spacings too much at the start; what stays in the reservoir would lie on the stream, and dam it up. */
     lay_channel(1.5, 0.6, 0.34);
-    c.block.velocity.x = 0.6;
-    c.openings[0].flow_rate = 0.2;
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    c.openings[1].level = 0.26;
-    c.scene.opening_count = c.scene.probe_count = 2;
-    start();
-    run_until(4);
-    sph2d_view f = sph2d_sim_fluid(c.sim);
+    channel.blocks[0].velocity.x = 0.6;
+    channel.openings[0].flow_rate = 0.2;
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel.openings[1].level = 0.26;
+    channel.scene.opening_count = channel.scene.probe_count = 2;
+    channel_start();
+    channel_run_until(4);
+    sph2d_view f = sph2d_sim_fluid(channel.sim);
     for (size_t i = 0; i < f.count; ++i)
         ck_assert(f.x[i] < 1.5 || f.y[i] < 0.26 + DX);
     ck_assert_double_le(fabs(mean_until(1, 5).wet - 0.26), 0.5 * DX);
     check_energy(0.01);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -247,22 +197,22 @@ END_TEST
 START_TEST(a_flow_rate_has_the_depth_of_the_liquid_before_it)
 {
     lay_channel(2, 0.6, 0.3);
-    c.block.velocity.x = 0.5;
-    c.openings[0].flow_rate = 0.15;
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    c.openings[1].level = 0.3;
-    c.scene.opening_count = c.scene.probe_count = 2;
-    start();
-    uint64_t at_start = sph2d_sim_summary(c.sim).particles;
-    run_until(2);
-    double before = read_opening(0).let_in;
-    run_until(6);
-    ck_assert_double_le(fabs((read_opening(0).let_in - before) / 4 - 0.15), 0.002);
-    ck_assert_double_le(fabs(read_opening(0).wet - 0.3), 0.5 * DX + 0.01); /* 0.01: what friction takes */
-    sph2d_summary s = sph2d_sim_summary(c.sim);
+    channel.blocks[0].velocity.x = 0.5;
+    channel.openings[0].flow_rate = 0.15;
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel.openings[1].level = 0.3;
+    channel.scene.opening_count = channel.scene.probe_count = 2;
+    channel_start();
+    uint64_t at_start = sph2d_sim_summary(channel.sim).particles;
+    channel_run_until(2);
+    double before = channel_read(0).let_in;
+    channel_run_until(6);
+    ck_assert_double_le(fabs((channel_read(0).let_in - before) / 4 - 0.15), 0.002);
+    ck_assert_double_le(fabs(channel_read(0).wet - 0.3), 0.5 * DX + 0.01); /* 0.01: what friction takes */
+    sph2d_summary s = sph2d_sim_summary(channel.sim);
     ck_assert_uint_eq(s.particles, at_start + s.let_in - s.let_out);
     check_energy(0.01);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -270,33 +220,33 @@ END_TEST
 START_TEST(a_flow_rate_follows_what_comes_from_inside)
 {
     lay_channel(1, 0.3, 0.2);
-    c.scene.boundary.right = SPH2D_SIDE_OPEN;
-    c.openings[0].flow_rate = 0.15;
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    start();
-    run_until(4);
-    double wet = read_opening(0).wet; /* 0.21 by the depth before the line */
+    channel.scene.boundary.right = SPH2D_SIDE_OPEN;
+    channel.openings[0].flow_rate = 0.15;
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel_start();
+    channel_run_until(4);
+    double wet = channel_read(0).wet; /* 0.21 by the depth before the line */
     ck_assert_msg(fabs(wet - 0.1319) < 2 * DX, "%g", wet);
-    ck_assert_double_eq_tol(read_opening(0).let_in / sph2d_sim_time(c.sim), 0.15, 0.05 * 0.15);
-    finish();
+    ck_assert_double_eq_tol(channel_read(0).let_in / sph2d_sim_time(channel.sim), 0.15, 0.05 * 0.15);
+    channel_finish();
 }
 END_TEST
 
 START_TEST(onto_a_dry_bed_a_flow_is_critical)
 {
     lay_channel(1, 0.6, 0);
-    c.scene.boundary.right = SPH2D_SIDE_OPEN;
-    c.openings[0].flow_rate = 0.2;
-    c.openings[0].ramp = 0.5;
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    start();
-    run_until(2);
-    reading r = mean_until(0, 3);
+    channel.scene.boundary.right = SPH2D_SIDE_OPEN;
+    channel.openings[0].flow_rate = 0.2;
+    channel.openings[0].ramp = 0.5;
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel_start();
+    channel_run_until(2);
+    channel_reading r = mean_until(0, 3);
     ck_assert_double_le(fabs(r.wet - cbrt(0.04 / G)), 0.5 * DX);
     ck_assert_double_le(fabs(r.velocity / cbrt(G * 0.2) - 1), 0.03);
     ck_assert_double_le(fabs(r.flow_rate / 0.2 - 1), 0.02);
     check_energy(0.01);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -306,20 +256,20 @@ START_TEST(a_history_is_straight_lines)
 {
     /* Onto a wet bed: 0 until 0.5 s, then more, 0.1 m^2/s from 1.5 s on. */
     lay_channel(1, 0.8, 0.2);
-    c.points[0] = (sph2d_vec2){0.5, 0};
-    c.points[1] = (sph2d_vec2){1.5, 0.1};
-    c.openings[0].history.flow_rate = (sph2d_history){c.points, 2};
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    start();
-    run_until(0.5);
-    ck_assert_double_eq(read_opening(0).let_in, 0);
-    run_until(1);
-    ck_assert_double_le(fabs(read_opening(0).let_in - 0.0125), 0.004); /* a column of particles */
-    run_until(1.5);
-    ck_assert_double_le(fabs(read_opening(0).let_in - 0.05), 0.004);
-    run_until(2.5);
-    ck_assert_double_le(fabs(read_opening(0).let_in - 0.15), 0.006);
-    finish();
+    channel.points[0] = (sph2d_vec2){0.5, 0};
+    channel.points[1] = (sph2d_vec2){1.5, 0.1};
+    channel.openings[0].history.flow_rate = (sph2d_history){channel.points, 2};
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel_start();
+    channel_run_until(0.5);
+    ck_assert_double_eq(channel_read(0).let_in, 0);
+    channel_run_until(1);
+    ck_assert_double_le(fabs(channel_read(0).let_in - 0.0125), 0.004); /* a column of particles */
+    channel_run_until(1.5);
+    ck_assert_double_le(fabs(channel_read(0).let_in - 0.05), 0.004);
+    channel_run_until(2.5);
+    ck_assert_double_le(fabs(channel_read(0).let_in - 0.15), 0.006);
+    channel_finish();
 }
 END_TEST
 
@@ -327,15 +277,15 @@ START_TEST(a_channel_follows_its_level)
 {
     /* Slowly: with a wave's way there and back of 1 s, over 4 s. */
     lay_channel(1, 0.8, 0.3);
-    c.points[0] = (sph2d_vec2){0, 0.3};
-    c.points[1] = (sph2d_vec2){4, 0.5};
-    c.openings[0].history.level = (sph2d_history){c.points, 2};
-    start();
-    run_until(6);
+    channel.points[0] = (sph2d_vec2){0, 0.3};
+    channel.points[1] = (sph2d_vec2){4, 0.5};
+    channel.openings[0].history.level = (sph2d_history){channel.points, 2};
+    channel_start();
+    channel_run_until(6);
     ck_assert_double_le(fabs(mean_until(0, 8).wet - 0.5), 0.5 * DX);
-    ck_assert_double_le(fabs(read_opening(0).let_in - 0.2), 1.5 * DX); /* waves between the ends are as high */
+    ck_assert_double_le(fabs(channel_read(0).let_in - 0.2), 1.5 * DX); /* waves between the ends are as high */
     check_energy(0.01);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -344,40 +294,30 @@ END_TEST
 static void lay_busy_channel(void)
 {
     lay_channel(0.6, 0.4, 0.2);
-    c.points[0] = (sph2d_vec2){0, 0.05};
-    c.points[1] = (sph2d_vec2){0.1, 0.1};
-    c.openings[0].history.flow_rate = (sph2d_history){c.points, 2};
-    c.openings[0].free_surface = SPH2D_SWITCH_ON;
-    c.openings[1].level = 0.15;
-    c.scene.opening_count = c.scene.probe_count = 2;
-}
-
-static void compare(sph2d_sim *a, sph2d_sim *b)
-{
-    sph2d_view p = sph2d_sim_fluid(a), q = sph2d_sim_fluid(b);
-    ck_assert_uint_eq(p.count, q.count);
-    for (size_t i = 0; i < p.count; ++i) {
-        ck_assert_uint_eq(p.id[i], q.id[i]);
-        ck_assert(p.x[i] == q.x[i] && p.y[i] == q.y[i] && p.vx[i] == q.vx[i] && p.density[i] == q.density[i]);
-    }
+    channel.points[0] = (sph2d_vec2){0, 0.05};
+    channel.points[1] = (sph2d_vec2){0.1, 0.1};
+    channel.openings[0].history.flow_rate = (sph2d_history){channel.points, 2};
+    channel.openings[0].free_surface = SPH2D_SWITCH_ON;
+    channel.openings[1].level = 0.15;
+    channel.scene.opening_count = channel.scene.probe_count = 2;
 }
 
 START_TEST(threads_and_resumed_runs_give_the_same_bits)
 {
     lay_busy_channel();
-    start();
-    test_steps(c.sim, 150);
-    test_state state = test_state_copy(c.sim);
+    channel_start();
+    test_steps(channel.sim, 150);
+    test_state state = test_state_copy(channel.sim);
     sph2d_sim *other = NULL;
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 3;
-    ck_assert_int_eq(sph2d_sim_restore(&c.scene, &options, &state.state, &other, NULL), SPH2D_OK);
+    ck_assert_int_eq(sph2d_sim_restore(&channel.scene, &options, &state.state, &other, NULL), SPH2D_OK);
     test_state_free(&state);
-    test_steps(c.sim, 200);
+    test_steps(channel.sim, 200);
     test_steps(other, 200);
-    compare(c.sim, other);
+    channel_compare(channel.sim, other);
     sph2d_sim_destroy(other);
-    finish();
+    channel_finish();
 }
 END_TEST
 
@@ -385,49 +325,49 @@ END_TEST
 
 static void level_without_gravity(void)
 {
-    c.scene.gravity.y = 0;
+    channel.scene.gravity.y = 0;
 }
 static void level_below(void)
 {
-    c.openings[1].from = 0.2;
+    channel.openings[1].from = 0.2;
 }
 static void level_and_pressure(void)
 {
-    c.openings[1].pressure = 1;
+    channel.openings[1].pressure = 1;
 }
 static void level_and_history(void)
 {
-    c.points[0] = (sph2d_vec2){0, 0.1};
-    c.openings[1].history.level = (sph2d_history){c.points, 1};
+    channel.points[0] = (sph2d_vec2){0, 0.1};
+    channel.openings[1].history.level = (sph2d_history){channel.points, 1};
 }
 static void surface_of_pressure(void)
 {
-    c.openings[1].level = NAN;
-    c.openings[1].pressure = 1000;
-    c.openings[1].free_surface = SPH2D_SWITCH_ON;
+    channel.openings[1].level = NAN;
+    channel.openings[1].pressure = 1000;
+    channel.openings[1].free_surface = SPH2D_SWITCH_ON;
 }
 static void surface_below(void)
 {
-    c.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
-    c.openings[0].from = 0.2;
-    c.openings[0].to = 0.4;
+    channel.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
+    channel.openings[0].from = 0.2;
+    channel.openings[0].to = 0.4;
 }
 static void shaped_surface(void)
 {
-    c.openings[0].profile = SPH2D_OPENING_PROFILE_PARABOLA;
+    channel.openings[0].profile = SPH2D_OPENING_PROFILE_PARABOLA;
 }
 static void ramp_of_level(void)
 {
-    c.openings[1].ramp = 1;
+    channel.openings[1].ramp = 1;
 }
 static void backwards(void)
 {
-    c.points[1].x = 0;
+    channel.points[1].x = 0;
 }
 static void file_not_read(void)
 {
-    c.openings[0].history.flow_rate.count = 0;
-    c.openings[0].history.file = "inflow.csv";
+    channel.openings[0].history.flow_rate.count = 0;
+    channel.openings[0].history.file = "inflow.csv";
 }
 
 static const struct fault {
@@ -451,10 +391,10 @@ enum { FAULTS = sizeof all_faults / sizeof *all_faults };
 START_TEST(bad_openings_are_refused)
 {
     lay_busy_channel();
-    ck_assert_int_eq(sph2d_scene_check(&c.scene, NULL), SPH2D_OK);
+    ck_assert_int_eq(sph2d_scene_check(&channel.scene, NULL), SPH2D_OK);
     all_faults[_i].break_it();
     sph2d_report report = {0};
-    ck_assert_int_eq(sph2d_scene_check(&c.scene, &report), SPH2D_SCENE);
+    ck_assert_int_eq(sph2d_scene_check(&channel.scene, &report), SPH2D_SCENE);
     ck_assert_msg(test_report_has(&report, all_faults[_i].code, all_faults[_i].path), "%s", test_report_text(&report));
     sph2d_report_clear(&report);
 }
