@@ -79,12 +79,13 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     text_row("largest speed", "%.4g m/s", s->speed_max);
 }
 
-static void print_particles(const sph2d_summary *s)
+static void print_particles(const sph2d_summary *s, const sph2d_scene *scene)
 {
     text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
     if (s->fed > 0 || s->blocked > 0)
-        text_row("", "fed %" PRIu64 ", blocked %" PRIu64, s->fed, s->blocked);
-    if (s->let_in > 0 || s->let_out > 0)
+        text_row("", "fed %" PRIu64 ", blocked %" PRIu64 "%s", s->fed, s->blocked,
+                 s->blocked > 0 ? ", for which their nozzle had no room" : "");
+    if (scene->opening_count > 0)
         text_row("", "openings: %" PRIu64 " in, %" PRIu64 " out", s->let_in, s->let_out);
     uint64_t lost = s->drained;
     for (int i = 0; i < 4; ++i)
@@ -137,7 +138,7 @@ static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
     print_speed(sim, result, threads);
     print_errors(sim, scene, s);
-    print_particles(s);
+    print_particles(s, scene);
     print_steps(s);
     print_profile(sim, result);
 }

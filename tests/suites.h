@@ -65,7 +65,7 @@
     X(absorb)                                                                                                          \
     X(implicit_viscosity)                                                                                              \
     X(closed_flow)                                                                                                     \
-    X(openings) X(openings_around) X(openings_refused)                                                                 \
+    X(openings) X(openings_around) X(openings_refused) X(check_flow)                                                   \
     X(open_channels)                                                                                                   \
     X(rheology)                                                                                                        \
     X(sources)                                                                                                         \

@@ -95,6 +95,27 @@ START_TEST(the_jet_round_a_corner_is_half_as_wide)
 }
 END_TEST
 
+/* A duct to the top that is bounded on its outer side by a slope, which ends below the outlet by a gap. */
+START_TEST(the_gap_between_the_outer_bank_and_an_outlet_is_no_throat)
+{
+    static const sph2d_vec2 bank[] = {{1.8, 0}, {2, 0}, {2, 0.55}};
+    openings[1].side = SPH2D_SIDE_NAME_TOP;
+    openings[1].from = 1.5;
+    openings[0].to = 0.3;
+    scene.obstacle_count = 2;
+    plates[0].outline.box = (sph2d_box){{0, 0.3}, {1.5, 0.6}};
+    plates[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {bank, 3}};
+    ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / 0.53, 1e-9);
+    /* but a plate in the leg to the outlet is one, and one between inlet and bend */
+    plates[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1.8, 0.4}, {2, 0.45}}};
+    ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / 0.53, 1e-9); /* 0.3 m, as the inlet */
+    plates[1].outline.box.min.x = 1.6;
+    ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 * 3 / 0.53, 0.05);
+    plates[1].outline.box = (sph2d_box){{0.4, 0}, {0.5, 0.15}};
+    ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 * 2 / 0.53, 0.05);
+}
+END_TEST
+
 START_TEST(other_scenes_have_no_throat)
 {
     scene.obstacle_count = 2;
@@ -153,6 +174,7 @@ Suite *suite_closed_flow(void)
     tcase_add_test(tests, a_step_behind_the_inlet_is_no_throat);
     tcase_add_test(tests, an_outlet_is_a_throat);
     tcase_add_test(tests, the_jet_round_a_corner_is_half_as_wide);
+    tcase_add_test(tests, the_gap_between_the_outer_bank_and_an_outlet_is_no_throat);
     tcase_add_test(tests, other_scenes_have_no_throat);
     tcase_add_test(tests, slowing_liquid_is_pulled_by_its_length);
     tcase_add_test(tests, no_voids_are_left_behind_plates);

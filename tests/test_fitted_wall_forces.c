@@ -128,15 +128,20 @@ START_TEST(forces_on_a_flow_balance_its_weight)
     lay_square();
     channel.scene.fluid.dynamic_viscosity = 100;
     channel.scene.gravity.x = 1;
-    channel.probes[0].kind = SPH2D_PROBE_FORCE;
-    channel.probes[0].on = NULL;
-    channel.scene.probe_count = 1;
+    for (int k = 0; k < 2; ++k) {
+        channel.probes[k].kind = SPH2D_PROBE_FORCE;
+        channel.probes[k].on = k == 0 ? NULL : "bottom";
+        channel.probes[k].at = (sph2d_vec2){0.25, 0.25};
+    }
+    channel.scene.probe_count = 2;
     channel_start();
     channel_run_until(3); /* 12 h^2/(pi^2 nu) */
     double v[SPH2D_PROBE_MAX_COLUMNS];
     ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 0, v), 12);
     ck_assert_double_eq_tol(v[0], 1000 * 0.25, 0.002 * 250);
     ck_assert_double_eq_tol(v[5], v[0], 0.01); /* by friction */
+    ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 1, v), 12);
+    ck_assert_double_eq_tol(v[2], 0.25 * v[5], 0.01 * 0.25 * v[5]); /* which acts on the surface */
     channel_finish();
 }
 END_TEST

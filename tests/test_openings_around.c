@@ -81,6 +81,43 @@ START_TEST(a_jet_fills_an_empty_tank)
 }
 END_TEST
 
+START_TEST(volume_and_level_are_those_of_the_domain)
+{
+    /* Water enters below its surface; what is in the reservoir is not in the tank. */
+    static const sph2d_probe_kind kinds[] = {SPH2D_PROBE_VOLUME, SPH2D_PROBE_LEVEL};
+    double v[SPH2D_PROBE_MAX_COLUMNS], at_start = 0;
+    lay_tank(0.4);
+    channel.openings[0] = sph2d_opening_default();
+    channel.openings[0].name = "in";
+    channel.openings[0].side = SPH2D_SIDE_NAME_LEFT;
+    channel.openings[0].to = 0.1;
+    channel.openings[0].velocity = 0.5;
+    sph2d_probe probes[3] = {channel.probes[0], channel.probes[0], channel.probes[0]};
+    for (int k = 0; k < 2; ++k) {
+        probes[1 + k] = sph2d_probe_default();
+        probes[1 + k].kind = kinds[k];
+        probes[1 + k].rate.every = 1;
+        probes[1 + k].name = k == 0 ? "volume" : "level";
+    }
+    probes[0].on = "in";
+    channel.scene.probes = probes;
+    channel.scene.probe_count = 3;
+    channel_start();
+    for (int end = 0; end < 2; ++end) {
+        channel_run_until(1.0 * end);
+        ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 1, v), 2);
+        at_start = end == 0 ? v[1] : at_start;
+        ck_assert_double_eq_tol(v[1], at_start + channel_read(0).let_in, 1e-12);
+        ck_assert_double_eq_tol(v[0], v[1], 0.01);
+        ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 2, v), 1);
+        ck_assert_double_eq_tol(v[0], 0.4 + channel_read(0).let_in, 0.01);
+    }
+    ck_assert_double_eq_tol(at_start, 0.4, 1e-12);
+    ck_assert_double_ge(channel_read(0).let_in, 0.045);
+    channel_finish();
+}
+END_TEST
+
 START_TEST(no_void_stays_behind_a_cylinder)
 {
     /* Pressure in the wake is below that of the outlet, 0. */
@@ -182,6 +219,7 @@ Suite *suite_openings_around(void)
     tcase_add_test(test, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
     tcase_add_test(test, a_tank_drains_as_through_a_short_tube);
     tcase_add_test(test, a_jet_fills_an_empty_tank);
+    tcase_add_test(test, volume_and_level_are_those_of_the_domain);
     tcase_add_test(test, no_void_stays_behind_a_cylinder);
     tcase_add_test(test, no_void_stays_behind_a_corner);
     tcase_add_loop_test(test, a_box_on_the_floor_feels_the_pressure, 0, 2);

@@ -384,7 +384,8 @@ typedef enum sph2d_arrangement {
  *             error over mean exact |p|; pressure_rms: root mean square error over the largest exact |p|; kinetic:
  *             kinetic energy over the exact one, - 1
  *  volume     area that liquid covers, to a surface where half of a kernel is filled, and of particles by themselves,
- *             dx^2 each; placed: what the particles stand for at rest density
+ *             dx^2 each; placed: what the particles stand for at rest density. Reservoirs of openings do not count:
+ *             placed changes by what openings let in, and sources and drains
  *  level      height up to which `volume` fills what the liquid can get to from where it is, below that height and
  *             without passing a wall: the mean level once it has settled. Closed obstacles take room, as they stand
  *             now; lines hold liquid. NaN unless gravity points straight down

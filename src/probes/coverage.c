@@ -116,6 +116,20 @@ static void find_solids(sph2d__coverage *c, uint16_t *marks)
         }
 }
 
+/** Counts sample points in reservoirs of openings as solid, too: what they hold is not in the domain. After the fill, which
+ *  they take part in. */
+static void leave_out_reservoirs(sph2d__coverage *c, const uint16_t *marks)
+{
+    for (size_t j = 0; j < c->ny && c->sim->openings.count > 0; ++j)
+        for (size_t i = 0; i < c->nx; ++i)
+            for (int k = 0; k < FULL && c->solid[j * c->nx + i] < FULL; ++k) {
+                sph2d_vec2 p = sample_point(c, i, j, k);
+                bool solid = marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(&c->sim->scene, p);
+                if (!solid && sph2d__opening_at(c->sim, p.x, p.y))
+                    ++c->solid[j * c->nx + i];
+            }
+}
+
 size_t sph2d__coverage_node(long k, size_t nodes, size_t cells)
 {
     if (nodes == cells) /* periodic */
@@ -188,6 +202,7 @@ bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
     if (ok) {
         find_solids(c, marks);
         fill_nodes(c, walls);
+        leave_out_reservoirs(c, marks);
     }
     sph2d__release(sim->system.memory, &marks, marks ? x.count * y.count : 0, sizeof(uint16_t));
     sph2d__release(sim->system.memory, &walls, walls ? nodes : 0, sizeof(float));
@@ -276,7 +291,7 @@ double sph2d__coverage_area(const sph2d__coverage *c)
             cells += covered_part(f) * (FULL - solid) / FULL;
         }
     for (size_t i = 0; i < fluid->count; ++i)
-        alone += fill_at(c, fluid->x[i], fluid->y[i]) < 0.5;
+        alone += fill_at(c, fluid->x[i], fluid->y[i]) < 0.5 && !sph2d__opening_at(c->sim, fluid->x[i], fluid->y[i]);
     double dx = c->sim->system.spacing;
     return cells * c->size_x * c->size_y + alone * dx * dx;
 }

@@ -23,7 +23,7 @@ typedef struct sph2d__coverage {
     size_t nx, ny;         /**< cells; nodes are one more each way, or as many along a period */
     size_t nodes_x, nodes_y;
     float *fill;          /**< f at the nodes, row by row */
-    unsigned char *solid; /**< of each cell: sample points inside walls, of 16 */
+    unsigned char *solid; /**< of each cell: sample points inside walls, or in reservoirs of openings, of 16 */
 } sph2d__coverage;
 
 /** Computes the grid. False when memory is short or the domain has more than 2^28 cells; then there is nothing to
@@ -38,7 +38,7 @@ bool sph2d__coverage_cell(double position, double origin, double size, size_t co
 /** Whether a position lies beyond a side of the domain that is a wall. */
 bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p);
 
-/** The covered area: that of the grid, and dx^2 for each isolated particle [m^2]. */
+/** The covered area: that of the grid, and dx^2 for each isolated particle; without reservoirs [m^2]. */
 double sph2d__coverage_area(const sph2d__coverage *coverage);
 
 /** Height of the level surface of an area of liquid that fills the space connected to the liquid without crossing

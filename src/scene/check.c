@@ -244,22 +244,32 @@ static void check_contents(checker *c)
     }
 }
 
-/** Warns of nozzles inside solids that rest, or bodies: no particle has room there. */
-static void check_nozzles(checker *c)
+/** Checks that a nozzle lies in no solid at rest, and warns of one in a body or in liquid: no particle has room there. */
+static void check_nozzle(checker *c, size_t i)
 {
     const sph2d_scene *scene = c->scene;
-    for (size_t i = 0; i < scene->source_count; ++i)
-        for (size_t k = 0; k < scene->obstacle_count; ++k) {
-            const sph2d_obstacle *o = &scene->obstacles[k];
-            char path[PATH_SIZE], other[64];
-            if ((!o->body && sph2d__obstacle_moves(o)) || !sph2d__obstacle_fills(scene, o, scene->sources[i].at))
-                continue;
-            sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP,
-                                                   sph2d__check_path(path, "sources", i, ".at"),
-                                                   "lies inside %s: a nozzle there cannot emit particles",
-                                                   sph2d__obstacle_path(other, sizeof other, scene, k, ""));
-            sph2d_diagnostic_hint(w, "move it half a spacing outside");
-            break;
+    sph2d_vec2 at = scene->sources[i].at;
+    char path[PATH_SIZE], other[64], message[160];
+    sph2d__check_path(path, "sources", i, ".at");
+    for (size_t k = 0; k < scene->obstacle_count; ++k) {
+        const sph2d_obstacle *o = &scene->obstacles[k];
+        if ((!o->body && sph2d__obstacle_moves(o)) || !sph2d__obstacle_fills(scene, o, at))
+            continue;
+        snprintf(message, sizeof message, "lies inside %s: a nozzle there cannot feed the liquid",
+                 sph2d__obstacle_path(other, sizeof other, scene, k, ""));
+        sph2d_diagnostic *d = o->body
+                                  ? sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, path, "%s", message)
+                                  : sph2d__check_fault(c, SPH2D_CODE_OVERLAP, path, message);
+        sph2d_diagnostic_hint(d, "move it half a spacing outside");
+        return;
+    }
+    for (size_t k = 0; k < scene->block_count; ++k)
+        if (scene->sources[i].start <= 0 && sph2d__shape_contains(&scene->blocks[k].shape, at)) {
+            sph2d_diagnostic *d =
+                sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, path,
+                                 "lies in the liquid of blocks[%zu]: a nozzle feeds only where there is room", k);
+            sph2d_diagnostic_hint(d, "move it out of the liquid; what flows in below its surface is an opening's");
+            return;
         }
 }
 
@@ -293,7 +303,9 @@ static void check_consistency(checker *c)
     sph2d__check_method(c);
     check_contents(c);
     if (c->errors == 0) {
-        check_nozzles(c);
+        for (size_t i = 0; i < scene->source_count; ++i)
+            check_nozzle(c, i);
+        sph2d__check_reach(c);
         sph2d__check_weak(c);
     }
 }

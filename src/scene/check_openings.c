@@ -10,7 +10,6 @@
 #include "scene/motion.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
-#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 typedef sph2d__checker checker;
@@ -241,43 +240,6 @@ static void check_balance(checker *c)
     sph2d_diagnostic_hint(d, "give one of them a pressure in place of a velocity or flow_rate");
 }
 
-/* Spacings of dry opening above liquid that are worth a warning, and the part of it that liquid covers from which on
- * that is a level, not a puddle. */
-static const double DRY_WIDTH = 3, COVERED = 0.1;
-
-/** Warns of an inflow that liquid covers up to a level at the start: what comes in above it falls as a jet. */
-static void check_cover(checker *c, size_t i)
-{
-    const sph2d_scene *scene = c->scene;
-    const sph2d_opening *o = &scene->openings[i];
-    sph2d__mouth m = sph2d__opening_mouth(scene, o);
-    double dx = scene->spacing, steps = floor(m.width / dx), covered = 0;
-    if (!(scene->gravity.y < 0) || !(m.along.y > 0) || sph2d__opening_has_surface(o) ||
-        !sph2d__opening_has_velocity(o) || !(sph2d__opening_velocity(scene, o, INFINITY) > 0))
-        return;
-    for (double step = 0; step < steps; ++step) {
-        sph2d_vec2 p = {m.start.x + dx / 2 * m.inward.x, m.start.y + (step + 0.5) / steps * m.width};
-        bool wet = false;
-        for (size_t k = 0; k < scene->block_count && !wet; ++k)
-            wet = sph2d__shape_contains(&scene->blocks[k].shape, p);
-        if (!wet)
-            break; /* liquid lies below */
-        covered = step + 1;
-    }
-    if (covered < COVERED * steps || steps - covered < DRY_WIDTH)
-        return;
-    char path[SPH2D__PATH_SIZE];
-    double level = m.start.y + covered / steps * m.width;
-    sph2d_diagnostic *d = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ""),
-        "lets liquid in up to y = %g, above the liquid behind it, which stands up to %.3g: it falls from there",
-        m.start.y + m.width, level);
-    sph2d_diagnostic_hint(d,
-                          "`free_surface: on` lets in what lies below the surface there; or end it at the level, "
-                          "`to: %.3g`",
-                          level);
-}
-
 static void check_opening(checker *c, size_t i)
 {
     const sph2d_scene *scene = c->scene;
@@ -322,7 +284,7 @@ void sph2d__check_openings(checker *c)
         for (size_t k = i + 1; k < scene->opening_count; ++k)
             check_pair(c, i, k);
         check_before(c, i);
-        check_cover(c, i);
+        sph2d__check_inflow(c, i);
     }
     check_balance(c);
 }

@@ -22,7 +22,8 @@ static const double RAMP_SLOPE = 1.875;
 typedef struct channel {
     const sph2d_scene *scene;
     bool along_x;
-    double low, width; /**< across it [m] */
+    double low, width;  /**< across it [m] */
+    double first, last; /**< along it all of the flow passes each section between these [m] */
 } channel;
 
 static sph2d_vec2 place(const channel *c, double along, double across)
@@ -40,9 +41,12 @@ static bool blocks(const channel *c, const sph2d_obstacle *obstacle, sph2d_vec2 
     return sph2d__outline_encloses(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
 }
 
-/** The free part of the width of the section at `along`; 0 where less is free than liquid passes. */
+/** The free part of the width of the section at `along`; 0 where less is free than liquid passes, or where it need not
+ *  pass. */
 static double free_part(const channel *c, double along)
 {
+    if (along < c->first || along > c->last)
+        return 0;
     size_t count = sph2d__obstacles_without_bodies(c->scene);
     int open = 0;
     for (int k = 0; k < PLACES; ++k) {
@@ -134,21 +138,71 @@ static bool has_surface(const sph2d_scene *scene)
     return false;
 }
 
+static bool is_along_x(sph2d_side_name side)
+{
+    return side == SPH2D_SIDE_NAME_LEFT || side == SPH2D_SIDE_NAME_RIGHT;
+}
+
+/** The channel from the openings of a side into the domain, up to the first opening of the other kind on a side along it:
+ *  there the flow may turn. */
+static channel channel_from(const sph2d_scene *scene, sph2d_side_name side, bool with_velocity)
+{
+    const sph2d_box *d = &scene->domain;
+    channel c = is_along_x(side) ? (channel){scene, true, d->min.y, d->max.y - d->min.y, d->min.x, d->max.x}
+                                 : (channel){scene, false, d->min.x, d->max.x - d->min.x, d->min.y, d->max.y};
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        if (is_along_x(o->side) == c.along_x || sph2d__opening_has_velocity(o) == with_velocity)
+            continue;
+        sph2d__mouth m = sph2d__opening_mouth(scene, o);
+        double from = c.along_x ? m.start.x : m.start.y;
+        if (side == SPH2D_SIDE_NAME_LEFT || side == SPH2D_SIDE_NAME_BOTTOM)
+            c.last = fmin(c.last, from);
+        else
+            c.first = fmax(c.first, from + m.width);
+    }
+    return c;
+}
+
+/** The width that is free in its narrowest section [m]. */
+static double narrowest(const channel *c)
+{
+    double least = 1;
+    for (size_t i = 0; i < sph2d__obstacles_without_bodies(c->scene); ++i)
+        least = fmin(least, least_beside(c, &c->scene->obstacles[i].outline));
+    return least * c->width;
+}
+
+/** The side of all openings through which liquid flows as it will; `none` when there are several, or none. */
+static sph2d_side_name side_of_outlets(const sph2d_scene *scene, sph2d_side_name none)
+{
+    sph2d_side_name side = none;
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        const sph2d_opening *o = &scene->openings[i];
+        if (sph2d__opening_has_velocity(o) || o->side == side)
+            continue;
+        if (side != none)
+            return none;
+        side = o->side;
+    }
+    return side;
+}
+
 double sph2d__throat_speed(const sph2d_scene *scene)
 {
     inflow x = larger(largest_flow(scene, SPH2D_SIDE_NAME_LEFT), largest_flow(scene, SPH2D_SIDE_NAME_RIGHT));
     inflow y = larger(largest_flow(scene, SPH2D_SIDE_NAME_BOTTOM), largest_flow(scene, SPH2D_SIDE_NAME_TOP));
     if (has_surface(scene) || (x.flow > 0) == (y.flow > 0))
         return 0;
-    const sph2d_box *d = &scene->domain;
-    bool along_x = x.flow > 0;
-    channel c = {scene, along_x, along_x ? d->min.y : d->min.x, along_x ? d->max.y - d->min.y : d->max.x - d->min.x};
-    inflow in = along_x ? x : y;
-    double least = 1;
-    for (size_t i = 0; i < sph2d__obstacles_without_bodies(scene); ++i)
-        least = fmin(least, least_beside(&c, &scene->obstacles[i].outline));
-    double width = fmin(least * c.width, free_width(scene)), m = fmin(width / in.width, 1);
-    double jet = 0.63 + 0.37 * m * m * m;
+    inflow in = x.flow > 0 ? x : y;
+    channel c = channel_from(scene, in.side, true);
+    double width = fmin(narrowest(&c), free_width(scene));
+    sph2d_side_name out = side_of_outlets(scene, in.side);
+    if (is_along_x(out) != c.along_x) {
+        channel away = channel_from(scene, out, false);
+        width = fmin(width, narrowest(&away));
+    }
+    double m = fmin(width / in.width, 1), jet = 0.63 + 0.37 * m * m * m;
     return in.flow / (width * (turns(scene, in.side) ? fmin(jet, BEND) : jet));
 }
 

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+/** @file check_reach.c
+ *  Warns of openings and drains that no liquid can get to: walls at rest separate them from all of it. */
+#include <math.h>
+
+#include "scene/bodies.h"
+#include "scene/checker.h"
+#include "scene/flood.h"
+#include "scene/liquid_side.h"
+#include "scene/openings.h"
+#include "scene/shape.h"
+#include "scene/start.h"
+
+/* Most cells times obstacles: a place in a drain is compared with each of them. */
+static const double MAX_LOOKS = 4e7;
+
+/** A place inside before an opening, at t of its width. */
+static sph2d_vec2 place_before(const sph2d_scene *scene, const sph2d__mouth *m, double t)
+{
+    double inside = scene->spacing / 4;
+    return (sph2d_vec2){m->start.x + t * m->width * m->along.x + inside * m->inward.x,
+                        m->start.y + t * m->width * m->along.y + inside * m->inward.y};
+}
+
+/** Whether an opening lets liquid in, whatever is before it. */
+static bool lets_in(const sph2d_scene *scene, const sph2d_opening *o)
+{
+    const sph2d_history *h = sph2d__opening_history(o, sph2d__opening_kind_of(o));
+    if (!sph2d__opening_has_velocity(o))
+        return sph2d__opening_has_surface(o);
+    bool in = sph2d__opening_velocity(scene, o, INFINITY) > 0 || o->history.profile.count > 0;
+    for (size_t k = 0; k < h->count; ++k)
+        in = in || h->items[k].y > 0;
+    return in;
+}
+
+/** Puts liquid wherever the scene has some at any time, and lets it spread. */
+static void flood_all(sph2d__flood *flood)
+{
+    const sph2d_scene *scene = flood->scene;
+    for (size_t i = 0; i < scene->block_count; ++i)
+        sph2d__flood_shape(flood, &scene->blocks[i].shape);
+    for (size_t i = 0; i < scene->source_count; ++i)
+        sph2d__flood_position(flood, scene->sources[i].at);
+    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
+        sph2d__flood_position(flood, (sph2d_vec2){scene->particles.items[i].x, scene->particles.items[i].y});
+    for (size_t i = 0; i < scene->opening_count; ++i) {
+        sph2d__mouth m = sph2d__opening_mouth(scene, &scene->openings[i]);
+        for (double t = 0.5 * scene->spacing / m.width; lets_in(scene, &scene->openings[i]) && t < 1;
+             t += scene->spacing / m.width)
+            sph2d__flood_position(flood, place_before(scene, &m, t));
+    }
+    sph2d__flood_spread(flood, INFINITY);
+}
+
+static bool opening_is_reached(const sph2d__flood *flood, const sph2d_opening *o)
+{
+    sph2d__mouth m = sph2d__opening_mouth(flood->scene, o);
+    bool reached = false;
+    for (double t = 0.5 * flood->scene->spacing / m.width; !reached && t < 1; t += flood->scene->spacing / m.width)
+        reached = sph2d__flood_reached(flood, place_before(flood->scene, &m, t));
+    return reached;
+}
+
+/** Whether a place is in the solid of an obstacle at rest. */
+static bool is_solid(const sph2d_scene *scene, sph2d_vec2 p)
+{
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (!sph2d__obstacle_moves(&scene->obstacles[i]) && sph2d__obstacle_fills(scene, &scene->obstacles[i], p))
+            return true;
+    return false;
+}
+
+/** Looks at places a spacing apart, and at the middle. */
+static bool drain_is_reached(const sph2d__flood *flood, const sph2d_shape *shape)
+{
+    const sph2d_scene *scene = flood->scene;
+    sph2d_box b = sph2d__shape_bounds(shape), d = scene->domain;
+    b.min = (sph2d_vec2){fmax(b.min.x, d.min.x), fmax(b.min.y, d.min.y)};
+    b.max = (sph2d_vec2){fmin(b.max.x, d.max.x), fmin(b.max.y, d.max.y)};
+    sph2d_vec2 middle = {(b.min.x + b.max.x) / 2, (b.min.y + b.max.y) / 2};
+    bool reached = sph2d__flood_reached(flood, middle) && !is_solid(scene, middle);
+    for (double y = b.min.y + scene->spacing / 2; !reached && y < b.max.y; y += scene->spacing)
+        for (double x = b.min.x + scene->spacing / 2; !reached && x < b.max.x; x += scene->spacing) {
+            sph2d_vec2 p = {x, y};
+            reached = sph2d__shape_contains(shape, p) && sph2d__flood_reached(flood, p) && !is_solid(scene, p);
+        }
+    return reached;
+}
+
+static void tell(sph2d__checker *c, const char *list, size_t index)
+{
+    char path[SPH2D__PATH_SIZE];
+    sph2d_diagnostic *d =
+        sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUTSIDE, sph2d__check_path(path, list, index, ""),
+                         "no liquid can get there: walls separate it from all blocks, sources and "
+                         "openings that let liquid in");
+    sph2d_diagnostic_hint(d, "leave a gap of two spacings or more, or put it elsewhere");
+}
+
+void sph2d__check_reach(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    sph2d__flood flood;
+    bool known = !sph2d__starts_from_snapshot(scene) && !scene->particles.file;
+    if (!known || scene->opening_count + scene->drain_count == 0 || scene->obstacle_count == 0 ||
+        sph2d__flood_cells(scene) * (double)scene->obstacle_count > MAX_LOOKS ||
+        !sph2d__flood_make(&flood, scene, (sph2d_vec2){0, 0}))
+        return;
+    flood_all(&flood);
+    for (size_t i = 0; i < scene->opening_count; ++i)
+        if (!opening_is_reached(&flood, &scene->openings[i]))
+            tell(c, "openings", i);
+    for (size_t i = 0; i < scene->drain_count; ++i)
+        if (!drain_is_reached(&flood, &scene->drains[i].shape))
+            tell(c, "drains", i);
+    sph2d__flood_free(&flood);
+}
