@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "clock.h"
 #include "coarse_run.h"
@@ -233,6 +234,20 @@ static double expected_compression(const sph2d_plan *plan)
     return plan->sound_speed > 0 ? plan->head / (plan->sound_speed * plan->sound_speed) : NAN;
 }
 
+/* Steps that are this many times as short as those of sound are worth another method. */
+static const double SHORT_STEPS = 10;
+
+/** Says so where viscosity makes steps that short, which only wcsph and muller have to take. */
+static void print_short_steps(const checked *c)
+{
+    const sph2d_method_options *m = &sph2d_sim_scene(c->sim)->method;
+    double of_sound = m->cfl * c->plan.support_radius / c->plan.sound_speed;
+    if (strcmp(c->plan.time_step_limit, "viscous") == 0 && of_sound > SHORT_STEPS * c->plan.time_step &&
+        (m->name == SPH2D_METHOD_WCSPH || m->name == SPH2D_METHOD_MULLER))
+        text_row("", "%.2g times as short as for sound alone; method constraint solves thick liquids at any step",
+                 of_sound / c->plan.time_step);
+}
+
 static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
@@ -255,6 +270,7 @@ static void print_table(const checked *c)
     text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * expected_compression(plan),
              100 * plan->impact_compression);
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
+    print_short_steps(c);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
     text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
     text_row("snapshots", "%.0f, %s%s", plan->snapshots, text_bytes(disk, c->disk),

@@ -245,8 +245,9 @@ static void print_materials(void)
         printf("%-10s %8g %18s %16s  %s\n", materials[i].name, materials[i].density, viscosity, tension,
                materials[i].source);
     }
-    printf("\nWith method wcsph, whose viscosity depends on the shear rate. With 'model: newtonian' and a\n"
-           "dynamic_viscosity they are liquids for every method.\n\n");
+    printf(
+        "\nTheir viscosity depends on the shear rate: with wcsph (symmetric operators), constraint and pcisph. With\n"
+        "'model: newtonian' and a dynamic_viscosity they are liquids for every method.\n\n");
     for (size_t i = 1; i < count; ++i)
         if (keys_law(&materials[i], law, sizeof law)[0] != '\0')
             printf("%-10s %s\n", materials[i].name, law);

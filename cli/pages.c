@@ -141,7 +141,7 @@ static void write_materials(const page_form *f)
     const sph2d_material_data *materials = sph2d_materials(&count);
     f->begin_table(
         "Materials, at the pressure of the air and 20 C, unless the source says otherwise; those with a model "
-        "for wcsph. The surface tension of a scene is 0 unless surface_tension is given.",
+        "for the methods that `model` names. The surface tension of a scene is 0 unless surface_tension is given.",
         heads, 5);
     for (size_t i = 1; i < count; ++i) {
         char density[24], viscosity[200], tension[24] = "not known";

@@ -58,7 +58,7 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     if (excess > 1)
         text_row("", "above method.max_compression, %.3g %%: about %.3g times the sound speed would limit it",
                  100 * scene->method.max_compression, fmax(1.01, sqrt(excess)));
-    if (s->energy_start != 0)
+    if (s->energy_start != 0 && scene->opening_count == 0) /* of what flows through, the start says nothing */
         text_row("energy", "%+.4g J/m (%+.3g %%)", change, 100 * ratio(change, fabs(s->energy_start)));
     else
         text_row("energy", "%+.4g J/m", change);

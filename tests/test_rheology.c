@@ -68,8 +68,9 @@ END_TEST
 
 /* ---- flow between plates ----------------------------------------------------------------------------------------- */
 
-/* The errors fall by 4 as the spacing is halved: with 16, 24, 32 spacings between the plates 3.2, 1.4, 0.7 % (n = 0.6),
- * 2.7, 1.5, 1.0 % (n = 1.5), 9.2, 3.8, 1.9 % (Bingham), 4.4, 1.8, 0.9 % (Carreau) of the largest velocity. */
+/* The errors fall with the spacing: with 16, 24, 32 spacings between the plates 0.99, 0.53, 0.34 % (n = 0.6), 2.3, 1.3,
+ * 0.9 % (n = 1.5), 2.7, 1.4, 0.9 % (Bingham), 0.75, 0.31, 0.17 % (Carreau) of the largest velocity. With arithmetic means
+ * of two viscosities they were 1.4, 1.5, 3.8 and 1.8 % with 24. */
 
 static sph2d_scene scene;
 static sph2d_block block;
@@ -134,7 +135,7 @@ START_TEST(a_power_law_has_its_profile)
     f.index = indices[_i];
     f.regularisation = 10;
     lay_plates(1.0 / 24, f);
-    ck_assert_double_le(error_of_plates(1.5), 0.018);
+    ck_assert_double_le(error_of_plates(1.5), _i == 0 ? 0.007 : 0.0145);
 }
 END_TEST
 
@@ -146,7 +147,7 @@ START_TEST(bingham_has_a_plug)
     f.yield_stress = 0.2;
     f.regularisation = 50;
     lay_plates(1.0 / 24, f);
-    ck_assert_double_le(error_of_plates(1.5), 0.045);
+    ck_assert_double_le(error_of_plates(1.5), 0.019);
 }
 END_TEST
 
@@ -158,7 +159,7 @@ START_TEST(carreau_is_between_its_viscosities)
     f.relaxation_time = 20;
     f.index = 0.3;
     lay_plates(1.0 / 24, f);
-    ck_assert_double_le(error_of_plates(2), 0.022);
+    ck_assert_double_le(error_of_plates(2), 0.004);
 }
 END_TEST
 

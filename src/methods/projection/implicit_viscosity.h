@@ -7,7 +7,7 @@
  *      a_v = K v* = -sum_j b mu_ij |g_ij| (v*_ij . r_ij) r_ij/H^2 - walls
  *      b   = 16 H^2/(rho0 I)     I the integral of c |W'| r^3 over the support
  *
- *  with g_ij = (c m/rho0) W'/r of projection.h, and mu_ij the mean of two viscosities. Forces along the line between two
+ *  with g_ij = (c m/rho0) W'/r of projection.h, and mu_ij the harmonic mean of two viscosities (terms/rheology.h). Forces along the line between two
  *  particles keep both momenta, and leave free surfaces without stress. They have the
  *  weights W' r of terms/viscosity.h: with those of Monaghan 2005, W'/r, a square lattice of H/dx = 2.4 that slides
  *  along its rows has 0.8 of the viscosity, with these 0.97, a lattice of hexagons, too, and liquid that has been sheared

@@ -58,6 +58,12 @@ SPH2D__INLINE void add_walls(const sph2d__system *s, wall_sums sums[SPH2D__LANES
     }
 }
 
+/** Of two that are not negative; 0 if both are 0. */
+SPH2D__INLINE sph2d__lanes harmonic_mean(sph2d__lanes a, sph2d__lanes b)
+{
+    return a / sph2d__lanes_max(a + b, sph2d__lanes_all(1e-300)) * (b + b);
+}
+
 SPH2D__INLINE void build_slice(sph2d__system *s, double dt, size_t first)
 {
     const sph2d__neighbours *n = &s->neighbours;
@@ -74,7 +80,7 @@ SPH2D__INLINE void build_slice(sph2d__system *s, double dt, size_t first)
         apart d = apart_from(s, f, x, y, n->index + k);
         sph2d__lanes brake = own;
         if (s->viscosities)
-            brake = (own + m->brake * sph2d__lanes_gather(s->viscosities, n->index + k)) / 2;
+            brake = harmonic_mean(own, m->brake * sph2d__lanes_gather(s->viscosities, n->index + k));
         sph2d__lanes root = root_of(d, sph2d__float2_load(n->gradient + k), brake);
         sph2d__lanes cx = root * d.dx, cy = root * d.dy;
         sph2d__float2_store(m->dyads + k, sph2d__float2_of(cx, cy));

@@ -159,8 +159,9 @@ SPH2D__INLINE void add_liquid(force_sums *sums, terms with, const constants *k, 
     }
     sph2d__lanes share = p->g * volume;
     if (with.variable) {
-        const sph2d__real half = 0.5;
-        add_viscosity(with, k, own, (own->viscosity + f->viscosity[j]) * half, volume, jump, &by, &share);
+        const sph2d__real theirs = f->viscosity[j], tiny = (sph2d__real)TINY;
+        sph2d__lanes both = sph2d__lanes_max(own->viscosity + theirs, sph2d__lanes_all(tiny));
+        add_viscosity(with, k, own, own->viscosity / both * (theirs + theirs), volume, jump, &by, &share);
     }
     add_central(sums, with, own, p, 1, (f->pressure[j] + k->background) * volume * volume, &by);
     if (with.laplacian)
