@@ -340,6 +340,8 @@ int command_help(const cli_options *options)
             return CLI_EXIT_SUCCESS;
         }
     }
+    if (keys_print_one(topic))
+        return CLI_EXIT_SUCCESS;
     unknown_topic(topic);
     return CLI_EXIT_USAGE;
 }

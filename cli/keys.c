@@ -121,24 +121,32 @@ char *keys_describe(const sph2d_key *key, char *out, size_t size)
     return out;
 }
 
-static void print_keys(const sph2d_keys *keys, int depth, bool list)
+/* Prints a key, and those in it. In a list the first of an item is preceded by a dash, as in a file. */
+static void print_key(const sph2d_key *key, int depth, const char *dash)
 {
-    for (size_t i = 0; i < keys->count; ++i) {
-        const sph2d_key *key = &keys->items[i];
-        char left[48], description[400];
-        bool nested = key->kind == SPH2D_KEY_GROUP || (key->kind == SPH2D_KEY_LIST && !key->as_mapping);
-        /* The first key of a list item is preceded by a dash, as in a file. */
-        snprintf(left, sizeof left, "%*s%s%s%s", 2 * depth, "", list ? (i == 0 ? "- " : "  ") : "", key->name,
-                 nested ? ":" : "");
-        printf("%-28s %s\n", left, keys_describe(key, description, sizeof description));
-        if (nested)
-            print_keys(key->keys, depth + 1 + list, key->kind == SPH2D_KEY_LIST);
-    }
+    char left[48], description[400];
+    bool list = key->kind == SPH2D_KEY_LIST, nested = key->kind == SPH2D_KEY_GROUP || (list && !key->as_mapping);
+    snprintf(left, sizeof left, "%*s%s%s%s", 2 * depth, "", dash, key->name, nested ? ":" : "");
+    printf("%-28s %s\n", left, keys_describe(key, description, sizeof description));
+    for (size_t i = 0; nested && i < key->keys->count; ++i)
+        print_key(&key->keys->items[i], depth + 1 + (dash[0] != '\0'), list ? (i == 0 ? "- " : "  ") : "");
 }
 
 void keys_print(const sph2d_keys *keys)
 {
-    print_keys(keys, 0, false);
+    for (size_t i = 0; i < keys->count; ++i)
+        print_key(&keys->items[i], 0, "");
+}
+
+bool keys_print_one(const char *name)
+{
+    const sph2d_keys *keys = sph2d_scene_keys();
+    for (size_t i = 0; i < keys->count; ++i)
+        if (strcmp(keys->items[i].name, name) == 0) {
+            print_key(&keys->items[i], 0, "");
+            return true;
+        }
+    return false;
 }
 
 void keys_print_all(void)

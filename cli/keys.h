@@ -4,6 +4,7 @@
 #ifndef SPH2D_CLI_KEYS_H
 #define SPH2D_CLI_KEYS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -28,6 +29,9 @@ char *keys_law(const sph2d_material_data *material, char *out, size_t size);
 
 /** Prints every key of a scene, indented as in a file, to stdout. */
 void keys_print_all(void);
+
+/** Prints one of those at the top, with the keys in it. False if there is none of that name. */
+bool keys_print_one(const char *name);
 
 /** The same for any table of keys. */
 void keys_print(const sph2d_keys *keys);

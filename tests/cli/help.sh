@@ -17,6 +17,10 @@ prints '^sph2d [0-9]*\.[0-9]*\.[0-9]*$' && prints 'MIT' && prints '^HDF5 *[0-9]'
 expect 0 "$SPH2D" -V --json && prints '^{"name": "sph2d", "version": "'
 expect 0 "$SPH2D" help exit && lines 13 && prints '^  75  EX_TEMPFAIL'
 expect 0 "$SPH2D" help codes && prints '^S104  '
+expect 0 "$SPH2D" help openings && prints '^openings:  *parts of sides' && prints '^  - name ' && prints '^    velocity '
+"$SPH2D" help scene >all && "$SPH2D" help openings >some
+sed -n '/^openings:/,/^obstacles:/p' all | sed '$d' | cmp - some || fail 'other words for openings'
+expect 0 "$SPH2D" help spacing && lines 1
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
 expect 0 "$SPH2D" help materials && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
