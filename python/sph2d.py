@@ -111,7 +111,7 @@ typedef struct sph2d_summary { double time; uint64_t steps; uint64_t particle_st
     double momentum[2]; double speed_max; uint64_t fed, blocked; uint64_t drained; uint64_t let_in, let_out;
     uint64_t left_open[4]; uint64_t backstop_hits; uint64_t reflections; uint64_t iterations; uint64_t unconverged;
     uint64_t limited_by[4]; double time_step_min, time_step_max; double neighbours; } sph2d_summary;
-typedef struct sph2d_densities { double reported; double counted; sph2d_status status; } sph2d_densities;
+typedef struct sph2d_densities { double reported; double counted; double covered; sph2d_status status; } sph2d_densities;
 typedef struct sph2d_array { sph2d_group group; const char *name; const char *description; signed char unit[3];
     sph2d_type type; unsigned components; size_t count; size_t stride; const void *data[2]; } sph2d_array;
 typedef struct sph2d_state { uint64_t version; const sph2d_array *arrays; size_t array_count; } sph2d_state;

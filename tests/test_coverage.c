@@ -136,10 +136,12 @@ START_TEST(density_is_counted)
     sph2d_densities inside = sph2d_sim_densities(sim);
     ck_assert_double_eq_tol(inside.counted, factors[_i], 0.002);
     ck_assert_double_eq_tol(inside.reported, 1, 1e-12);
+    ck_assert_double_eq_tol(inside.covered * factors[_i], 1, 0.02); /* to half a spacing of its surface */
     remove_all(sim);
     add_lattice(sim, (sph2d_box){{0, 0}, {0.6, 0.05}}, 0, 1); /* nothing is inside */
     sort_particles(sim);
     ck_assert(isnan(sph2d_sim_densities(sim).counted));
+    ck_assert_double_eq_tol(sph2d_sim_densities(sim).covered, 1, 0.02);
     sph2d_sim_destroy(sim);
 }
 END_TEST

@@ -426,8 +426,8 @@ typedef struct sph2d_summary {
 /** The summary now. */
 SPH2D_API sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 
-/** Mean density inside the liquid over rest density. Inside are particles with liquid all around within 5 spacings and
- *  no wall within 3; NaN if there are fewer than 20. */
+/** Mean density inside the liquid over rest density, and its volume. Inside are particles with liquid all around within
+ *  5 spacings and no wall within 3; the densities are NaN if there are fewer than 20. */
 typedef struct sph2d_densities {
     /** Mean of the particles' densities. */
     double reported;
@@ -435,7 +435,11 @@ typedef struct sph2d_densities {
     /** Mean number density of the particles times their mass, by a kernel of 3 spacings. */
     double counted;
 
-    /** SPH2D_NOMEM if memory was short, and both are NaN; else SPH2D_OK. */
+    /** Area that the liquid covers, to a surface where half of a kernel is filled and of particles by themselves, over
+     *  that of its particles at rest density; without reservoirs of openings. NaN without particles. */
+    double covered;
+
+    /** SPH2D_NOMEM if memory was short, and all are NaN; else SPH2D_OK. */
     sph2d_status status;
 } sph2d_densities;
 

@@ -277,6 +277,15 @@ static double fill_at(const sph2d__coverage *c, double x, double y)
     return (1 - t) * (f[0] + s * (f[1] - f[0])) + t * (f[2] + s * (f[3] - f[2]));
 }
 
+double sph2d__placed_area(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    size_t inside = f->count;
+    for (size_t i = 0; i < f->count && sim->openings.count > 0; ++i)
+        inside -= sph2d__opening_at(sim, f->x[i], f->y[i]) != NULL;
+    return sim->system.mass / sim->system.rest_density * (double)inside;
+}
+
 double sph2d__coverage_area(const sph2d__coverage *c)
 {
     const sph2d__store *fluid = &c->sim->system.fluid;

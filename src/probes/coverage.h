@@ -41,6 +41,9 @@ bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p);
 /** The covered area: that of the grid, and dx^2 for each isolated particle; without reservoirs [m^2]. */
 double sph2d__coverage_area(const sph2d__coverage *coverage);
 
+/** The area of the particles at rest density, without those in reservoirs of openings [m^2]. */
+double sph2d__placed_area(const sph2d_sim *sim);
+
 /** Height of the level surface of an area of liquid that fills the space connected to the liquid without crossing
  *  walls, from below [m]; NaN if that space is too small, or unless gravity points straight down. */
 double sph2d__coverage_level(const sph2d__coverage *coverage, double area);

@@ -75,15 +75,15 @@ static sph2d_densities densities_of(const sph2d__coverage *c, const unsigned cha
     }
     *inside = particles;
     if (particles < MIN_INSIDE)
-        return (sph2d_densities){NAN, NAN, SPH2D_OK};
-    return (sph2d_densities){reported / (double)particles, counted / (double)nodes, SPH2D_OK};
+        return (sph2d_densities){NAN, NAN, NAN, SPH2D_OK};
+    return (sph2d_densities){reported / (double)particles, counted / (double)nodes, NAN, SPH2D_OK};
 }
 
 static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside)
 {
     sph2d__memory *memory = c->sim->system.memory;
     size_t nodes = c->nodes_x * c->nodes_y;
-    sph2d_densities found = {NAN, NAN, SPH2D_OK};
+    sph2d_densities found = {NAN, NAN, NAN, SPH2D_OK};
     void *marks = sph2d__alloc(memory, nodes, 1);
     if (marks) {
         mark_near_empty(c, marks);
@@ -94,14 +94,17 @@ static sph2d_densities densities_inside(const sph2d__coverage *c, size_t *inside
     return found;
 }
 
-static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside)
+/** The densities now, and the covered part if it is asked for. */
+static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside, bool with_area)
 {
     sph2d__coverage c;
-    sph2d_densities found = {NAN, NAN, SPH2D_OK};
+    sph2d_densities found = {NAN, NAN, NAN, SPH2D_OK};
     size_t failures = sim->system.memory->failures;
     *inside = 0;
     if (sph2d__coverage_make(&c, sim)) {
+        double placed = sph2d__placed_area(sim);
         found = densities_inside(&c, inside);
+        found.covered = with_area && placed > 0 ? sph2d__coverage_area(&c) / placed : NAN;
         sph2d__coverage_free(&c);
     }
     if (sim->system.memory->failures != failures)
@@ -112,9 +115,9 @@ static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside)
 sph2d_densities sph2d_sim_densities(const sph2d_sim *sim)
 {
     if (!sim)
-        return (sph2d_densities){NAN, NAN, SPH2D_INVALID};
+        return (sph2d_densities){NAN, NAN, NAN, SPH2D_INVALID};
     size_t inside;
-    return densities_now(sim, &inside);
+    return densities_now(sim, &inside, true);
 }
 
 /* Steps between samples, each of which costs as much as some steps; and the minimum number of particles for a
@@ -127,7 +130,7 @@ sph2d_status sph2d__sim_watch_density(sph2d_sim *sim)
     if (r->steps % DENSITY_STEPS != 0)
         return SPH2D_OK;
     size_t inside;
-    sph2d_densities now = densities_now(sim, &inside);
+    sph2d_densities now = densities_now(sim, &inside, false);
     if (inside >= MIN_COMPARED)
         r->density_apart = fmax(r->density_apart, fabs(now.reported - now.counted)); /* fmax ignores NaN */
     return now.status;

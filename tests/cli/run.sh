@@ -28,7 +28,7 @@ prints 'above method.max_compression, 10 %: about [0-9.]* times the sound speed 
 expect 0 "$SPH2D" run "$TINY" -o quiet --no-frames --quiet && empty && silent
 expect 0 "$SPH2D" run "$TINY" -o json --no-frames --json --progress never && lines 1
 for key in scene end time until speed particle_steps_per_second real_time_factor step_cpu_seconds output_cpu_seconds \
-    error compression_p99 compression_max energy_change momentum particles blocked drained left backstop_hits steps \
+    error compression_p99 compression_max volume_covered energy_change momentum particles blocked drained left backstop_hits steps \
     time_step limited_by; do
     prints "\"$key\": "
 done
