@@ -362,7 +362,7 @@ FORCE:
 
 # What the times of a study were taken with: told by --version, and a new commit compiles one file. Rows that were run
 # are found again as long as the source is the same.
-COMMIT = $(or $(if $(wildcard .git),$(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 2>/dev/null)),none)
+COMMIT = $(or $(if $(wildcard .git),$(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 --exclude '*' 2>/dev/null)),none)
 TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
 SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
