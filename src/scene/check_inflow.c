@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
 #include "scene/start.h"
@@ -74,15 +73,14 @@ static double velocity_before(const sph2d_scene *scene, const sph2d_opening *o)
     return count > 0 && !(sph2d__start_speed(&scene->start) > 0) ? sum / count : NAN;
 }
 
-/** Warns of a velocity that comes at once where liquid that fills the domain has another. */
+/** Warns of a velocity that comes at once to liquid that fills the domain and has another. */
 static void check_jump(checker *c, size_t i)
 {
     const sph2d_scene *scene = c->scene;
     const sph2d_opening *o = &scene->openings[i];
     const sph2d_box *d = &scene->domain;
     if (!sph2d__opening_has_velocity(o) || sph2d__opening_has_surface(o) || o->ramp > 0 ||
-        o->history.profile.count > 0 || sph2d__opening_history(o, sph2d__opening_kind_of(o))->count > 0 ||
-        !sph2d__liquid_fills(scene))
+        o->history.profile.count > 0 || sph2d__opening_history(o, sph2d__opening_kind_of(o))->count > 0)
         return;
     double velocity = sph2d__opening_velocity(scene, o, 0), jump = fabs(velocity - velocity_before(scene, o));
     if (!(jump > SUDDEN * fabs(velocity)))
@@ -98,8 +96,9 @@ static void check_jump(checker *c, size_t i)
                           length / fabs(velocity));
 }
 
-void sph2d__check_inflow(checker *c, size_t i)
+void sph2d__check_inflow(checker *c, size_t i, bool filled)
 {
     check_cover(c, i);
-    check_jump(c, i);
+    if (filled)
+        check_jump(c, i);
 }

@@ -221,8 +221,6 @@ static double excess_at(const sph2d_scene *scene, double time)
 static void check_balance(checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    if (scene->opening_count == 0 || !sph2d__liquid_fills(scene))
-        return;
     double excess = excess_at(scene, INFINITY);
     for (size_t i = 0; i < scene->opening_count; ++i) {
         const sph2d_opening *o = &scene->openings[i];
@@ -278,13 +276,15 @@ void sph2d__check_openings(checker *c)
         check_opening(c, i);
     if (scene->opening_count > 0 && sph2d__motion_moves(&scene->motion))
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "motion", "a tank with openings cannot move");
-    if (c->errors > before)
+    if (c->errors > before || scene->opening_count == 0)
         return;
+    bool filled = sph2d__liquid_fills(scene);
     for (size_t i = 0; i < scene->opening_count; ++i) {
         for (size_t k = i + 1; k < scene->opening_count; ++k)
             check_pair(c, i, k);
         check_before(c, i);
-        sph2d__check_inflow(c, i);
+        sph2d__check_inflow(c, i, filled);
     }
-    check_balance(c);
+    if (filled)
+        check_balance(c);
 }

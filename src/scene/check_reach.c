@@ -11,8 +11,10 @@
 #include "scene/shape.h"
 #include "scene/start.h"
 
-/* Most cells times obstacles: a place in a drain is compared with each of them. */
-static const double MAX_LOOKS = 4e7;
+/* Most cells times what is put into them or asked for; most places looked at in a drain; and most of all places that are
+ * compared with every obstacle. Beyond, nothing is told. */
+static const double MAX_VISITS = 4e7, MAX_PLACES = 1e4;
+enum { MAX_LOOKS = 20000 };
 
 /** A place inside before an opening, at t of its width. */
 static sph2d_vec2 place_before(const sph2d_scene *scene, const sph2d__mouth *m, double t)
@@ -62,28 +64,33 @@ static bool opening_is_reached(const sph2d__flood *flood, const sph2d_opening *o
     return reached;
 }
 
-/** Whether a place is in the solid of an obstacle at rest. */
-static bool is_solid(const sph2d_scene *scene, sph2d_vec2 p)
-{
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (!sph2d__obstacle_moves(&scene->obstacles[i]) && sph2d__obstacle_fills(scene, &scene->obstacles[i], p))
-            return true;
-    return false;
-}
-
-/** Looks at places a spacing apart, and at the middle. */
-static bool drain_is_reached(const sph2d__flood *flood, const sph2d_shape *shape)
+/** Whether liquid gets to a place, which is in no obstacle at rest; true, too, once `looks` is 0. */
+static bool is_wet(const sph2d__flood *flood, sph2d_vec2 p, int *looks)
 {
     const sph2d_scene *scene = flood->scene;
-    sph2d_box b = sph2d__shape_bounds(shape), d = scene->domain;
+    if (!sph2d__flood_reached(flood, p))
+        return false;
+    if (*looks == 0)
+        return true;
+    --*looks;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        if (!sph2d__obstacle_moves(&scene->obstacles[i]) && sph2d__obstacle_fills(scene, &scene->obstacles[i], p))
+            return false;
+    return true;
+}
+
+/** Looks at places a spacing apart, or more in a large drain, and at the middle. */
+static bool drain_is_reached(const sph2d__flood *flood, const sph2d_shape *shape, int *looks)
+{
+    sph2d_box b = sph2d__shape_bounds(shape), d = flood->scene->domain;
     b.min = (sph2d_vec2){fmax(b.min.x, d.min.x), fmax(b.min.y, d.min.y)};
     b.max = (sph2d_vec2){fmin(b.max.x, d.max.x), fmin(b.max.y, d.max.y)};
-    sph2d_vec2 middle = {(b.min.x + b.max.x) / 2, (b.min.y + b.max.y) / 2};
-    bool reached = sph2d__flood_reached(flood, middle) && !is_solid(scene, middle);
-    for (double y = b.min.y + scene->spacing / 2; !reached && y < b.max.y; y += scene->spacing)
-        for (double x = b.min.x + scene->spacing / 2; !reached && x < b.max.x; x += scene->spacing) {
+    double step = fmax(flood->scene->spacing, sqrt((b.max.x - b.min.x) * (b.max.y - b.min.y) / MAX_PLACES));
+    bool reached = is_wet(flood, (sph2d_vec2){(b.min.x + b.max.x) / 2, (b.min.y + b.max.y) / 2}, looks);
+    for (double y = b.min.y + step / 2; !reached && y < b.max.y; y += step)
+        for (double x = b.min.x + step / 2; !reached && x < b.max.x; x += step) {
             sph2d_vec2 p = {x, y};
-            reached = sph2d__shape_contains(shape, p) && sph2d__flood_reached(flood, p) && !is_solid(scene, p);
+            reached = sph2d__shape_contains(shape, p) && is_wet(flood, p, looks);
         }
     return reached;
 }
@@ -102,9 +109,10 @@ void sph2d__check_reach(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
     sph2d__flood flood;
+    int looks = MAX_LOOKS;
     bool known = !sph2d__starts_from_snapshot(scene) && !scene->particles.file;
-    if (!known || scene->opening_count + scene->drain_count == 0 || scene->obstacle_count == 0 ||
-        sph2d__flood_cells(scene) * (double)scene->obstacle_count > MAX_LOOKS ||
+    double visits = sph2d__flood_cells(scene) * (1 + (double)scene->block_count);
+    if (!known || scene->opening_count + scene->drain_count == 0 || scene->obstacle_count == 0 || visits > MAX_VISITS ||
         !sph2d__flood_make(&flood, scene, (sph2d_vec2){0, 0}))
         return;
     flood_all(&flood);
@@ -112,7 +120,7 @@ void sph2d__check_reach(sph2d__checker *c)
         if (!opening_is_reached(&flood, &scene->openings[i]))
             tell(c, "openings", i);
     for (size_t i = 0; i < scene->drain_count; ++i)
-        if (!drain_is_reached(&flood, &scene->drains[i].shape))
+        if (!drain_is_reached(&flood, &scene->drains[i].shape, &looks))
             tell(c, "drains", i);
     sph2d__flood_free(&flood);
 }

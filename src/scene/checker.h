@@ -73,8 +73,8 @@ void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *cour
 void sph2d__check_openings(sph2d__checker *c);
 /** Checks the velocity over place and time that an opening has; its ends are valid. */
 void sph2d__check_profile(sph2d__checker *c, size_t i);
-/** Warns of an opening whose inflow does not go with the liquid before it. */
-void sph2d__check_inflow(sph2d__checker *c, size_t i);
+/** Warns of an opening whose inflow does not go with the liquid before it; `filled`: liquid fills the domain. */
+void sph2d__check_inflow(sph2d__checker *c, size_t i, bool filled);
 /** Warns of openings and drains that no liquid can get to. */
 void sph2d__check_reach(sph2d__checker *c);
 void sph2d__check_liquid(sph2d__checker *checker);
