@@ -529,8 +529,9 @@ test-restarts: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes stopped 
 	$(hush)$(RESTARTS) "$$(nproc)" $(or $(SEEDS),1..200)
 
 KILLS = tests/restarts/kills.sh $(BUILD)/sph2d $(BUILD)/kills
-test-kills: $(BUILD)/sph2d ## a run killed at random moments: no torn file, the same folder in the end; KILLED=500
+test-kills: $(BUILD)/sph2d ## runs, one with openings, killed at random moments: no torn file, the same folder in the end; KILLED=500
 	$(hush)$(KILLS) $(or $(KILLED),500)
+	$(hush)SCENE='$(CURDIR)/tests/restarts/channel.yaml' $(KILLS) $(or $(KILLED),500)
 
 RECIPES_PYTHON := $(BUILD)/recipes-python
 test-recipes: $(BUILD)/sph2d ## the recipes of docs/recipes.md, none left out (2 minutes; pip gets 250 MB of packages, 1.3 GB unpacked)

@@ -3,7 +3,7 @@
 # comes to the folder of a run that was never killed.
 #
 # kills.sh SPH2D DIR KILLS [SEED]
-# Snapshots and frames come so often that most of the time goes into writing.
+# Snapshots and frames come so often that most of the time goes into writing. SCENE: another scene than tests/cli/tiny.scene.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 SPH2D=$(realpath -e "$1") wanted=$3
@@ -12,7 +12,7 @@ rm -rf "$2" && mkdir -p "$2" && cd "$2"
 unset LP_NUM_THREADS
 export LC_ALL=C
 
-scene=("$here/../cli/tiny.scene" -s run.until=0.1 -s run.snapshots.per_second=1000 -s run.frames.per_second=200)
+scene=("${SCENE:-$here/../cli/tiny.scene}" -s run.until=0.1 -s run.snapshots.per_second=1000 -s run.frames.per_second=200)
 draw=()
 if "$SPH2D" --version | grep -q '^rendering *none'; then draw=(--no-frames); fi
 
