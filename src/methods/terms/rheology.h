@@ -11,7 +11,7 @@
  *  Of a pair's two viscosities the harmonic mean counts, 2 mu_i mu_j/(mu_i + mu_j), by which the stress between layers of
  *  different viscosity is the same on both sides (Cleary 1998, Appl. Math. Modelling 22, 981). With the arithmetic mean
  *  what does not flow held back what does next to it: mud on a slope whose sheared layer is 5 spacings thick was 23 %
- *  too slow, with the harmonic one 2 % (examples/mud/study_slope.yaml).
+ *  too slow, with the harmonic one 2 % (examples/slope/study.yaml).
  *
  *  Liquid below the yield stress t creeps with the viscosity m t. For n < 1, g^(n-1) is that of g = 1/m for all slower
  *  liquid, so that the largest viscosity is K m^(1-n) + m t. */
