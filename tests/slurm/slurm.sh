@@ -2,9 +2,9 @@
 # A study of 32 rows as an array job of a real Slurm: slurm.sh SPH2D FOLDER
 #
 # Starts munged, slurmctld and slurmd for one node, this machine, which need neither systemd nor control groups, with
-# keys, ports and state of their own, and ends them. Eight shards run, four at a time; one is killed in its second row
-# and submitted again. The table must be that of one process, byte for byte, but for times. FOLDER keeps the results and
-# the logs. Without Slurm it says so and ends with 0.
+# keys, ports and state of their own, and ends them. Eight shards run, four at a time; one is killed in its second row,
+# or on a busy machine a later one, and submitted again. The table must be that of one process, byte for byte, but for
+# times. FOLDER keeps the results and the logs. Without Slurm it says so and ends with 0.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 SPH2D=$(realpath -e "$1")
@@ -118,12 +118,12 @@ no_jobs() { [ -z "$(squeue --noheader)" ]; }
 until_true 300 no_jobs || fail 'the array does not end'
 first=$(since "$begun")
 [ ! -e many/study.csv ] || fail 'there is a table without the rows of shard 3'
-grep -q 'no table yet: rows .*11,19,27 of shard 3 are missing$' "study_${job}_"*.log || fail 'no task says what is missing'
+grep -q 'no table yet: rows .*27 of shard 3 are missing$' "study_${job}_"*.log || fail 'no task says what is missing'
 
 begun=$(now)
 again=$(submit --array=3 --wait) || fail 'shard 3 fails when it is submitted again'
 second=$(since "$begun")
-grep -q '^sph2d: 1 row was there already' "study_${again}_3.log" || fail 'shard 3 runs again what it had done'
+grep -Eq '^sph2d: (1 row was|[23] rows were) there already' "study_${again}_3.log" || fail 'shard 3 runs again what it had done'
 grep -q '^| spacing=0.02, dynamic_viscosity=13 ' "study_${again}_3.log" || fail 'shard 3 prints no table'
 
 # ---- the same as one process -----------------------------------------------------------------------------------------
