@@ -46,7 +46,7 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
              sph2d_isa_name(sph2d_sim_isa(sim)));
 }
 
-/* From this part of its volume on an error of it is worth advice; most scenes have 0.001 to 0.02. */
+/* From this part of its volume on an error of it is worth advice; most scenes have 0.001 to 0.03. */
 static const double WRONG = 0.05;
 
 /* How much more room the liquid takes than it should, and what its densities tell of that. */
