@@ -130,7 +130,7 @@ static double choose_coarsening(const sph2d_scene *scene)
 static sph2d_status create(checked *c, const sph2d_scene *scene, sph2d_report *report)
 {
     sph2d_sim_options options = sph2d_sim_options_default();
-    options.threads = c->threads.count;
+    options.threads = c->threads.wanted;
     options.isa = c->options->isa;
     return sph2d_sim_create(scene, &options, &c->sim, report);
 }

@@ -24,15 +24,6 @@ static sph2d_status write_due(cli_outputs *o, loop_result *result, sph2d_report 
     return status;
 }
 
-static sph2d_status step(sph2d_sim *sim, const cli_outputs *o, loop_result *result, sph2d_report *report)
-{
-    double wall = clock_wall(), cpu = cpu_here(o);
-    sph2d_status status = sph2d_sim_step(sim, report);
-    result->step_wall += clock_wall() - wall;
-    result->step_cpu += cpu_here(o) - cpu;
-    return status;
-}
-
 static void fail(loop_result *result, sph2d_status status)
 {
     result->end = status == SPH2D_GUARD ? LOOP_GUARD : LOOP_FAILED;
@@ -50,31 +41,75 @@ bool loop_done(const sph2d_sim *sim)
     return loop_reached(sph2d_sim_time(sim), sph2d_sim_scene(sim)->run.until);
 }
 
-/* Steps until there is a reason to stop. The deadline is checked after the first step, so that every session makes
+/* What is done between steps. */
+typedef struct between {
+    cli_outputs *outputs;
+    cli_progress *progress;
+    double deadline;
+    loop_result *result;
+    sph2d_report *report;
+    bool stepping;    /* a step was begun ... */
+    double wall, cpu; /* ... at these times */
+} between;
+
+/* Steps are timed separately, too. */
+static void end_step(between *b)
+{
+    if (!b->stepping)
+        return;
+    b->result->step_wall += clock_wall() - b->wall;
+    b->result->step_cpu += cpu_here(b->outputs) - b->cpu;
+    b->stepping = false;
+}
+
+static void begin_step(between *b)
+{
+    b->stepping = true;
+    b->wall = clock_wall();
+    b->cpu = cpu_here(b->outputs);
+}
+
+/* Writes what is due after a step; false if the run shall end. */
+static bool follow_step(between *b, const sph2d_sim *sim)
+{
+    const double time = sph2d_sim_time(sim), until = sph2d_sim_scene(sim)->run.until;
+    const sph2d_status status = write_due(b->outputs, b->result, b->report);
+    progress_update(b->progress, time, "t %.4g of %.4g s  step %" PRIu64 "  %zu particles", time, until,
+                    sph2d_sim_steps(sim), sph2d_sim_fluid(sim).count);
+    if (status != SPH2D_OK)
+        fail(b->result, status);
+    else if (b->deadline > 0 && !loop_done(sim) && clock_wall() >= b->deadline)
+        b->result->end = LOOP_MAX_WALL;
+    return b->result->end == LOOP_FINISHED;
+}
+
+/* Whether there is no reason to stop. The deadline is checked after the first step, so that every session makes
  * progress. */
+static bool go_on(void *between_, sph2d_sim *sim)
+{
+    between *b = between_;
+    const bool first = !b->stepping;
+    end_step(b);
+    if ((!first && !follow_step(b, sim)) || loop_done(sim))
+        return false;
+    if ((b->result->signal = signals_caught()) != 0) {
+        b->result->end = LOOP_SIGNAL;
+        return false;
+    }
+    begin_step(b);
+    return true;
+}
+
 static void advance(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double deadline, loop_result *result,
                     sph2d_report *report)
 {
-    const double until = sph2d_sim_scene(sim)->run.until;
+    between b = {o, p, deadline, result, report, false, 0, 0};
     /* The outputs of the state that a run was resumed from exist already; those more frequent than steps would seem due
      * again. */
     sph2d_status status = o->saved == SAVED_NOWHERE ? write_due(o, result, report) : SPH2D_OK;
-    while (status == SPH2D_OK && !loop_done(sim)) {
-        if ((result->signal = signals_caught()) != 0) {
-            result->end = LOOP_SIGNAL;
-            return;
-        }
-        status = step(sim, o, result, report);
-        if (status == SPH2D_OK)
-            status = write_due(o, result, report);
-        double time = sph2d_sim_time(sim);
-        progress_update(p, time, "t %.4g of %.4g s  step %" PRIu64 "  %zu particles", time, until, sph2d_sim_steps(sim),
-                        sph2d_sim_fluid(sim).count);
-        if (status == SPH2D_OK && deadline > 0 && !loop_done(sim) && clock_wall() >= deadline) {
-            result->end = LOOP_MAX_WALL;
-            return;
-        }
-    }
+    if (status == SPH2D_OK)
+        status = sph2d_sim_run(sim, go_on, &b, report);
+    end_step(&b);
     if (status != SPH2D_OK)
         fail(result, status);
 }

@@ -30,7 +30,7 @@ static const option_row rows[] = {
      "change a key of the scene: fluid.density=800"},
     {'n', "dry-run", NULL, CLI_RUN, "only check the scene, as 'sph2d check' does"},
     {'j', "threads", "N", DRAWS | CLI_PLAY | CLI_STUDY,
-     "threads; else OMP_NUM_THREADS, else every processor this process may use"},
+     "threads; else those of OpenMP: OMP_NUM_THREADS, or the processors"},
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_PLAY | CLI_CHECK | CLI_STUDY,
      "instruction set: auto, baseline, avx2 or avx512"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME | CLI_PLAY,

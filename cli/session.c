@@ -22,7 +22,7 @@ void session_begin(cli_session *s, const cli_options *options)
 sph2d_sim_options session_sim_options(const cli_session *s)
 {
     sph2d_sim_options sim = sph2d_sim_options_default();
-    sim.threads = s->threads.count;
+    sim.threads = s->threads.wanted;
     sim.isa = s->options->isa;
     sim.profile = s->options->profile;
     return sim;

@@ -186,7 +186,7 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_count(line, "steps", result->steps);
     json_count(line, "particle_steps", result->particle_steps);
     json_count(line, "threads", (uint64_t)sph2d_sim_threads(sim));
-    json_text(line, "threads_from", threads->source);
+    json_text(line, "threads_from", threads_source(sph2d_sim_threads(sim), threads));
     json_text(line, "isa", sph2d_isa_name(sph2d_sim_isa(sim)));
     add_frames(line, &result->frames);
     json_close_object(line);

@@ -1,48 +1,34 @@
 /* SPDX-License-Identifier: MIT */
 /** @file threads.c
  *  Choice of the number of threads. */
-#define _GNU_SOURCE /* sched_getaffinity */
 #include "threads.h"
 
 #include <pthread.h>
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 enum { THREADS_MAX = 1024 };
 
-/* OMP_NUM_THREADS may be a list, one number per nesting level, of which the first is used. 0 if there is none. */
-static int environment_threads(void)
-{
-    const char *text = getenv("OMP_NUM_THREADS");
-    if (!text)
-        return 0;
-    char *end;
-    long count = strtol(text, &end, 10);
-    return end != text && (*end == '\0' || *end == ',') && count >= 1 && count <= THREADS_MAX ? (int)count : 0;
-}
-
-/* 0 if unknown. */
-static int affinity_threads(void)
-{
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) != 0)
-        return 0;
-    return CPU_COUNT(&set);
-}
-
+/* As every program with OpenMP: OMP_NUM_THREADS, else the processors that this process may use. */
 static thread_choice choose(const cli_options *options)
 {
-    int count = options->threads;
-    if (count > 0)
-        return (thread_choice){count, "--threads"};
-    if ((count = environment_threads()) > 0)
-        return (thread_choice){count, "OMP_NUM_THREADS"};
-    if ((count = affinity_threads()) > 0)
-        return (thread_choice){count, "processors allowed to this process"};
-    long online = sysconf(_SC_NPROCESSORS_ONLN);
-    return (thread_choice){online < 1 ? 1 : online > THREADS_MAX ? THREADS_MAX : (int)online, "processors online"};
+#ifdef _OPENMP
+    const int wanted = options->threads, most = omp_get_thread_limit();
+    const int count = wanted > 0 ? wanted : omp_get_max_threads();
+    if (count > most)
+        return (thread_choice){wanted, most, "OMP_THREAD_LIMIT"};
+    if (wanted > 0)
+        return (thread_choice){wanted, wanted, "--threads"};
+    return (thread_choice){0, count,
+                           getenv("OMP_NUM_THREADS") ? "OMP_NUM_THREADS" : "processors allowed to this process"};
+#else
+    (void)options;
+    return (thread_choice){1, 1, "built without OpenMP"};
+#endif
 }
 
 thread_choice threads_choose(const cli_options *options)
@@ -94,14 +80,19 @@ void threads_check_mesa(void)
 {
     enum { OTHERS = 4 }; /* its caches and queues have threads, too */
     const char *text = getenv("LP_NUM_THREADS");
-    long wanted = text ? strtol(text, NULL, 10) : affinity_threads();
+    long wanted = text ? strtol(text, NULL, 10) : 0;
     int count = wanted < THREADS_MAX ? (int)(wanted < 0 ? 0 : wanted) : THREADS_MAX;
     if (count > 0 && !can_start(count + OTHERS))
         setenv("LP_NUM_THREADS", "0", 1);
 }
 
-char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice)
+const char *threads_source(int in_use, const thread_choice *choice)
 {
-    snprintf(out, TEXT_SIZE, "%d thread%s (%s)", count, count == 1 ? "" : "s", choice->source);
+    return choice->wanted == 0 && in_use < choice->count ? "few particles" : choice->source;
+}
+
+char *threads_describe(char out[TEXT_SIZE], int in_use, const thread_choice *choice)
+{
+    snprintf(out, TEXT_SIZE, "%d thread%s (%s)", in_use, in_use == 1 ? "" : "s", threads_source(in_use, choice));
     return out;
 }

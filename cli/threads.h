@@ -7,14 +7,15 @@
 #include "options.h"
 #include "text.h"
 
-/** A number of threads, and a description of its source. */
+/** A number of threads. */
 typedef struct thread_choice {
-    int count;
-    const char *source;
+    int wanted;         /**< by --threads; 0: the library chooses `count` or, where there are few particles, fewer */
+    int count;          /**< the largest number */
+    const char *source; /**< where it is from */
 } thread_choice;
 
-/** -j, else OMP_NUM_THREADS, else the processors that this process may use. Also sets the threads of the software
- *  renderer, unless the environment does (LP_NUM_THREADS). */
+/** -j, else what OpenMP says: OMP_NUM_THREADS, else the processors that this process may use. Also sets the threads of
+ *  the software renderer, unless the environment does (LP_NUM_THREADS). */
 thread_choice threads_choose(const cli_options *options);
 
 /** The number of threads that draw `frames` frames in parallel; the software renderer then uses one thread for each. */
@@ -24,7 +25,10 @@ int threads_for_frames(const cli_options *options, size_t frames);
  *  ever. To be called before drawing is prepared. */
 void threads_check_mesa(void);
 
+/** Why so many are in use. */
+const char *threads_source(int in_use, const thread_choice *choice);
+
 /** "2 threads (--threads)", for the number that is in use. Returns `out`. */
-char *threads_describe(char out[TEXT_SIZE], int count, const thread_choice *choice);
+char *threads_describe(char out[TEXT_SIZE], int in_use, const thread_choice *choice);
 
 #endif

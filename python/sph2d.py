@@ -713,8 +713,9 @@ class _Block:
 class Simulation:
     """A simulation: its scene, its particles, its clock.
 
-    source, set: a Scene, or what makes one. threads: largest number of threads, 1 to 1024; default 0: the number of
-    processors that the process may use; results are the same bits for any number. isa: instruction set, "baseline",
+    source, set: a Scene, or what makes one. threads: number of threads, 1 to 1024; default 0: what OpenMP says
+    (OMP_NUM_THREADS, else the processors that the process may use), at most one for 512 particles; results are the same
+    bits for any number. isa: instruction set, "baseline",
     "avx2" or "avx512"; default "auto": the widest that the processor has.
 
     contacts: whether bodies meet each other and walls (libsph2d-contacts), default True; False: they pass through each
@@ -827,7 +828,7 @@ class Simulation:
 
     @property
     def threads(self):
-        """The largest number of threads that share a step."""
+        """The number of threads that the next step asks OpenMP for."""
         return self._get(_CORE.sph2d_sim_threads)
 
     @property

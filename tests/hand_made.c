@@ -47,5 +47,5 @@ void remove_all(sph2d_sim *sim)
 void sort_particles(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
-    ck_assert(sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory, s->team));
+    ck_assert(sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory));
 }

@@ -21,8 +21,7 @@
     X(flows)                                                                                                           \
     X(flows_channels)                                                                                                  \
     X(flows_free)                                                                                                      \
-    X(team)                                                                                                            \
-    X(pace)                                                                                                            \
+    X(parallel)                                                                                                        \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(periodic)                                                                                                        \

@@ -225,7 +225,7 @@ static size_t mistakes_at(double x, double y)
 
 static void build(void)
 {
-    ck_assert(sph2d__cells_build(&cells, &store, H, &memory, NULL));
+    ck_assert(sph2d__cells_build(&cells, &store, H, &memory));
 }
 
 START_TEST(every_pair_is_found_once)
@@ -335,9 +335,11 @@ START_TEST(threads_do_not_change_the_order)
     for (int threads = 2; threads <= 5; threads += 3) {
         store.count = 0;
         add_random(COUNT, 30, -20 * H, 0, 20 * H, 30 * H);
-        sph2d__team *team = sph2d__team_create(&memory, threads);
-        ck_assert(team && sph2d__cells_build(&cells, &store, H, &memory, team));
-        sph2d__team_destroy(team, &memory);
+        bool built = false;
+#pragma omp parallel num_threads(threads)
+#pragma omp master
+        built = sph2d__cells_build(&cells, &store, H, &memory);
+        ck_assert(built);
         ck_assert_mem_eq(ids, store.id, sizeof ids);
     }
 }

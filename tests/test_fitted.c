@@ -111,7 +111,7 @@ START_TEST(few_neighbours_give_a_plane_or_nothing)
         f->density[i] = RHO0 + 6 * f->x[i] - 7 * f->y[i];
     }
     sim->system.speed = 0;
-    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, &sim->memory, NULL));
+    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, &sim->memory));
     for (size_t i = f->count; i < f->count + SPH2D__PADDING; ++i) {
         f->x[i] = x0 + 0.02;
         f->y[i] = y0 + 0.02;

@@ -57,7 +57,7 @@ static void scatter(sph2d_sim *sim, size_t count, uint64_t seed)
         s->fluid.vx[i] = test_random(&seed, -1, 1);
         s->fluid.vy[i] = test_random(&seed, -1, 1);
     }
-    ck_assert(sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory, s->team));
+    ck_assert(sph2d__cells_build(&s->fluid_cells, &s->fluid, s->support, s->memory));
     sim->method->evaluate(s);
 }
 
@@ -215,7 +215,7 @@ static sph2d_vec2 pair(sph2d_sim *sim, double distance)
         f->vx[i] = f->vy[i] = 0;
         f->id[i] = i;
     }
-    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, sim->system.memory, NULL));
+    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, sim->system.memory));
     sim->method->evaluate(&sim->system);
     size_t first = f->id[0] == 0 ? 0 : 1;
     ck_assert(isfinite(f->ax[0]) && isfinite(f->ay[0]) && isfinite(f->density[0]) && isfinite(f->pressure[0]));

@@ -20,7 +20,7 @@ static double energy_at(sph2d_sim *sim, double y)
         f->y[i] = y;
         f->vx[i] = f->vy[i] = 0;
     }
-    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, sim->system.memory, NULL));
+    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.support, sim->system.memory));
     sim->method->evaluate(&sim->system);
     for (size_t i = 0; i < 2; ++i)
         energy += sph2d__elastic_of(&sim->system, f->density[i]) / 2;

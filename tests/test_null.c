@@ -46,6 +46,13 @@ static void check_zeros(const char *call, const void *bytes, size_t size)
 /** What is made is set to NULL: this points elsewhere before. */
 #define ELSEWHERE(type) (type *)(void *)&report
 
+static bool never(void *user, sph2d_sim *sim)
+{
+    (void)user;
+    (void)sim;
+    return false;
+}
+
 START_TEST(simulations)
 {
     sph2d_sim *sim = fixture.sim, *made = ELSEWHERE(sph2d_sim);
@@ -69,6 +76,8 @@ START_TEST(simulations)
     REFUSED("scene", sph2d_scene_fits(NULL, &report));
     NOTHING(sph2d_scene_particles(NULL) != 0);
     REFUSED("sim", sph2d_sim_step(NULL, &report));
+    REFUSED("sim", sph2d_sim_run(NULL, never, NULL, &report));
+    REFUSED("go_on", sph2d_sim_run(sim, NULL, NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
     REFUSED_SILENTLY(sph2d_sim_set_pointer(NULL, at, 1, 1));
     REFUSED_SILENTLY(sph2d_sim_add_particles(NULL, NULL, 0, NULL));

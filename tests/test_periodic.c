@@ -101,7 +101,7 @@ START_TEST(neighbours_are_those_of_the_nearest_images)
     cells = (sph2d__cells){.period = {r->low_x, r->low_y, r->length_x, r->length_y}, .columns = _i < ROOMS ? 1 : 4};
     ck_assert(sph2d__store_reserve(&store, &memory, MOST));
     fill(r);
-    ck_assert(sph2d__cells_build(&cells, &store, r->support, &memory, NULL));
+    ck_assert(sph2d__cells_build(&cells, &store, r->support, &memory));
     int pairs = 0;
     for (size_t i = 0; i < MOST; ++i) {
         int found[MOST] = {0};

@@ -87,7 +87,7 @@ START_TEST(lone_particles_keep_their_own)
     size_t i = f->count - 1;
     f->x[i] = 0.3;
     f->y[i] = 0.75;
-    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.reach, &sim->memory, sim->system.team));
+    ck_assert(sph2d__cells_build(&sim->system.fluid_cells, f, sim->system.reach, &sim->memory));
     ck_assert(sim->method->evaluate(&sim->system));
     for (size_t k = 0; k < f->count; ++k)
         f->acting_pressure[k] = f->y[k] > 0.7 ? 250 : 1000;

@@ -160,10 +160,9 @@ START_TEST(reordering_carries_every_value)
         order[i] = order[j];
         order[j] = was;
     }
-    sph2d__team *team = sph2d__team_create(&memory, 2);
-    ck_assert_ptr_nonnull(team);
-    sph2d__store_reorder(&store, order, team);
-    sph2d__team_destroy(team, &memory);
+#pragma omp parallel num_threads(2)
+#pragma omp master
+    sph2d__store_reorder(&store, order);
     bool same = store.count == COUNT;
     for (size_t k = 0; k < COUNT; ++k)
         same = same && holds(k, order[k], true);

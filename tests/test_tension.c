@@ -137,7 +137,7 @@ START_TEST(heaps_have_the_energy_of_perimeters)
             f->x[i] = test_random(&seed, 0, 6 * DX);
             f->y[i] = test_random(&seed, 0, 6 * DX);
         }
-        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, NULL));
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory));
         double expected = energy_by_perimeters(f->x, f->y, HEAP, 200);
         ck_assert_double_eq_tol(sph2d__tension_energy(s), expected, 1e-3 * expected);
     }
@@ -163,7 +163,7 @@ START_TEST(energy_has_no_jumps)
                 f->x[i] = 0.3 * DX;
                 f->y[i] = (-5 + 16.0 * k / PLACES) * DX;
             }
-        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, NULL));
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory));
         double now = sph2d__tension_energy(s);
         jump = fmax(jump, fabs(now - last)); /* passes over NaN */
         last = now;

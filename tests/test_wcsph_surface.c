@@ -251,7 +251,7 @@ START_TEST(connection_tells_spray_from_liquid)
         f->x[0] = 0.1;
         f->x[1] = 0.1 + DX;
         f->y[0] = f->y[1] = 0.1;
-        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, NULL));
+        ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory));
         sph2d__wcsph.density_rate(s);
         ck_assert(sph2d__connection(f->filling[0]) == 0);
     }

@@ -157,7 +157,7 @@ START_TEST(walls_make_no_energy)
     sph2d__store *f = &s->fluid;
     if (_i & 4)
         f->count = 1; /* by itself in the corner */
-    ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory, NULL));
+    ck_assert(sph2d__cells_build(&s->fluid_cells, f, s->reach, s->memory));
     sph2d__wcsph.evaluate(s);
     sph2d__wcsph.density_rate(s);
     double kinetic = 0, elastic = 0, size = 0;

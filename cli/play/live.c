@@ -96,15 +96,21 @@ sph2d_status live_step(live *l, sph2d_report *report)
     return l->stopped;
 }
 
+/* Whether the next step is due, and there is time for it. */
+static bool is_due(void *live_, sph2d_sim *sim)
+{
+    const live *l = live_;
+    return sph2d_sim_time(sim) + 0.5 * sph2d_sim_time_step(sim) < l->due && clock_wall() < l->deadline;
+}
+
 sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *report)
 {
     if (l->stopped != SPH2D_OK || !(seconds > 0))
         return SPH2D_OK;
     const double begun = clock_wall(), from = sph2d_sim_time(l->sim);
     l->due += seconds;
-    while (l->stopped == SPH2D_OK && sph2d_sim_time(l->sim) + 0.5 * sph2d_sim_time_step(l->sim) < l->due &&
-           clock_wall() - begun < budget)
-        l->stopped = sph2d_sim_step(l->sim, report);
+    l->deadline = begun + budget;
+    l->stopped = sph2d_sim_run(l->sim, is_due, l, report);
     const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1), spent = clock_wall() - begun;
     if (now > from && spent > 0)
         l->pace += (l->pace > 0 ? 0.1 : 1) * ((now - from) / spent - l->pace);

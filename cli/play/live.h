@@ -10,15 +10,16 @@
 
 typedef struct live {
     sph2d_scene_file *file;
-    sph2d_scene scene;        /**< the file's with the changes since */
+    sph2d_scene scene;         /**< the file's with the changes since */
     sph2d_obstacle *obstacles; /**< its list */
     sph2d_sim_options options;
     sph2d_sim *sim;
-    sph2d_status stopped;     /**< why it takes no more steps */
-    double due;               /**< simulated time that should be reached now [s] */
-    double ratio;             /**< simulated time over that of the clock, in the mean over about a second */
-    double pace;               /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
-    sph2d_vec2 *corners;      /**< of the walls that were drawn */
+    sph2d_status stopped; /**< why it takes no more steps */
+    double due;           /**< simulated time that should be reached now [s] */
+    double deadline;      /**< on the wall clock, for the steps of a picture [s] */
+    double ratio;         /**< simulated time over that of the clock, in the mean over about a second */
+    double pace;          /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
+    sph2d_vec2 *corners;  /**< of the walls that were drawn */
     size_t corner_count;
 } live;
 

@@ -107,7 +107,7 @@ int command_play(const cli_options *options)
     signals_install();
     const thread_choice threads = threads_choose(options);
     sph2d_sim_options sim_options = sph2d_sim_options_default();
-    sim_options.threads = threads.count;
+    sim_options.threads = threads.wanted;
     sim_options.isa = options->isa;
     game g;
     code = open_game(&g, options, &sim_options);

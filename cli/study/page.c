@@ -107,7 +107,8 @@ static void put_command(const void *study, FILE *out)
     fputs(options->all ? " --all" : "", out);
     if (s->jobs > 1 && options->shards == 0)
         fprintf(out, " --jobs %zu", s->jobs);
-    fprintf(out, " --threads %d", s->threads.count);
+    if (s->threads.wanted > 0)
+        fprintf(out, " --threads %d", s->threads.wanted);
     if (options->isa != SPH2D_ISA_AUTO)
         fprintf(out, " --isa %s", sph2d_isa_name(options->isa));
     if (options->repeat > 0)

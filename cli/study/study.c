@@ -156,7 +156,7 @@ int command_study(const cli_options *options)
     s.threads = threads_choose(options);
     s.jobs = options->jobs > 0 ? (size_t)options->jobs : 1;
     if ((options->jobs > 1 || options->shards > 0) && options->threads == 0) /* rows beside each other have one each */
-        s.threads = (thread_choice){1, options->jobs > 1 ? "one a row, with --jobs" : "one a row, with --shard"};
+        s.threads = (thread_choice){1, 1, options->jobs > 1 ? "one a row, with --jobs" : "one a row, with --shard"};
     signals_install();
     int code = prepare(&s);
     signals_note();

@@ -52,7 +52,7 @@ static bool send_record(int out, const sph2d_study_record *record)
 void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int out)
 {
     work w = {.study = s, .parent = parent, .progress = {.form = PROGRESS_OFF}};
-    sph2d_study_run_options options = {.threads = s->threads.count,
+    sph2d_study_run_options options = {.threads = s->threads.wanted,
                                        .isa = s->options->isa,
                                        .repeat = s->repeat,
                                        .beside_others = s->jobs > 1 || s->options->shards > 0,

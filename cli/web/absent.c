@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file absent.c
- *  What a page does not have: snapshots, threads on processors of their own, files. */
-#define _GNU_SOURCE
+ *  What a page does not have: snapshots, files. */
 #include <emscripten.h>
-#include <errno.h>
-#include <pthread.h>
-#include <sched.h>
 
 #include "../play/game.h"
 
@@ -53,48 +49,4 @@ void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *pic
     (void)g;
     (void)renderer;
     (void)picture;
-}
-
-/* ---- processors: one thread, which is where it is ---------------------------------------------------------------- */
-
-int sched_getcpu(void)
-{
-    return 0;
-}
-
-int sched_getaffinity(pid_t process, size_t size, cpu_set_t *set)
-{
-    (void)process;
-    (void)size;
-    (void)set;
-    errno = ENOSYS;
-    return -1;
-}
-
-int sched_setaffinity(pid_t process, size_t size, const cpu_set_t *set)
-{
-    return sched_getaffinity(process, size, (cpu_set_t *)set);
-}
-
-int pthread_getaffinity_np(pthread_t thread, size_t size, cpu_set_t *set)
-{
-    (void)thread;
-    (void)size;
-    (void)set;
-    return ENOSYS;
-}
-
-int pthread_setaffinity_np(pthread_t thread, size_t size, const cpu_set_t *set)
-{
-    (void)thread;
-    (void)size;
-    (void)set;
-    return ENOSYS;
-}
-
-int __sched_cpucount(size_t size, const cpu_set_t *set) /* of CPU_COUNT */
-{
-    (void)size;
-    (void)set;
-    return 1;
 }

@@ -10,10 +10,12 @@
  *      sph2d_sim_destroy(sim);
  *
  *  A simulation may be used by one thread at a time; different simulations by different threads at the same time. A
- *  step runs on the calling thread and on worker threads of the simulation, which start when there is enough work,
- *  receive no signals, sleep from a tenth of a millisecond after the last loop, and end with the simulation. They are
- *  not used while they bring no speedup, because other jobs use the processors or there is too little work. A forked
- *  process has no workers and steps on one thread. */
+ *  step is a parallel region of OpenMP: it runs on the calling thread and on those of OpenMP's runtime, which belong to
+ *  the process and wait for the next region as OMP_WAIT_POLICY says. So OMP_NUM_THREADS, OMP_THREAD_LIMIT,
+ *  OMP_PROC_BIND and OMP_PLACES mean what they mean in other programs, a call inside a parallel region of the caller
+ *  takes one thread unless OMP_MAX_ACTIVE_LEVELS allows more, and beside other busy jobs OMP_WAIT_POLICY=passive is
+ *  faster. A forked process may go on with its copy of a simulation. Where the system refuses a thread, OpenMP's
+ *  runtime ends the process. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
 
@@ -59,7 +61,8 @@ typedef struct sph2d_sim_options {
     /** Set by sph2d_sim_options_default(); detects other versions and uninitialised structs. */
     size_t struct_size;
 
-    /** Largest number of threads, 1 to 1024; default 0: the number of processors that the process may use. */
+    /** Number of threads, 1 to 1024; default 0: what OpenMP says for the calling thread (OMP_NUM_THREADS, else the
+     *  processors that the process may use), at most one for 512 particles. */
     int threads;
 
     /** Instruction set; default auto. */
@@ -97,6 +100,15 @@ SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
  *  the energy of surface tension) is NaN, probes have no values, and there is no state and no snapshot. */
 SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
 
+/** Whether a run shall take another step. It is called on the thread that called sph2d_sim_run(), and may look at the
+ *  simulation, steer it and write it, but not destroy it. */
+typedef bool sph2d_go_on(void *user, sph2d_sim *sim);
+
+/** Takes steps for as long as `go_on` says so; it is asked before each of them. The same as single steps, but in one
+ *  parallel region, whose threads need not meet at the end of every step: faster, most of all beside other jobs.
+ *  `user` is passed on. Errors: as sph2d_sim_step(); a stopped simulation is not asked. */
+SPH2D_API sph2d_status sph2d_sim_run(sph2d_sim *sim, sph2d_go_on *go_on, void *user, sph2d_report *report);
+
 /** Simulated time [s]. */
 SPH2D_API double sph2d_sim_time(const sph2d_sim *sim);
 
@@ -109,7 +121,7 @@ SPH2D_API double sph2d_sim_time_step(const sph2d_sim *sim);
 /** The instruction set in use, never auto. */
 SPH2D_API sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);
 
-/** The largest number of threads that share a step. */
+/** The number of threads that the next step asks OpenMP for. */
 SPH2D_API int sph2d_sim_threads(const sph2d_sim *sim);
 
 /** Memory allocated [bytes]. */

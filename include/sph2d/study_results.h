@@ -176,7 +176,7 @@ SPH2D_API sph2d_status sph2d_study_text_for_scene(const char *path, const sph2d_
 
 /** How rows are run. Start it with {0}. */
 typedef struct sph2d_study_run_options {
-    /** As in sph2d_sim_options; default 0: the number of processors. */
+    /** As in sph2d_sim_options; default 0: those of OpenMP, fewer where there are few particles. */
     int threads;
     /** Default auto. */
     sph2d_isa isa;

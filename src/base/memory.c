@@ -34,14 +34,6 @@ sph2d__memory sph2d__memory_from(sph2d_allocator allocator)
     return (sph2d__memory){.allocator = allocator};
 }
 
-static void clear(const sph2d__memory *memory, char *block, size_t size)
-{
-    if (memory->clear)
-        memory->clear(memory->helper, block, size);
-    else
-        memset(block, 0, size);
-}
-
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size)
 {
     if (new_count > SIZE_MAX / size) {
@@ -58,7 +50,7 @@ bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t
         return false;
     }
     if (new_size > old_size)
-        clear(memory, (char *)fresh + old_size, new_size - old_size);
+        memset((char *)fresh + old_size, 0, new_size - old_size);
     *block = fresh;
     memory->bytes += new_size - old_size;
     return true;

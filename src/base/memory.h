@@ -13,9 +13,6 @@ typedef struct sph2d__memory {
     sph2d_allocator allocator;
     size_t bytes;    /**< allocated now */
     size_t failures; /**< allocations that failed so far */
-    /** Zeroes a new part of a block by several threads (team.h); NULL: the calling thread does it alone. */
-    void (*clear)(void *helper, char *block, size_t size);
-    void *helper;
 } sph2d__memory;
 
 /** The C library's allocator where `allocator` is {NULL, NULL}. */

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
+
 enum { RIM = SPH2D__RIM };
 
 /* The ranges hold all neighbours if the cells are as wide as the support; the excess covers rounding of the index.
@@ -14,45 +16,36 @@ static const double MARGIN = 1 + 1e-6;
 
 /* Cells have 32-bit indices. */
 static const double MAX_CELLS = 4e9;
-/* Cells grow by at max_sorters this factor at a time, so that an extent near DBL_MAX does not make them infinite. */
+/* Cells grow by at most this factor at a time, so that an extent near DBL_MAX does not make them infinite. */
 static const double MAX_GROWTH = 1e100;
 
 typedef struct bounds {
     double min_x, min_y, max_x, max_y;
 } bounds;
 
-/** The bounds of a store: input and result. */
-typedef struct extent {
-    const sph2d__store *store;
-    sph2d__team *team;
-    bounds found;
-} extent;
-
-static void add_bounds(void *with, size_t first, size_t last)
+static bounds join(bounds a, bounds b)
 {
-    extent *e = with;
-    const double *x = e->store->x, *y = e->store->y;
-    bounds b = {INFINITY, INFINITY, -INFINITY, -INFINITY}, *all = &e->found;
-    for (size_t i = first; i < last; ++i) {
-        b.min_x = x[i] < b.min_x ? x[i] : b.min_x;
-        b.min_y = y[i] < b.min_y ? y[i] : b.min_y;
-        b.max_x = x[i] > b.max_x ? x[i] : b.max_x;
-        b.max_y = y[i] > b.max_y ? y[i] : b.max_y;
-    }
-    sph2d__team_lock(e->team);
-    all->min_x = b.min_x < all->min_x ? b.min_x : all->min_x;
-    all->min_y = b.min_y < all->min_y ? b.min_y : all->min_y;
-    all->max_x = b.max_x > all->max_x ? b.max_x : all->max_x;
-    all->max_y = b.max_y > all->max_y ? b.max_y : all->max_y;
-    sph2d__team_unlock(e->team);
+    return (bounds){a.min_x < b.min_x ? a.min_x : b.min_x, a.min_y < b.min_y ? a.min_y : b.min_y,
+                    a.max_x > b.max_x ? a.max_x : b.max_x, a.max_y > b.max_y ? a.max_y : b.max_y};
 }
 
+static const bounds no_bounds = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+
 /** Smallest and largest coordinates: the same for any number of threads. */
-static bounds find_bounds(const sph2d__store *store, sph2d__team *team)
+static bounds find_bounds(const sph2d__store *store)
 {
-    extent e = {store, team, {INFINITY, INFINITY, -INFINITY, -INFINITY}};
-    sph2d__share(team, store->count, SPH2D__GRAIN, add_bounds, &e);
-    return e.found;
+    const double *x = store->x, *y = store->y;
+    size_t count = store->count;
+    bounds all = no_bounds;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN) shared(all)
+    for (size_t first = 0; first < count; first += SPH2D__GRAIN) {
+        bounds part = no_bounds;
+        for (size_t i = first; i < count && i < first + SPH2D__GRAIN; ++i)
+            part = join(part, (bounds){x[i], y[i], x[i], y[i]});
+#pragma omp critical(sph2d_bounds)
+        all = join(all, part);
+    }
+    return all;
 }
 
 /** The cells of one direction, rim included. */
@@ -180,93 +173,63 @@ static void start_cells(sph2d__cells *cells, size_t first, size_t last, size_t c
     }
 }
 
-/** A counting sort: each sorter has a part of the particles and a part of the cells. */
-typedef struct sorting {
-    sph2d__cells *cells;
-    const sph2d__store *store;
-    size_t cell_count;
-    int sorters;
-    uint32_t sums[SORTERS]; /**< particles in each part of the cells */
-} sorting;
-
-static void count_parts(void *with, size_t first, size_t last)
+/** Puts the particles of a sorter in the order of their cells. */
+static void order_part(sph2d__cells *cells, uint32_t *place, size_t first, size_t last)
 {
-    const sorting *s = with;
-    for (int t = (int)first; t < (int)last; ++t) {
-        uint32_t *count = s->cells->places + (size_t)t * s->cell_count;
-        memset(count, 0, s->cell_count * sizeof *count);
-        assign_cells(s->cells, s->store, part(s->store->count, t, s->sorters), part(s->store->count, t + 1, s->sorters),
-                     count);
+    for (size_t i = first; i < last; ++i)
+        cells->order[place[cells->cell[i]]++] = (uint32_t)i;
+}
+
+/** A counting sort by several sorters: each has a part of the particles, and a part of the cells. It is stable, so the
+ *  order does not depend on their number. */
+static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters)
+{
+    uint32_t in_cells[SORTERS]; /* particles in each part of the cells */
+    size_t count = store->count;
+#pragma omp taskloop grainsize(1) if (sorters > 1)
+    for (int t = 0; t < sorters; ++t) {
+        uint32_t *counts = cells->places + (size_t)t * cell_count;
+        memset(counts, 0, cell_count * sizeof *counts);
+        assign_cells(cells, store, part(count, t, sorters), part(count, t + 1, sorters), counts);
     }
-}
-
-static void sum_parts(void *with, size_t first, size_t last)
-{
-    sorting *s = with;
-    for (int t = (int)first; t < (int)last; ++t)
-        s->sums[t] = count_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters),
-                                 s->cell_count, s->sorters);
-}
-
-static void start_parts(void *with, size_t first, size_t last)
-{
-    const sorting *s = with;
-    for (int t = (int)first; t < (int)last; ++t) {
+#pragma omp taskloop grainsize(1) if (sorters > 1) shared(in_cells)
+    for (int t = 0; t < sorters; ++t)
+        in_cells[t] =
+            count_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters);
+#pragma omp taskloop grainsize(1) if (sorters > 1) shared(in_cells)
+    for (int t = 0; t < sorters; ++t) {
         uint32_t before = 0;
         for (int u = 0; u < t; ++u)
-            before += s->sums[u];
-        start_cells(s->cells, part(s->cell_count, t, s->sorters), part(s->cell_count, t + 1, s->sorters), s->cell_count,
-                    s->sorters, before);
+            before += in_cells[u];
+        start_cells(cells, part(cell_count, t, sorters), part(cell_count, t + 1, sorters), cell_count, sorters, before);
     }
+    cells->start[cell_count] = (uint32_t)count;
+#pragma omp taskloop grainsize(1) if (sorters > 1)
+    for (int t = 0; t < sorters; ++t)
+        order_part(cells, cells->places + (size_t)t * cell_count, part(count, t, sorters), part(count, t + 1, sorters));
 }
 
-static void order_parts(void *with, size_t first, size_t last)
+static int sorters_for(size_t count)
 {
-    const sorting *s = with;
-    const sph2d__cells *cells = s->cells;
-    for (int t = (int)first; t < (int)last; ++t) {
-        uint32_t *place = cells->places + (size_t)t * s->cell_count;
-        size_t end = part(s->store->count, t + 1, s->sorters);
-        for (size_t i = part(s->store->count, t, s->sorters); i < end; ++i)
-            cells->order[place[cells->cell[i]]++] = (uint32_t)i;
-    }
-}
-
-/** The sort is stable, so the order does not depend on the number of sorters. */
-static void sort_particles(sph2d__cells *cells, const sph2d__store *store, size_t cell_count, int sorters,
-                           sph2d__team *team)
-{
-    static sph2d__share_work *const passes[] = {count_parts, sum_parts, start_parts, order_parts};
-    sorting s = {cells, store, cell_count, sorters, {0}};
-    for (size_t k = 0; k < sizeof passes / sizeof *passes; ++k)
-        sph2d__share(team, (size_t)sorters, 1, passes[k], &s);
-    cells->start[cell_count] = (uint32_t)store->count;
-}
-
-/** Depends on the team's limit, not on the threads in use: the memory then stays the same. */
-static int sorters_for(const sph2d__team *team, size_t count)
-{
-    int max_sorters = sph2d__team_limit(team) < SORTERS ? sph2d__team_limit(team) : SORTERS;
+    int most = sph2d__threads() < SORTERS ? sph2d__threads() : SORTERS;
     size_t worth = count / SPH2D__GRAIN;
-    return worth < 1 ? 1 : worth < (size_t)max_sorters ? (int)worth : max_sorters;
+    return worth < 1 ? 1 : worth < (size_t)most ? (int)worth : most;
 }
 
-bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,
-                        sph2d__team *team)
+bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory)
 {
     size_t count = store->count;
-    bounds b = count > 0 ? find_bounds(store, team) : (bounds){0, 0, 0, 0};
-    lay_grid(cells, b, support, count);
+    lay_grid(cells, count > 0 ? find_bounds(store) : (bounds){0, 0, 0, 0}, support, count);
     size_t cell_count = (size_t)cells->nx * cells->ny;
-    int sorters = sorters_for(team, count);
+    int sorters = sorters_for(count);
     if (!reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) ||
         !reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters, memory) ||
         !reserve_particles(cells, store->capacity, memory)) {
         cells->nx = cells->ny = 0; /* the grid is not filled */
         return false;
     }
-    sort_particles(cells, store, cell_count, sorters, team);
-    sph2d__store_reorder(store, cells->order, team);
+    sort_particles(cells, store, cell_count, sorters);
+    sph2d__store_reorder(store, cells->order);
     return true;
 }
 

@@ -35,10 +35,9 @@ typedef struct sph2d__cells {
     size_t cell_capacity, place_capacity, particle_capacity;
 } sph2d__cells;
 
-/** Sorts the particles into cells of at least `support` and reorders the store; the team may be NULL. Positions must be
- *  finite. False when memory is short; there are no cells then, and sph2d__cells_find finds none. */
-bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory,
-                        sph2d__team *team);
+/** Sorts the particles into cells of at least `support` and reorders the store. Positions must be finite. False when
+ *  memory is short; there are no cells then, and sph2d__cells_find finds none. */
+bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
 /** Maximum number of ranges: four rows, each cut by the end of a period and again by the end of a tile. */

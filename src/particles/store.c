@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "base/parallel.h"
+
 _Static_assert(sizeof(double) == sizeof(uint64_t), "ids are reordered through the same scratch array as doubles");
 
 /** Length of the arrays for a capacity. */
@@ -87,48 +89,28 @@ size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
     return i;
 }
 
-/** An array to be reordered. */
-typedef struct reordering {
-    const uint32_t *order;
-    const void *from;
-    void *to;
-} reordering;
-
-static void reorder_reals(void *with, size_t first, size_t last)
-{
-    const reordering *r = with;
-    const double *from = r->from;
-    double *to = r->to;
-    for (size_t k = first; k < last; ++k)
-        to[k] = from[r->order[k]];
-}
-
-static void reorder_ids(void *with, size_t first, size_t last)
-{
-    const reordering *r = with;
-    const uint64_t *from = r->from;
-    uint64_t *to = r->to;
-    for (size_t k = first; k < last; ++k)
-        to[k] = from[r->order[k]];
-}
-
-void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, sph2d__team *team)
+void sph2d__store_reorder(sph2d__store *store, const uint32_t *order)
 {
     double **slots[SPH2D__STORE_COUNT];
     list_reals(store, slots);
     const sph2d__set moved = store->has & store->carried;
+    const size_t count = store->count;
     for (int a = 0; a < SPH2D__STORE_COUNT; ++a) {
         if (!(moved >> a & 1))
             continue;
-        double *from = *slots[a];
-        sph2d__share(team, store->count, SPH2D__GRAIN, reorder_reals, &(reordering){order, from, store->scratch});
-        *slots[a] = store->scratch;
+        double *from = *slots[a], *to = store->scratch;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN)
+        for (size_t k = 0; k < count; ++k)
+            to[k] = from[order[k]];
+        *slots[a] = to;
         store->scratch = from;
     }
-    sph2d__share(team, store->count, SPH2D__GRAIN, reorder_ids, &(reordering){order, store->id, store->scratch});
-    uint64_t *ids = store->scratch;
-    store->scratch = store->id;
-    store->id = ids;
+    uint64_t *from = store->id, *to = store->scratch;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN)
+    for (size_t k = 0; k < count; ++k)
+        to[k] = from[order[k]];
+    store->id = to;
+    store->scratch = from;
 }
 
 /** Moves the values without a flag to the front of an array. */

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "base/team.h"
+#include "base/memory.h"
 
 /** Doubles after the last particle, which vector loads may read and vector stores may overwrite. */
 enum { SPH2D__PADDING = 16 };
@@ -124,7 +124,7 @@ void sph2d__store_free(sph2d__store *store, sph2d__memory *memory);
 size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y);
 
 /** Puts the particles into a new order: particle order[k] becomes particle k. */
-void sph2d__store_reorder(sph2d__store *store, const uint32_t *order, sph2d__team *team);
+void sph2d__store_reorder(sph2d__store *store, const uint32_t *order);
 
 /** Removes every particle whose flag is set, keeping the order of the rest. */
 void sph2d__store_remove(sph2d__store *store, const unsigned char *flags);

@@ -3,6 +3,7 @@
  *  A probe of the quality of the particle distribution: how even the spacing is, how uniform the density. */
 #include <math.h>
 
+#include "base/parallel.h"
 #include "probes/probes.h"
 
 /* Bins of distances from 0 to the support radius. */
@@ -32,17 +33,8 @@ static double nearest(const sph2d_sim *sim, size_t i)
     return sqrt(least2);
 }
 
-/** Arguments and result of the parallel loop. */
-typedef struct search {
-    const sph2d_sim *sim;
-    distances found;
-} search;
-
-static void count_distances(search *l, const double *found, size_t count)
+static void count_distances(const sph2d__system *s, distances *d, const double *found, size_t count)
 {
-    const sph2d__system *s = &l->sim->system;
-    distances *d = &l->found;
-    sph2d__team_lock(s->team);
     for (size_t k = 0; k < count; ++k) {
         size_t bin = (size_t)(found[k] / s->support * BINS);
         bin = bin < BINS ? bin : BINS - 1;
@@ -50,27 +42,23 @@ static void count_distances(search *l, const double *found, size_t count)
         d->least[bin] = found[k] < d->least[bin] ? found[k] : d->least[bin];
         d->paired += found[k] < s->spacing / 2;
     }
-    sph2d__team_unlock(s->team);
 }
 
-static void add_distances(void *with, size_t first, size_t last)
+static void find_distances(const sph2d_sim *sim, distances *d)
 {
-    search *l = with;
-    while (first < last) {
-        double found[SPH2D__SLAB];
-        size_t count = 0;
-        for (; first < last && count < SPH2D__SLAB; ++first)
-            found[count++] = nearest(l->sim, first);
-        count_distances(l, found, count);
-    }
-}
-
-static void find_distances(search *l)
-{
+    const sph2d__system *s = &sim->system;
+    size_t count = s->fluid.count;
     for (int b = 0; b < BINS; ++b)
-        l->found.least[b] = INFINITY;
-    const sph2d__system *s = &l->sim->system;
-    sph2d__share(s->team, s->fluid.count, SPH2D__SLAB, add_distances, l);
+        d->least[b] = INFINITY;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__SLAB)) if (count > SPH2D__SLAB)
+    for (size_t first = 0; first < count; first += SPH2D__SLAB) {
+        double found[SPH2D__SLAB];
+        size_t n = 0;
+        for (; n < SPH2D__SLAB && first + n < count; ++n)
+            found[n] = nearest(sim, first + n);
+#pragma omp critical(sph2d_quality)
+        count_distances(s, d, found, n);
+    }
 }
 
 /** The quantile of the distances with rank `below`, to 1/2048 of the support radius [m]. */
@@ -91,9 +79,8 @@ size_t sph2d__probe_quality(const sph2d_sim *sim, const sph2d_probe *probe, doub
         values[k] = NAN;
     if (f->count == 0)
         return 8;
-    search l = {.sim = sim};
-    find_distances(&l);
-    const distances *d = &l.found;
+    distances found = {0}, *d = &found;
+    find_distances(sim, d);
     double n = (double)f->count, square = 0, largest = 0, speed2 = 0;
     for (size_t i = 0; i < f->count; ++i) {
         double error = f->density[i] / s->rest_density - 1, v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];

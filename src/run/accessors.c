@@ -3,6 +3,7 @@
  *  Accessors of a simulation's values, and steering during a run. */
 #include <math.h>
 
+#include "run/run.h"
 #include "sim/simulation.h"
 
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
@@ -69,7 +70,7 @@ int sph2d_sim_threads(const sph2d_sim *sim)
 {
     if (!sim)
         return 0;
-    return sph2d__team_limit(sim->system.team);
+    return sph2d__sim_threads(sim);
 }
 
 size_t sph2d_sim_memory(const sph2d_sim *sim)

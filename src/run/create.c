@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/null.h"
+#include "base/parallel.h"
 #include "methods/projection/body_rows.h"
 #include "methods/projection/implicit_viscosity.h"
 #include "methods/terms/rheology.h"
@@ -129,16 +130,6 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sim->record.isa = s->isa;
 }
 
-static sph2d_status create_team(sph2d_sim *sim, int threads)
-{
-    int limit = threads > 0 ? threads : sph2d__team_processors();
-    if (limit == 1)
-        return SPH2D_OK;
-    sim->system.team = sph2d__team_create(&sim->memory, limit);
-    sph2d__team_clears(sim->system.team, &sim->memory);
-    return sim->system.team ? SPH2D_OK : SPH2D_NOMEM;
-}
-
 static sph2d_status allocate_arrays(sph2d_sim *sim)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -259,9 +250,9 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     if (!state && sph2d__sim_is_too_large(sim, report))
         return SPH2D_SCENE;
-    status = create_team(sim, options->threads);
-    if (status == SPH2D_OK)
-        status = allocate_arrays(sim);
+    sim->threads = options->threads;
+    sph2d__prepare_threads();
+    status = allocate_arrays(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_place_walls(sim, report);
     if (status == SPH2D_OK)
@@ -357,7 +348,6 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__barrier_free(&sim->moving[k].barrier, memory);
     sph2d__arena_free(&sim->arena, memory);
-    sph2d__team_destroy(s->team, memory);
     sph2d__memory last = *memory; /* the simulation contains its own allocator */
     void *block = sim;
     sph2d__release(&last, &block, 1, sizeof *sim);

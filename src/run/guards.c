@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/parallel.h"
 #include "run/run.h"
 #include "scene/method_table.h"
 
@@ -28,59 +29,63 @@ static sph2d_box walled_box(const sph2d_scene *scene)
         {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
 }
 
-/** Bounds to check, and the extremes found. */
-typedef struct search {
-    const sph2d_sim *sim;
-    sph2d_box box;
-    double low, high; /**< bounds of density [kg/m^3] */
-    extremes found;
-} search;
+static const extremes no_extremes = {.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX};
 
-static void add_extremes(void *with, size_t first, size_t last)
+/** Bounds to check. */
+typedef struct limits {
+    sph2d_box box;
+    sph2d__bounds density; /**< [kg/m^3] */
+} limits;
+
+/** Those of particles first to last - 1. */
+static extremes extremes_of(const sph2d__store *f, const limits *within, size_t first, size_t last)
 {
-    search *s = with;
-    const sph2d__store *f = &s->sim->system.fluid;
     const double *acting = f->acting_pressure ? f->acting_pressure : f->pressure;
-    const sph2d_box box = s->box;
-    double speed2 = 0, acceleration2 = 0, density = 0, pressure = 0;
-    size_t not_finite = SIZE_MAX, escaped = SIZE_MAX, implausible = SIZE_MAX;
+    const sph2d_box box = within->box;
+    const double low = within->density.min_density, high = within->density.max_density;
+    extremes e = no_extremes;
     for (size_t i = first; i < last; ++i) {
         double x = f->x[i], y = f->y[i];
         double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
-        speed2 = v2 > speed2 ? v2 : speed2;
-        acceleration2 = a2 > acceleration2 ? a2 : acceleration2;
-        density = f->density[i] > density ? f->density[i] : density;
-        pressure = acting[i] > pressure ? acting[i] : pressure;
-        if (!isfinite(v2 + a2 + x + y) && i < not_finite)
-            not_finite = i;
-        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < escaped)
-            escaped = i;
-        if (!(f->density[i] >= s->low && f->density[i] <= s->high) && i < implausible)
-            implausible = i;
+        e.speed2 = v2 > e.speed2 ? v2 : e.speed2;
+        e.acceleration2 = a2 > e.acceleration2 ? a2 : e.acceleration2;
+        e.density = f->density[i] > e.density ? f->density[i] : e.density;
+        e.pressure = acting[i] > e.pressure ? acting[i] : e.pressure;
+        if (!isfinite(v2 + a2 + x + y) && i < e.not_finite)
+            e.not_finite = i;
+        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e.escaped)
+            e.escaped = i;
+        if (!(f->density[i] >= low && f->density[i] <= high) && i < e.implausible)
+            e.implausible = i;
     }
-    sph2d__team_lock(s->sim->system.team);
-    extremes *e = &s->found;
-    *e = (extremes){fmax(e->speed2, speed2),
-                    fmax(e->acceleration2, acceleration2),
-                    fmax(e->density, density),
-                    fmax(e->pressure, pressure),
-                    not_finite < e->not_finite ? not_finite : e->not_finite,
-                    escaped < e->escaped ? escaped : e->escaped,
-                    implausible < e->implausible ? implausible : e->implausible};
-    sph2d__team_unlock(s->sim->system.team);
+    return e;
+}
+
+static extremes join(extremes a, extremes b)
+{
+    return (extremes){fmax(a.speed2, b.speed2),
+                      fmax(a.acceleration2, b.acceleration2),
+                      fmax(a.density, b.density),
+                      fmax(a.pressure, b.pressure),
+                      a.not_finite < b.not_finite ? a.not_finite : b.not_finite,
+                      a.escaped < b.escaped ? a.escaped : b.escaped,
+                      a.implausible < b.implausible ? a.implausible : b.implausible};
 }
 
 static extremes find_extremes(const sph2d_sim *sim)
 {
-    sph2d__bounds bounds = sph2d__sim_bounds(sim);
-    search s = {sim,
-                walled_box(&sim->scene),
-                bounds.min_density,
-                bounds.max_density,
-                {.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX}};
-    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, add_extremes, &s);
-    return s.found;
+    const sph2d__store *f = &sim->system.fluid;
+    const limits within = {walled_box(&sim->scene), sph2d__sim_bounds(sim)};
+    size_t count = f->count;
+    extremes all = no_extremes;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN) shared(all, within)
+    for (size_t first = 0; first < count; first += SPH2D__GRAIN) {
+        extremes part = extremes_of(f, &within, first, first + SPH2D__GRAIN < count ? first + SPH2D__GRAIN : count);
+#pragma omp critical(sph2d_extremes)
+        all = join(all, part);
+    }
+    return all;
 }
 
 static sph2d_diagnostic *report_particle(const sph2d_sim *sim, sph2d_report *report, sph2d_code code, size_t i,

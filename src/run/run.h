@@ -6,6 +6,9 @@
 
 #include "sim/simulation.h"
 
+/** The number of threads of a step: as wanted, else those of OpenMP, or fewer where there are few particles. */
+int sph2d__sim_threads(const sph2d_sim *sim);
+
 /** Checks all particles after velocity and acceleration are updated: finite values, largest speed, acceleration and
  *  compression; sets the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);

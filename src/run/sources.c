@@ -2,9 +2,9 @@
 /** @file sources.c
  *  Sources, which emit rows of particles, and drains and open sides, which remove them, between steps. */
 #include <math.h>
-#include <stdatomic.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "base/random.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
@@ -206,28 +206,18 @@ static int side_left(const sph2d_scene *scene, double x, double y)
     return y > d.max.y + height ? 3 : -1;
 }
 
-/** A parallel count of particles. */
-typedef struct tally {
-    sph2d_sim *sim;
-    atomic_size_t count;
-} tally;
-
-static void count_left(void *with, size_t first, size_t last)
-{
-    tally *c = with;
-    const sph2d__store *f = &c->sim->system.fluid;
-    size_t left = 0;
-    for (size_t i = first; i < last; ++i)
-        left += side_left(&c->sim->scene, f->x[i], f->y[i]) >= 0;
-    atomic_fetch_add(&c->count, left);
-}
-
 /** Whether any particle has left. */
-static bool any_left(sph2d_sim *sim)
+static bool any_left(const sph2d_sim *sim)
 {
-    tally c = {.sim = sim};
-    sph2d__share(sim->system.team, sim->system.fluid.count, SPH2D__GRAIN, count_left, &c);
-    return c.count > 0;
+    const sph2d__store *f = &sim->system.fluid;
+    bool any = false;
+#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
+    for (size_t i = 0; i < f->count; ++i)
+        if (side_left(&sim->scene, f->x[i], f->y[i]) >= 0) {
+#pragma omp atomic write
+            any = true;
+        }
+    return any;
 }
 
 static bool in_drain(const sph2d_sim *sim, double x, double y)
@@ -278,19 +268,21 @@ static bool removes_particles(const sph2d_scene *scene)
            b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN || b->top == SPH2D_SIDE_OPEN;
 }
 
-/** Flags the particles to remove. */
-static void flag_removed(void *with, size_t first, size_t last)
+/** Flags the particles to remove; false if there are none. */
+static bool flag_removed(sph2d_sim *sim)
 {
-    tally *c = with;
-    sph2d_sim *sim = c->sim;
     const sph2d__store *f = &sim->system.fluid;
-    size_t removed = 0;
-    for (size_t i = first; i < last; ++i) {
+    bool any = false;
+#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
+    for (size_t i = 0; i < f->count; ++i) {
         sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]) ||
                             sph2d__openings_spent(sim, f->x[i], f->y[i]);
-        removed += sim->to_remove[i];
+        if (sim->to_remove[i]) {
+#pragma omp atomic write
+            any = true;
+        }
     }
-    atomic_fetch_add(&c->count, removed);
+    return any;
 }
 
 sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim)
@@ -315,14 +307,9 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
     if (!removes_particles(&sim->scene))
         return SPH2D_OK;
-    sph2d__store *f = &sim->system.fluid;
     if (sim->scene.drain_count == 0 && sim->scene.opening_count == 0 && !any_left(sim))
         return SPH2D_OK;
     if (!sph2d__sim_reserve_flags(sim))
         return SPH2D_NOMEM;
-    tally removed = {.sim = sim};
-    sph2d__share(sim->system.team, f->count, SPH2D__GRAIN, flag_removed, &removed);
-    if (removed.count == 0)
-        return SPH2D_OK;
-    return sph2d__sim_remove_flagged(sim);
+    return flag_removed(sim) ? sph2d__sim_remove_flagged(sim) : SPH2D_OK;
 }

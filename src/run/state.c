@@ -291,7 +291,7 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     if (!l.ok)
         return SPH2D_FORMAT;
     sim->system.isa = (sph2d_isa)sim->record.isa;
-    if (!sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.team))
+    if (!sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory))
         return SPH2D_NOMEM;
     return in_cell_order(&l, sim) ? SPH2D_OK : SPH2D_FORMAT;
 }

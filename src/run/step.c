@@ -2,6 +2,7 @@
 /** @file step.c
  *  One step: sources and drains, the method's scheme, the clock, the guards. */
 #include "base/null.h"
+#include "base/parallel.h"
 #include "probes/coverage.h"
 #include "probes/probes.h"
 #include "run/run.h"
@@ -47,17 +48,9 @@ static sph2d_status apply_sources_and_drains(sph2d_sim *sim)
     return status == SPH2D_OK ? sph2d__sim_drain(sim) : status;
 }
 
-sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
+static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
 {
-    if (!sim)
-        return sph2d__null(report, __func__, "sim");
-    if (sim->stopped != SPH2D_OK) {
-        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
-                         "the simulation has stopped and takes no more steps: %s", sph2d_status_text(sim->stopped));
-        return sim->stopped;
-    }
     sph2d__profile *profile = &sim->system.profile;
-    sph2d__team_begin(sim->system.team);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     sph2d_status status = apply_sources_and_drains(sim);
     if (status != SPH2D_OK)
@@ -89,6 +82,61 @@ sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
     if (!sph2d__sim_guard_energy(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
-    sph2d__team_end(sim->system.team);
     return SPH2D_OK;
+}
+
+/** The number of threads, of at most `most`. Unless it is the caller's, each has two slabs: with fewer, threads take
+ *  longer to meet than they save. */
+static int threads_of(const sph2d_sim *sim, int most)
+{
+    size_t worth = sph2d__slabs(sim->system.fluid.count) / 2;
+    return sim->threads > 0 || worth >= (size_t)most ? most : worth < 1 ? 1 : (int)worth;
+}
+
+int sph2d__sim_threads(const sph2d_sim *sim)
+{
+    return threads_of(sim, sph2d__max_threads(sim->threads));
+}
+
+/** Steps in one parallel region, or another where the number of particles changes that of the threads. */
+static sph2d_status run(sph2d_sim *sim, sph2d_go_on *go_on, void *user, sph2d_report *report)
+{
+    sph2d_status status = sim->stopped;
+    const int most = sph2d__max_threads(sim->threads); /* of the caller: inside it is that of regions in the region */
+    if (status != SPH2D_OK)
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
+                         "the simulation has stopped and takes no more steps: %s", sph2d_status_text(status));
+    for (bool more = status == SPH2D_OK; more;) {
+        const int threads = threads_of(sim, most);
+#pragma omp parallel num_threads(threads)
+#pragma omp master
+        while (more && threads_of(sim, most) == threads) {
+            more = go_on(user, sim);
+            if (more)
+                status = take_step(sim, report);
+            more = more && status == SPH2D_OK;
+        }
+    }
+    return status;
+}
+
+sph2d_status sph2d_sim_run(sph2d_sim *sim, sph2d_go_on *go_on, void *user, sph2d_report *report)
+{
+    if (!sim)
+        return sph2d__null(report, __func__, "sim");
+    return go_on ? run(sim, go_on, user, report) : sph2d__null(report, __func__, "go_on");
+}
+
+static bool is_first(void *asked, sph2d_sim *sim)
+{
+    (void)sim;
+    bool first = !*(bool *)asked;
+    *(bool *)asked = true;
+    return first;
+}
+
+sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report)
+{
+    bool asked = false;
+    return sim ? run(sim, is_first, &asked, report) : sph2d__null(report, __func__, "sim");
 }

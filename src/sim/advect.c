@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "sim/stages.h"
 
 /** Reflects a velocity at the nearest reflecting boundary particle within one spacing, if the particle approaches it:
@@ -142,6 +143,16 @@ typedef struct events {
 typedef struct end {
     sph2d_vec2 at, v;
 } end;
+
+static void add_events(events *to, const events *met)
+{
+    to->hits += met->hits;
+    to->reflections += met->reflections;
+    to->not_finite += met->not_finite;
+    to->stopped += met->stopped;
+    to->driven += met->driven;
+    to->diffused += met->diffused;
+}
 
 /* No particle of a valid run has this many quanta. */
 static const double MAX_QUANTA = 1e15;
@@ -299,44 +310,6 @@ static void advect_batch(sph2d_sim *sim, double shift, const sph2d__batch *batch
         advect_one(sim, &near, batch, k, met);
 }
 
-/** The advection of all batches. */
-typedef struct advection {
-    sph2d_sim *sim;
-    double dt;
-    double shift; /**< the largest by which a moving obstacle can push a particle [m] */
-    sph2d__batch_work *set, *after;
-    events met;
-} advection;
-
-static void advect_batches(void *with, size_t first, size_t last)
-{
-    advection *a = with;
-    const size_t count = a->sim->system.fluid.count;
-    events met = {0};
-    for (size_t n = first; n < last; ++n) {
-        sph2d__batch batch;
-        batch.first = n * SPH2D__BATCH;
-        batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
-        batch.kick = batch.diffused = 0;
-        a->set(a->sim, a->dt, &batch);
-        met.diffused += quanta_of(a->sim, batch.diffused);
-        advect_batch(a->sim, a->shift, &batch, &met);
-        if (a->after)
-            a->after(a->sim, a->dt, &batch);
-    }
-    sph2d__team_lock(a->sim->system.team);
-    a->met.hits += met.hits;
-    a->met.reflections += met.reflections;
-    a->met.not_finite += met.not_finite;
-    a->met.stopped += met.stopped;
-    a->met.driven += met.driven;
-    a->met.diffused += met.diffused;
-    sph2d__team_unlock(a->sim->system.team);
-}
-
-/* Batches in a chunk of the parallel loop. */
-enum { BATCHES = SPH2D__GRAIN / 4 / SPH2D__BATCH };
-
 static double shift_of_walls(const sph2d_sim *sim)
 {
     double shift = 0;
@@ -345,15 +318,36 @@ static double shift_of_walls(const sph2d_sim *sim)
     return shift;
 }
 
+/* Batches in a task. */
+enum { BATCHES = 512 / SPH2D__BATCH };
+
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
-    advection a = {sim, dt, shift_of_walls(sim), set, after, {0}};
-    const size_t batches = (sim->system.fluid.count + SPH2D__BATCH - 1) / SPH2D__BATCH;
-    sph2d__share(sim->system.team, batches, BATCHES, advect_batches, &a);
-    sim->record.backstop_hits += a.met.hits;
-    sim->record.reflections += a.met.reflections;
-    sim->record.energy_stopped += (double)a.met.stopped * sph2d__sim_energy_quantum(sim);
-    sim->record.energy_walls += (double)a.met.driven * sph2d__sim_energy_quantum(sim);
-    sim->record.energy_diffused += (double)a.met.diffused * sph2d__sim_energy_quantum(sim);
-    return a.met.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
+    const size_t count = sim->system.fluid.count, batches = (count + SPH2D__BATCH - 1) / SPH2D__BATCH;
+    const double shift = shift_of_walls(sim);
+    events all = {0};
+#pragma omp taskloop num_tasks(sph2d__tasks(batches, BATCHES)) if (batches > BATCHES) shared(all)                      \
+    firstprivate(set, after)
+    for (size_t first = 0; first < batches; first += BATCHES) {
+        events met = {0};
+        for (size_t n = first; n < batches && n < first + BATCHES; ++n) {
+            sph2d__batch batch;
+            batch.first = n * SPH2D__BATCH;
+            batch.kick = batch.diffused = 0;
+            batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
+            set(sim, dt, &batch);
+            met.diffused += quanta_of(sim, batch.diffused);
+            advect_batch(sim, shift, &batch, &met);
+            if (after)
+                after(sim, dt, &batch);
+        }
+#pragma omp critical(sph2d_events)
+        add_events(&all, &met);
+    }
+    sim->record.backstop_hits += all.hits;
+    sim->record.reflections += all.reflections;
+    sim->record.energy_stopped += (double)all.stopped * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_walls += (double)all.driven * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_diffused += (double)all.diffused * sph2d__sim_energy_quantum(sim);
+    return all.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }

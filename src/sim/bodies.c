@@ -357,7 +357,6 @@ void sph2d__bodies_strike(sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec
     size_t k = (size_t)(moving->rigid - sim->bodies.items);
     const sph2d__pose *pose = &moving->to;
     sph2d_vec2 center = {pose->center.x + pose->displacement.x, pose->center.y + pose->displacement.y};
-    sph2d__team_lock(sim->system.team);
+#pragma omp critical(sph2d_strikes)
     sph2d__loads_strike(sim, &sim->bodies.strikes[k], center, at, change);
-    sph2d__team_unlock(sim->system.team);
 }

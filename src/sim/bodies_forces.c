@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "base/pi.h"
 #include "methods/terms/tension.h"
 #include "scene/bodies.h"
@@ -11,13 +12,6 @@
 #include "sim/simulation.h"
 
 /* ---- the liquid -------------------------------------------------------------------------------------------------- */
-
-static void press_some(void *with, size_t first, size_t last)
-{
-    sph2d_sim *sim = with;
-    for (size_t k = first; k < last; ++k)
-        sim->bodies.forces[k] = sph2d__sim_force_of_wall(sim, sim->system.rigid_index[k]);
-}
 
 /** Adds a force on a body at an arm from its centre of mass. */
 static void add_force(sph2d__twist *to, sph2d_vec2 arm, double x, double y)
@@ -59,7 +53,10 @@ void sph2d__bodies_press(sph2d_sim *sim)
     sph2d__bodies *all = &sim->bodies;
     if (all->count == 0)
         return;
-    sph2d__share(sim->system.team, (size_t)(all->end - all->first), SPH2D__GRAIN / 16, press_some, sim);
+    size_t count = (size_t)(all->end - all->first);
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__LOOK_GRAIN)) if (count > SPH2D__LOOK_GRAIN)
+    for (size_t k = 0; k < count; ++k)
+        all->forces[k] = sph2d__sim_force_of_wall(sim, sim->system.rigid_index[k]);
     if (all->tensions) {
         memset(all->tensions, 0, sim->system.walls.count * sizeof *all->tensions);
         sph2d__tension_of_walls(&sim->system, all->tensions);

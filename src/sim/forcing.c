@@ -34,10 +34,10 @@ static bool move_walls(sph2d_sim *sim, double time)
     sph2d__system *s = &sim->system;
     for (size_t i = 0; i < s->walls.count; ++i)
         s->wall_cells.order[s->walls.id[i]] = (uint32_t)i;
-    sph2d__store_reorder(&s->walls, s->wall_cells.order, NULL);
+    sph2d__store_reorder(&s->walls, s->wall_cells.order);
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__moving_place(&sim->moving[k], time, &s->walls, &s->wall_cells.period);
-    bool sorted = sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL);
+    bool sorted = sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory);
     sph2d__bodies_index(sim, time);
     return sorted;
 }

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "base/parallel.h"
 #include "scene/outline.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
@@ -178,12 +179,6 @@ static void look(const sph2d_sim *sim, size_t k)
             find_liquid(sim, g->fronts[i].at, sph2d__pose_turn(&pose, g->pieces[i].normal), &g->fronts[i].pressure);
 }
 
-static void look_some(void *with, size_t first, size_t last)
-{
-    for (size_t k = first; k < last; ++k)
-        look(with, k);
-}
-
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
 /** The body with a boundary particle; NULL if it is another wall's. */
@@ -304,9 +299,12 @@ static void press_gaps_of(sph2d_sim *sim, size_t k)
 
 void sph2d__gaps_press(sph2d_sim *sim)
 {
-    sph2d__share(sim->system.team, sim->bodies.count, 1, look_some, sim);
-    for (size_t k = 0; k < sim->bodies.count; ++k)
+    size_t bodies = sim->bodies.count;
+#pragma omp taskloop num_tasks(sph2d__tasks(bodies, 1)) if (bodies > 1)
+    for (size_t k = 0; k < bodies; ++k)
+        look(sim, k);
+    for (size_t k = 0; k < bodies; ++k)
         sim->bodies.items[k].state->gap = (sph2d__twist){0, 0, 0};
-    for (size_t k = 0; k < sim->bodies.count; ++k)
+    for (size_t k = 0; k < bodies; ++k)
         press_gaps_of(sim, k);
 }

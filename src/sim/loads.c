@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "methods/terms/tension.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
@@ -122,15 +123,6 @@ static bool any_matches(const sph2d__loads *l, const int walls[2])
         if (matches(l->items[k].wall, walls[0]) || matches(l->items[k].wall, walls[1]))
             return true;
     return false;
-}
-
-static void find_some(void *with, size_t first, size_t last)
-{
-    sph2d_sim *sim = with;
-    sph2d__loads *l = &sim->loads;
-    for (size_t b = first; b < last; ++b)
-        if (any_matches(l, l->walls[sim->system.walls.id[b]]))
-            l->forces[b] = sph2d__sim_force_of_wall(sim, b);
 }
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
@@ -255,9 +247,13 @@ void sph2d__loads_find(sph2d_sim *sim, double kept)
     if (l->count == 0)
         return;
     const sph2d__pull none = {0, 0, 0};
-    sph2d__share(sim->system.team, sim->system.walls.count, SPH2D__GRAIN / 16, find_some, sim);
+    size_t walls = sim->system.walls.count;
+#pragma omp taskloop num_tasks(sph2d__tasks(walls, SPH2D__LOOK_GRAIN)) if (walls > SPH2D__LOOK_GRAIN)
+    for (size_t b = 0; b < walls; ++b)
+        if (any_matches(l, l->walls[sim->system.walls.id[b]]))
+            l->forces[b] = sph2d__sim_force_of_wall(sim, b);
     if (l->tensions) {
-        memset(l->tensions, 0, sim->system.walls.count * sizeof *l->tensions);
+        memset(l->tensions, 0, walls * sizeof *l->tensions);
         sph2d__tension_of_walls(&sim->system, l->tensions);
     }
     for (size_t k = 0; k < l->count; ++k) {
@@ -314,7 +310,7 @@ static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph
 {
     double m = sim->system.mass, unit;
     const sph2d__pull q = quanta(sim, &unit);
-    sph2d__team_lock(sim->system.team);
+#pragma omp critical(sph2d_contacts)
     for (size_t k = 0; k < sim->loads.count; ++k) {
         sph2d__load *load = &sim->loads.items[k];
         double in_x = matches(load->wall, walls[0]), in_y = matches(load->wall, walls[1]);
@@ -327,7 +323,6 @@ static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph
         load->hit_turn += count_of(pull.torque, q.torque);
         load->given += count_of(work, unit);
     }
-    sph2d__team_unlock(sim->system.team);
 }
 
 void sph2d__loads_contact(sph2d_sim *sim, int wall, sph2d_vec2 at, sph2d_vec2 change, double work)

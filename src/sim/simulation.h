@@ -28,6 +28,7 @@ struct sph2d_sim {
 
     sph2d__system system;
     const sph2d__method *method;
+    int threads; /**< wanted; 0: those of OpenMP, or fewer */
     sph2d__barrier barrier;
     sph2d__course tank;    /**< of the domain: scene/frame.h */
     sph2d__moving *moving; /**< capacity: every obstacle */

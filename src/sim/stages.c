@@ -5,11 +5,13 @@
 
 #include <math.h>
 
+#include "base/parallel.h"
+
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_SORT);
-    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory, s->team);
+    bool sorted = sph2d__cells_build(&s->fluid_cells, &s->fluid, s->reach, s->memory);
     sph2d__profile_enter(&s->profile, before);
     return sorted ? SPH2D_OK : SPH2D_NOMEM;
 }
@@ -38,23 +40,12 @@ void sph2d__keep_accelerations(sph2d__store *f)
     f->ay = y;
 }
 
-/** Arguments of the second kick. */
-typedef struct kick {
-    sph2d__store *fluid;
-    double dt;
-} kick;
-
-static void kick_some(void *with, size_t first, size_t last)
-{
-    const kick *k = with;
-    const sph2d__store *f = k->fluid;
-    for (size_t i = first; i < last; ++i) {
-        f->vx[i] += k->dt / 2 * (f->ax[i] - f->old_ax[i]);
-        f->vy[i] += k->dt / 2 * (f->ay[i] - f->old_ay[i]);
-    }
-}
-
 void sph2d__second_kick(sph2d__system *s, double dt)
 {
-    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, kick_some, &(kick){&s->fluid, dt});
+    const sph2d__store *f = &s->fluid;
+#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN)
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] += dt / 2 * (f->ax[i] - f->old_ax[i]);
+        f->vy[i] += dt / 2 * (f->ay[i] - f->old_ay[i]);
+    }
 }

@@ -100,7 +100,7 @@ sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
         return SPH2D_SCENE;
     }
     if (!sph2d__store_reserve(fluid, &sim->memory, 1) ||
-        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory, sim->system.team))
+        !sph2d__cells_build(&sim->system.fluid_cells, fluid, sim->system.reach, &sim->memory))
         return SPH2D_NOMEM;
     status = sph2d__sim_check_distances(sim, first_single, report);
     return status == SPH2D_OK ? sph2d__sim_check_layers(sim, report) : status;

@@ -280,7 +280,7 @@ static bool finish_walls(sph2d_sim *sim)
         if (!sph2d__barrier_build(&sim->moving[k].barrier, bucket, clearance, &sim->memory))
             return false;
     return make_spins(sim) && sph2d__barrier_build(&sim->barrier, bucket, clearance, &sim->memory) &&
-           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory, NULL));
+           (s->walls.count == 0 || sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory));
 }
 
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)

@@ -17,9 +17,12 @@ typedef struct runner {
     sph2d_study_record *record;
     const sph2d_scene_file *file;
     sph2d_sim *sim;
-    sph2d_report said;    /* by the simulation, to be passed on ... */
-    sph2d_report *report; /* ... to here */
-    bool again;           /* a repeat, which gives the same warnings again */
+    sph2d_report said;          /* by the simulation, to be passed on ... */
+    sph2d_report *report;       /* ... to here */
+    bool again;                 /* a repeat, which gives the same warnings again */
+    bool stepping;              /* a step was begun ... */
+    double step_wall, step_cpu; /* ... at these times [s] */
+    sph2d_status taken;         /* how measuring between the steps went */
 } runner;
 
 static double seconds(clockid_t clock)
@@ -134,25 +137,43 @@ static sph2d_status take_summary(runner *r)
 
 /* ---- one run ----------------------------------------------------------------------------------------------------- */
 
+/** Times the step that has been begun, if one has. */
+static void end_step(runner *r)
+{
+    if (!r->stepping)
+        return;
+    r->record->wall += seconds(CLOCK_MONOTONIC) - r->step_wall;
+    r->record->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - r->step_cpu;
+    r->stepping = false;
+}
+
+/** Whether to go on: not at the end of the scene, after an error of what is measured, or when the caller asks to stop. */
+static bool go_on(void *runner_, sph2d_sim *sim)
+{
+    runner *r = runner_;
+    end_step(r);
+    r->taken = take_due(r);
+    /* The time is a sum of steps: a rounding error before the end must not cause one more step. */
+    if (r->taken != SPH2D_OK || sph2d_sim_time(sim) * (1 + 1e-12) >= sph2d_sim_scene(sim)->run.until)
+        return false;
+    if (r->options->go_on && !r->options->go_on(r->options->user, r->run, sim)) {
+        r->record->end = SPH2D_STUDY_STOPPED;
+        return false;
+    }
+    r->stepping = true;
+    r->step_wall = seconds(CLOCK_MONOTONIC);
+    r->step_cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    return true;
+}
+
 /** Steps to the end of the scene, to a guard or until the caller asks to stop. */
 static sph2d_status advance(runner *r)
 {
-    /* The time is a sum of steps: a rounding error before the end must not cause one more step. */
-    const double until = sph2d_sim_scene(r->sim)->run.until;
-    sph2d_status status = take_due(r);
-    while (status == SPH2D_OK && sph2d_sim_time(r->sim) * (1 + 1e-12) < until) {
-        if (r->options->go_on && !r->options->go_on(r->options->user, r->run, r->sim)) {
-            r->record->end = SPH2D_STUDY_STOPPED;
-            return SPH2D_OK;
-        }
-        double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
-        status = sph2d_sim_step(r->sim, &r->said);
-        r->record->wall += seconds(CLOCK_MONOTONIC) - wall;
-        r->record->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-        if (status == SPH2D_OK)
-            status = take_due(r);
-    }
-    return status == SPH2D_OK ? take_profiles(r) : status;
+    sph2d_status status = sph2d_sim_run(r->sim, go_on, r, &r->said);
+    end_step(r);
+    if (status == SPH2D_OK)
+        status = r->taken;
+    return status == SPH2D_OK && r->record->end != SPH2D_STUDY_STOPPED ? take_profiles(r) : status;
 }
 
 /** Forwards the simulation's messages with the name of the row, since rows may share a terminal. The first error is the

@@ -65,9 +65,16 @@ absent zero/snapshot_000001.h5
 
 # --verbose says where the number of threads comes from
 set -- run "$TINY" --no-frames -v --set run.until=0
-expect 0 "$SPH2D" "$@" -o v1 -j 1 && says ' 1 thread (--threads)'
-expect 0 env OMP_NUM_THREADS=2,1 "$SPH2D" "$@" -o v2 && says ' 2 threads (OMP_NUM_THREADS)'
-expect 0 "$SPH2D" "$@" -o v3 && says ' threads* (processors allowed to this process)'
+if "$SPH2D" --version | grep -q '^OpenMP *yes'; then
+    expect 0 "$SPH2D" "$@" -o v1 -j 1 && says ' 1 thread (--threads)'
+    expect 0 env OMP_NUM_THREADS=2,1 "$SPH2D" "$@" -o v2 && says ' 1 thread (few particles)'
+    set -- "$@" --set spacing=0.01
+    expect 0 env OMP_NUM_THREADS=2,1 "$SPH2D" "$@" -o v3 && says ' 2 threads (OMP_NUM_THREADS)'
+    expect 0 env OMP_NUM_THREADS=2 OMP_THREAD_LIMIT=1 "$SPH2D" "$@" -o v4 && says ' 1 thread (OMP_THREAD_LIMIT)'
+    expect 0 "$SPH2D" "$@" -o v5 && says ' threads* (processors allowed to this process)'
+else
+    expect 0 "$SPH2D" "$@" -o v1 -j 2 && says ' 1 thread (built without OpenMP)'
+fi
 for set in baseline avx2 avx512; do
     "$SPH2D" --version | grep -q "^instruction sets.*$set" || continue
     expect 0 "$SPH2D" "$@" -o isa_$set --isa $set && says ", $set\$"

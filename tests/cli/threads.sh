@@ -2,6 +2,7 @@
 # One thread or several: the same bytes. The environment stays as it is.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
+"$SPH2D" --version | grep -q '^OpenMP *yes' || exit 77
 
 expect 0 "$SPH2D" init dam.yaml -q
 # Enough particles that several threads get some.
@@ -11,6 +12,12 @@ expect 0 "$SPH2D" "$@" -o two --threads 2 && prints '"threads": 2,'
 expect 0 "$SPH2D" "$@" -o many --threads 5
 same one two && same one many
 [ "$(find one -name '*.h5' | wc -l)" = 5 ] || fail 'not 5 snapshots'
+
+# What OpenMP reads of the environment is for OpenMP; a list of numbers has one for regions within the step's, too.
+expect 0 env OMP_NUM_THREADS=3,1 "$SPH2D" "$@" -o listed && prints '"threads": 3,' && same one listed
+expect 0 env OMP_NUM_THREADS=4 OMP_THREAD_LIMIT=2 "$SPH2D" "$@" -o limited && prints '"threads": 2,' && same one limited
+expect 0 env OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive OMP_PROC_BIND=true OMP_PLACES=threads OMP_DYNAMIC=true \
+    "$SPH2D" "$@" -o bound && same one bound
 
 # The command that runs is the one that was started, with the environment that it was given.
 if [ -r /proc/self/environ ]; then

@@ -10,6 +10,8 @@
  *  (pthread_create). Standard output and standard error never fail. With "+" the first write that fails writes half of
  *  its bytes, as on a disk that becomes full.
  *
+ *  Calls of OpenMP's runtime neither fail nor count: it ends the process where it has no memory or thread.
+ *
  *  Counting starts with main(), so that the loader and constructors are not disturbed. Forked processes inherit the
  *  count; a program that executes itself starts anew. glibc only: it calls allocators by their internal names, which
  *  need no look-up that might itself allocate. */
@@ -17,10 +19,12 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <link.h>
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdio_ext.h>
 #include <stdlib.h>
@@ -39,10 +43,28 @@ static int kind = KINDS, error_number;
 static long which;
 static bool onwards;
 
-/** Counts a call; whether it fails, with errno. */
-static bool fails(int k)
+static uintptr_t openmp_begin, openmp_end; /* where its code is */
+
+static int find_openmp(struct dl_phdr_info *library, size_t size, void *with)
 {
-    if (!atomic_load_explicit(&armed, memory_order_relaxed))
+    (void)size;
+    (void)with;
+    if (!strstr(library->dlpi_name, "libgomp.so") && !strstr(library->dlpi_name, "libomp.so"))
+        return 0;
+    for (int k = 0; k < library->dlpi_phnum; ++k)
+        if (library->dlpi_phdr[k].p_type == PT_LOAD && library->dlpi_phdr[k].p_flags & PF_X) {
+            openmp_begin = (uintptr_t)library->dlpi_addr + library->dlpi_phdr[k].p_vaddr;
+            openmp_end = openmp_begin + library->dlpi_phdr[k].p_memsz;
+        }
+    return 1;
+}
+
+/** Counts the call of a function that is replaced here; whether it fails, with errno. */
+#define fails(k) fails_for(k, (uintptr_t)__builtin_return_address(0))
+
+static bool fails_for(int k, uintptr_t caller)
+{
+    if (!atomic_load_explicit(&armed, memory_order_relaxed) || (caller >= openmp_begin && caller < openmp_end))
         return false;
     long n = atomic_fetch_add(&calls[k], 1) + 1;
     if (k != kind || (n != which && (!onwards || n < which)))
@@ -100,6 +122,7 @@ static int (*real_main)(int, char **, char **);
 static int start(int argc, char **argv, char **environment)
 {
     read_settings();
+    dl_iterate_phdr(find_openmp, NULL);
     atomic_store(&armed, true);
     return real_main(argc, argv, environment);
 }

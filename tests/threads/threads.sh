@@ -59,7 +59,7 @@ go() {
     fi
 }
 
-suites=(team pace store cells invariance muller mixed fitted fitted_walls friction projection reported_pressure solvers
+suites=(parallel store cells invariance muller mixed fitted fitted_walls friction projection reported_pressure solvers
     packing_rest probes gauge plan state symmetry tension terms drawing memory)
 if [ "$only" != command ]; then
     known=$("$checks" --list)

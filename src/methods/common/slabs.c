@@ -3,6 +3,8 @@
  *  Work on slabs, shared among threads. */
 #include "methods/common/slabs.h"
 
+#include "base/parallel.h"
+
 /** Slab k of a store. */
 static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
 {
@@ -13,35 +15,17 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
 /* The fewest slabs that are shared among threads. */
 enum { MIN_SLABS = 4 };
 
-/** The team for this number of slabs; NULL: one thread. */
-static sph2d__team *team_for(const sph2d__system *s, size_t slabs)
-{
-    return slabs < MIN_SLABS ? NULL : s->team;
-}
-
-/** Work on slabs: those of the fluid, then those of the boundary particles. */
-typedef struct task {
-    sph2d__system *system;
-    size_t fluid;
-    sph2d__slab_work *work;
-    const void *with;
-} task;
-
-static void do_slabs(void *task_, size_t first, size_t last)
-{
-    const task *t = task_;
-    sph2d__system *s = t->system;
-    for (size_t k = first; k < last; ++k) {
-        sph2d__slab slab = k < t->fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - t->fluid);
-        sph2d__slab_sum sum = {0}; /* local while it is added to: adjacent sums share a cache line */
-        t->work(s, &slab, t->with, &sum);
-        *(k < t->fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - t->fluid]) = sum;
-    }
-}
-
+/** Work on slabs: `fluid` of the fluid, then `walls` of the boundary particles. */
 static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d__slab_work *work, const void *with)
 {
-    sph2d__share(team_for(s, fluid + walls), fluid + walls, 1, do_slabs, &(task){s, fluid, work, with});
+    size_t slabs = fluid + walls;
+#pragma omp taskloop num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
+    for (size_t k = 0; k < slabs; ++k) {
+        sph2d__slab slab = k < fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - fluid);
+        sph2d__slab_sum sum = {0}; /* local while it is added to: adjacent sums share a cache line */
+        work(s, &slab, with, &sum);
+        *(k < fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - fluid]) = sum;
+    }
     sph2d__slab_sum total = sph2d__neighbours_total(&s->neighbours, fluid);
     sph2d__slab_sum of_walls = sph2d__neighbours_total(&s->wall_neighbours, walls);
     total.first += of_walls.first;
@@ -62,24 +46,10 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const
     return over(s, sph2d__slabs(s->fluid.count), walls, work, with);
 }
 
-/** Work on the particles of a store. */
-typedef struct span {
-    sph2d__system *system;
-    size_t count;
-    sph2d__span_work *work;
-} span;
-
-static void do_spans(void *span_, size_t first, size_t last)
-{
-    const span *t = span_;
-    for (size_t k = first; k < last; ++k) {
-        size_t end = (k + 1) * SPH2D__SLAB;
-        t->work(t->system, k * SPH2D__SLAB, end < t->count ? end : t->count);
-    }
-}
-
 void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
 {
     size_t slabs = sph2d__slabs(count);
-    sph2d__share(team_for(s, slabs), slabs, 1, do_spans, &(span){s, count, work});
+#pragma omp taskloop num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
+    for (size_t k = 0; k < slabs; ++k)
+        work(s, k * SPH2D__SLAB, (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count);
 }

@@ -15,6 +15,7 @@
 
 #include <math.h>
 
+#include "base/parallel.h"
 #include "methods/common/system.h"
 
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
@@ -70,18 +71,13 @@ static inline double sph2d__sound_speed2_at(const sph2d__system *s, double densi
     return c2 * x2 * x2 * x2;
 }
 
-static inline void sph2d__state_equation_some(void *system, size_t first, size_t last)
-{
-    sph2d__system *s = system;
-    sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i)
-        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
-}
-
 /** Sets the pressure of every fluid particle. */
 static inline void sph2d__state_equation_apply(sph2d__system *s)
 {
-    sph2d__share(s->team, s->fluid.count, SPH2D__GRAIN, sph2d__state_equation_some, s);
+    const sph2d__store *f = &s->fluid;
+#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN)
+    for (size_t i = 0; i < f->count; ++i)
+        f->pressure[i] = sph2d__pressure_of(s, f->density[i]);
 }
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef SPH2D_METHODS_COMMON_SYSTEM_H
 #define SPH2D_METHODS_COMMON_SYSTEM_H
 
-#include "base/team.h"
+#include "base/memory.h"
 #include "methods/common/body.h"
 #include "methods/common/profile.h"
 #include "particles/cells.h"
@@ -119,7 +119,6 @@ typedef struct sph2d__system {
 
     sph2d__profile profile;
     sph2d__memory *memory;
-    sph2d__team *team; /**< threads that share the loops; NULL: one thread */
     sph2d_isa isa;
 } sph2d__system;
 

@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "base/parallel.h"
 #include "kernels/muller.h"
 #include "methods/terms/stable_step.h"
 
@@ -100,11 +101,11 @@ static double pressure_of(const sph2d__system *s, double density)
 }
 
 /** Sets pressures and volumes. */
-static void set_pressures(void *system, size_t first, size_t last)
+static void set_pressures(sph2d__system *s)
 {
-    sph2d__system *s = system;
-    sph2d__store *fluid = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
+    const sph2d__store *fluid = &s->fluid;
+#pragma omp taskloop num_tasks(sph2d__tasks(fluid->count, SPH2D__GRAIN)) if (fluid->count > SPH2D__GRAIN)
+    for (size_t i = 0; i < fluid->count; ++i) {
         fluid->pressure[i] = pressure_of(s, fluid->density[i]);
         fluid->acting_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];
         fluid->volume[i] = s->mass / fluid->density[i];
@@ -117,7 +118,7 @@ static bool evaluate(sph2d__system *s)
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     sph2d__over_particles(s, fluid->count, pass->density);
-    sph2d__share(s->team, fluid->count, SPH2D__GRAIN, set_pressures, s);
+    set_pressures(s);
     if (s->walls_press) {
         sph2d__profile_enter(&s->profile, SPH2D_PHASE_WALLS);
         sph2d__over_particles(s, walls->count, pass->wall_density);

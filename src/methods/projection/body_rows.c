@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "base/parallel.h"
 #include "boundary/rigid.h"
 #include "simd/lanes.h"
 
@@ -182,23 +183,22 @@ static void move(const pass *p, const sph2d__rigid *r, sph2d__twist by)
     }
 }
 
-static void pass_some(void *with, size_t first, size_t last)
+static void pass_body(const pass *p, size_t k)
 {
-    const pass *p = with;
-    for (size_t k = first; k < last; ++k) {
-        const sph2d__rigid *r = &p->s->rigids[k];
-        sph2d__twist ease = ease_of(p->s, r), sum = transpose(p, k);
-        sph2d__twist push = {p->keep * ease.x * sum.x, p->keep * ease.y * sum.y, p->keep * ease.turn * sum.turn};
-        if (p->fall != 0)
-            push = sph2d__twist_add(push, p->fall, sph2d__rigid_accelerate(r, r->other));
-        move(p, r, p->predicts ? sph2d__twist_add(r->state->velocity, 1, push) : push);
-    }
+    const sph2d__rigid *r = &p->s->rigids[k];
+    sph2d__twist ease = ease_of(p->s, r), sum = transpose(p, k);
+    sph2d__twist push = {p->keep * ease.x * sum.x, p->keep * ease.y * sum.y, p->keep * ease.turn * sum.turn};
+    if (p->fall != 0)
+        push = sph2d__twist_add(push, p->fall, sph2d__rigid_accelerate(r, r->other));
+    move(p, r, p->predicts ? sph2d__twist_add(r->state->velocity, 1, push) : push);
 }
 
 static void over_bodies(pass p)
 {
-    if (p.s->rigid_count > 0)
-        sph2d__share(p.s->team, p.s->rigid_count, 1, pass_some, &p);
+    size_t count = p.s->rigid_count;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, 1)) if (count > 1)
+    for (size_t k = 0; k < count; ++k)
+        pass_body(&p, k);
 }
 
 void sph2d__body_rows_apply_transpose(sph2d__system *s)

@@ -21,6 +21,7 @@
  *  1/(1 + (D_b H/(0.05 c0))^2). Of 100 random scenes 6 with impacts on bodies gained 0.1 to 2.5 % of energy, with this
  *  two 0.2 and 0.3 %; with 0.1 in place of 0.05 three 0.1 to 0.7 %, with 0.03 two 0.1 and 0.2 %:
  *  0.05 was chosen by these scenes. */
+#include "base/parallel.h"
 #include "boundary/rigid.h"
 #include "kernels/kernel.h"
 #include "methods/wcsph/wcsph.h"
@@ -93,19 +94,6 @@ static lever lever_of(const sph2d__system *s, size_t b)
     double share = weights > 1e-12 ? sph2d__wcsph_felt_part(s, b) / weights : 0;
     sum.weight = (sph2d_vec2){share * sum.weight.x, share * sum.weight.y};
     return sum;
-}
-
-/** All boundary particles of bodies. */
-typedef struct levers {
-    const sph2d__system *s;
-    lever *of; /**< by id from the first body's first on */
-} levers;
-
-static void find_some(void *with, size_t first, size_t last)
-{
-    const levers *l = with;
-    for (size_t k = first; k < last; ++k)
-        l->of[k] = lever_of(l->s, l->s->rigid_index[k]);
 }
 
 /** (x, y, turn) of a vector at an arm. */
@@ -195,8 +183,10 @@ bool sph2d__wcsph_move_bodies(sph2d__system *s)
     void *block = sph2d__alloc(s->memory, count + 1, sizeof(lever));
     if (!block)
         return false;
-    lever *of = block;
-    sph2d__share(s->team, count, SPH2D__GRAIN / 16, find_some, &(levers){s, of});
+    lever *of = block; /* by id from the first body's first on */
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__LOOK_GRAIN)) if (count > SPH2D__LOOK_GRAIN)
+    for (size_t k = 0; k < count; ++k)
+        of[k] = lever_of(s, s->rigid_index[k]);
     for (size_t k = 0; k < s->rigid_count; ++k) {
         sph2d__rigid *r = &s->rigids[k];
         if (!r->knows_felt)

@@ -50,7 +50,7 @@ void sort_by_key(field *f, size_t keys)
 void sort_in_cells(field *f, double support, uint32_t columns)
 {
     f->cells.columns = columns > 0 ? columns : 1;
-    if (sph2d__cells_build(&f->cells, &f->store, support, &f->memory, NULL))
+    if (sph2d__cells_build(&f->cells, &f->store, support, &f->memory))
         return;
     fputs("variants: out of memory\n", stderr);
     exit(1);
@@ -115,7 +115,7 @@ void prepare_strips(field *f, const variant *v)
         f->sorted[k] = s->x[f->order.at[k]];
     for (size_t row = 0; row < f->grid.ny; ++row)
         sort_row(f->order.at, f->sorted, f->start.at[row * f->grid.nx], f->start.at[(row + 1) * f->grid.nx]);
-    sph2d__store_reorder(s, f->order.at, NULL);
+    sph2d__store_reorder(s, f->order.at);
 }
 
 /** The bits of a number with a free place beside each. */
@@ -142,7 +142,7 @@ void prepare_morton(field *f, const variant *v)
     for (size_t i = 0; i < s->count; ++i)
         key[i] = row[grid_row(&f->grid, s->y[i])] | column[grid_column(&f->grid, s->x[i])];
     sort_by_key(f, (size_t)(row[f->grid.ny - 1] | column[f->grid.nx - 1] | 1) + 1);
-    sph2d__store_reorder(&f->store, f->order.at, NULL);
+    sph2d__store_reorder(&f->store, f->order.at);
 }
 
 /** Blocks in the order of cells as the library has them. */
