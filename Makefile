@@ -372,7 +372,8 @@ $(BUILD)/gen/build_info.h: FORCE
 	    { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 $(OBJ)/cli/build.o: | $(BUILD)/gen/build_info.h
 
-# Shaders and templates become arrays of numbers, since ISO C promises string literals of 4095 characters only.
+# Shaders and templates become arrays of numbers, since ISO C promises string literals of 4095 characters only. Those of
+# shaders are without comments, which would take 2 kB of the page.
 bytes_of = od -An -v -td1 $(1) | sed 's/ *\(-*[0-9][0-9]*\)/\1,/g'; echo '0};'
 $(BUILD)/gen/shaders.h: Makefile
 	$(call say,GEN,$@)mkdir -p $(@D) && printf '%s\n' '#include <stddef.h>' '' \
@@ -381,7 +382,7 @@ $(BUILD)/gen/shaders.h: Makefile
 $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/shaders.h
 	$(call say,GEN,$@){ printf '#include "shaders.h"\n\n'; \
 	for f in $(SHADERS); do \
-	    echo "static const char $$(basename $$f | tr . _)[] = {"; $(call bytes_of,$$f); \
+	    echo "static const char $$(basename $$f | tr . _)[] = {"; sed 's, *//.*,,' $$f | $(call bytes_of); \
 	done; \
 	printf '\nconst struct sph2d__shader_source sph2d__shader_sources[] = {\n'; \
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \

@@ -6,16 +6,17 @@
 // is full, so that the lattice of the particles does not show. The depth, the field of much wider balls on a coarse grid,
 // rises slowly behind the rim and gives the body its shape and its colour. Pixels run from the top left, y downwards.
 //
-// Where INSIDE is defined, the field is full and even, so that there is no rim: the field is not needed.
-uniform sampler2D field;
+// Where INSIDE is defined, the field is full and even, so that there is no rim.
+uniform sampler2D field;    // of two by two pixels each
+uniform sampler2D colors;   // the particles' colours times the field, and the field, in the middle of these
 uniform sampler2D depth;    // how much it rises over two squares of its grid to the right and down, and its mean
-uniform sampler2D tint;     // the mean colour of the particles
 uniform sampler2D walls;    // their cover
 uniform float radius;       // R [px]
 uniform float threshold;    // of the field: water
 uniform float line_width;   // [px]
 uniform float texel;        // side of a square of the depth's grid [px]
 uniform float margin;       // how many of them lie beside the image
+uniform ivec2 last;         // column and row of pixels
 uniform bool colored;       // by the particles' colours
 uniform bool charted;       // look INK: with lines of equal depth
 
@@ -31,9 +32,11 @@ vec3 depth_around()
     return textureLod(depth, (gl_FragCoord.xy / texel + margin) / vec2(textureSize(depth, 0)), 0.0).rgb;
 }
 
-vec3 mean_color(ivec2 here)
+// The mean colour of the particles.
+vec3 mean_color()
 {
-    return texelFetch(tint, here, 0).rgb;
+    vec4 sum = textureLod(colors, 0.5 * gl_FragCoord.xy / vec2(textureSize(colors, 0)), 0.0);
+    return sum.rgb / max(sum.a, 1.0e-4);
 }
 
 #ifdef INSIDE
@@ -67,7 +70,10 @@ vec2 surface(float f, vec2 rise)
 
 float field_at(ivec2 pixel)
 {
-    return texelFetch(field, clamp(pixel, ivec2(0), textureSize(field, 0) - 1), 0).r;
+    pixel = clamp(pixel, ivec2(0), last);
+    vec4 four = texelFetch(field, pixel >> 1, 0);
+    vec2 two = (pixel.y & 1) == 0 ? four.xy : four.zw;
+    return (pixel.x & 1) == 0 ? two.x : two.y;
 }
 
 // A dome: steep outside, flat where the field is full.
@@ -139,7 +145,7 @@ vec4 look(ivec2 here, float f)
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
     float covered = cover(f, field_rise(here));
     if (colored) // little light, so that colours are those of the colour bar
-        return vec4(mean_color(here) * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
+        return vec4(mean_color() * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
     vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
     return vec4(lit, covered);
 }
@@ -154,7 +160,7 @@ vec4 look(ivec2 here, float f)
 {
     vec2 rise = field_rise(here), border = surface(f, rise);
     float edge = border.y * clamp(line_width + 0.5 - border.x, 0.0, 1.0);
-    vec3 plain = colored ? mean_color(here) : paint;
+    vec3 plain = colored ? mean_color() : paint;
     return vec4(plain * (1.0 - 0.3 * edge), cover(f, rise));
 }
 
@@ -177,7 +183,7 @@ vec4 look(ivec2 here, float f)
     float gathered = dot(bent.xy, to_light.xy); // below 0 at the side of the light
     float mirrored = pow(1.0 - normal.z, 2.0);
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 90.0);
-    vec3 plain = colored ? mean_color(here) : mix(thin, thick, inside);
+    vec3 plain = colored ? mean_color() : mix(thin, thick, inside);
     vec3 dark = colored ? 0.4 * plain : shade;
     vec3 lit = gathered < 0.0 ? mix(plain, dark, -1.4 * gathered) : mix(plain, vec3(1.0), 1.1 * gathered);
     float edge = border.y * clamp(0.6 * line_width + 0.5 - border.x, 0.0, 1.0);
@@ -210,7 +216,7 @@ vec4 look(ivec2 here, float f)
         float part = float(k) / 4.0;
         below = max(below, (0.75 - 0.6 * part) * level_line(around.z, 0.66 + 0.32 * part, change, 0.5 * wide));
     }
-    vec3 paper = colored ? mean_color(here) : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
+    vec3 paper = colored ? mean_color() : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
     return vec4(mix(paper, ink, max(line, below)), cover(f, rise));
 }
 

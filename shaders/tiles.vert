@@ -1,17 +1,14 @@
 #version 330 core
-// A row of square tiles of the image.
-layout(location = 0) in vec2 center; // [px], from the top left
-layout(location = 2) in float across; // [tiles]
-
-uniform vec2 image_size; // [px]
+// A tile of the image as a point sprite; those that are of another kind are moved out of sight. The viewport has whole
+// tiles, so that all their centres are in it.
+uniform sampler2D kinds; // one texel a tile
+uniform int kind;
 uniform float tile;      // side [px]
-
-// two triangles
-const vec2 CORNERS[6] = vec2[](vec2(-0.5, -0.5), vec2(0.5, -0.5), vec2(-0.5, 0.5), vec2(-0.5, 0.5), vec2(0.5, -0.5),
-                               vec2(0.5, 0.5));
 
 void main()
 {
-    vec2 corner = CORNERS[gl_VertexID % 6] * vec2(across, 1.0);
-    gl_Position = vec4((center + corner * tile) / image_size * 2.0 - 1.0, 0.0, 1.0);
+    ivec2 size = textureSize(kinds, 0), at = ivec2(gl_VertexID % size.x, gl_VertexID / size.x);
+    bool wanted = int(255.0 * texelFetch(kinds, at, 0).r + 0.5) == kind;
+    gl_PointSize = tile;
+    gl_Position = vec4(wanted ? (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0 : vec2(2.0), 0.0, 1.0);
 }

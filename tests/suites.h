@@ -12,7 +12,7 @@
 #define RENDER_SUITES(X)                                                                                               \
     X(render)                                                                                                          \
     X(drawing)                                                                                                         \
-    X(shapes) X(looks) X(background) X(lines) X(field_grid) X(streamlines) X(lumps) X(frame_times) X(null_render)
+    X(shapes) X(looks) X(balls) X(background) X(lines) X(streamlines) X(frame_times) X(null_render)
 #endif
 
 #define SUITES(X)                                                                                                      \

@@ -148,14 +148,14 @@ START_TEST(bad_shaders_are_located)
     ck_assert_int_eq(sph2d_renderer_create(&options, &renderer, &report), SPH2D_NOINPUT);
     ck_assert_ptr_null(renderer);
     ck_assert(test_report_has(&report, SPH2D_CODE_FILE_OPEN, NULL));
-    ck_assert_ptr_nonnull(strstr(report.items[0].message, path_in_folder("points.vert")));
+    ck_assert_ptr_nonnull(strstr(report.items[0].message, path_in_folder("gradientball.vert")));
 
-    write_file("points.vert", "#version 330 core\n\nvoid main() { gl_Position = nothing; }\n");
+    write_file("gradientball.vert", "#version 330 core\n\nvoid main() { gl_Position = nothing; }\n");
     sph2d_report_clear(&report);
     ck_assert_int_eq(sph2d_renderer_create(&options, &renderer, &report), SPH2D_RENDER);
     ck_assert_ptr_null(renderer);
     ck_assert_int_eq(report.items[0].code, SPH2D_CODE_GL_SHADER);
-    ck_assert_str_eq(report.items[0].file, path_in_folder("points.vert"));
+    ck_assert_str_eq(report.items[0].file, path_in_folder("gradientball.vert"));
     ck_assert_int_eq(report.items[0].line, 3);
     ck_assert_ptr_nonnull(strstr(report.items[0].excerpt, "nothing"));
 

@@ -22,7 +22,7 @@ WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd12
 WEB_SLOW := src/methods/fitted/fitted_walls.c src/methods/methods.c src/methods/terms/friction.c src/methods/terms/stable_step.c \
     src/methods/terms/viscosity.c src/methods/projection/body_rows.c src/methods/wcsph/wall_bodies.c src/methods/common/profile.c src/methods/projection/limited_viscosity.c src/methods/muller/muller.c \
     src/particles/store.c
-WEB_FAST := $(filter-out $(WEB_SLOW),$(filter src/particles/% src/methods/% src/render/field_grid.%,$(WEB_SRC)))
+WEB_FAST := $(filter-out $(WEB_SLOW),$(filter src/particles/% src/methods/%,$(WEB_SRC)))
 web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Oz)
 WEB_LINK := -O3 -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
     -sALLOW_MEMORY_GROWTH=1 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sSUPPORT_LONGJMP=0 -sTOTAL_STACK=1MB \

@@ -21,11 +21,13 @@
  *      ... each frame: sph2d_renderer_draw_to(renderer, 0, 0, 0, &picture, &report); glfwSwapBuffers(window);
  *
  *  The calls then need that context current, and leave it current. They change the bound framebuffer, viewport,
- *  program, vertex array and array buffer, blending, the scissor test, the clear colour, the pixel alignment, and the
- *  textures of units 0 to 2.
+ *  program, vertex array and array buffer, blending, the scissor test, the clear colour, the pixel alignment, whether
+ *  programs set the size of points, and the textures of units 0 to 4. An OpenGL ES needs GL_EXT_color_buffer_float or
+ *  GL_EXT_color_buffer_half_float for metaballs.
  *
  *  The same picture gives the same pixels with the same version of the OpenGL driver. Mesa's software drivers used by
- *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card if it finds one. */
+ *  "osmesa" and "egl" give the same, for any number of threads; "egl" uses a graphics card if it finds one, of any maker,
+ *  without a display. */
 #ifndef SPH2D_RENDER_H
 #define SPH2D_RENDER_H
 
@@ -69,7 +71,8 @@ typedef struct sph2d_render_options {
      *  later call; `gl` is NULL then. Default NULL: the renderer opens a context. */
     sph2d_gl_loader get_proc_address;
 
-    /** A folder to read the shaders from, instead of the built-in ones; default NULL. */
+    /** A folder to read the shaders from, instead of the built-in ones; default NULL. All pixels of the liquid come from
+     *  them: gradientball draws each particle's ball, blended by addition, metaballs makes a liquid of the sum. */
     const char *shader_dir;
 } sph2d_render_options;
 

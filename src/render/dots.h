@@ -1,28 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /** @file dots.h
- *  Draws one figure per particle with the shader program in use, which determines its pixels. */
+ *  Particles in a buffer of the card: they are handed over once a picture, and drawn as often as needed. */
 #ifndef SPH2D_RENDER_DOTS_H
 #define SPH2D_RENDER_DOTS_H
 
 #include "render/gl_loader.h"
 #include "render/view.h"
 
-/** What a program reads for one particle: attribute 0 (vec2), attribute 1 (vec4) and attribute 2 (float). */
+/** What a program reads for one particle: attribute 0 (vec2) and attribute 1 (vec4). */
 typedef struct sph2d__dot {
     float pixel[2];         /**< centre [px] */
     unsigned char color[4]; /**< red, green, blue, opacity */
-    float across;           /**< of a row of squares: their number */
 } sph2d__dot;
 
-/** The figure around a centre, by its number of vertices, which a program distinguishes by gl_VertexID. */
-typedef enum sph2d__figure { SPH2D__TRIANGLE = 3, SPH2D__SQUARE = 6 } sph2d__figure;
-
-/** The vertex array, and a buffer for one draw call: memory does not grow with the number of particles. */
+/** The buffer, and how it is read. */
 typedef struct sph2d__dots {
     GLuint vertex_array, buffer;
-    sph2d__dot *batch;
-    size_t filled; /**< vertices */
-    sph2d__figure figure;
+    size_t count; /**< of dots in the buffer */
 } sph2d__dots;
 
 /** Which particles to draw. Positions that are not finite are skipped. */
@@ -36,16 +30,30 @@ typedef struct sph2d__dot_list {
     bool diverging; /**< the colours of sph2d__colormap() */
 } sph2d__dot_list;
 
-/** Errors: SPH2D_NOMEM, SPH2D_RENDER. */
+/** The texels that dots are drawn on: the pixels of an image, or coarser ones. */
+typedef struct sph2d__raster {
+    GLsizei columns, rows;
+    double texel; /**< side of one [px] */
+    int margin;   /**< so many of them lie beside the image, on each side */
+    int parts;    /**< a texel has the values at the middles of so many squares by so many */
+} sph2d__raster;
+
+/** Errors: SPH2D_RENDER. */
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report);
 
-/** Draws a list in its order, a triangle each, with the program, target and blending in use. */
-void sph2d__dots_draw(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list);
+/** Makes room for so many dots, and takes away those that were there. */
+void sph2d__dots_reserve(const sph2d__gl *gl, sph2d__dots *dots, size_t count);
 
-/** The same one by one: begin, add any number, end. */
-void sph2d__dots_begin(const sph2d__gl *gl, sph2d__dots *dots, sph2d__figure figure);
-void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__dot *dot);
-void sph2d__dots_end(const sph2d__gl *gl, sph2d__dots *dots);
+/** Adds dots. */
+void sph2d__dots_add(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__dot *added, size_t count);
+
+/** Hands a list over, in its order, in place of what was there. */
+void sph2d__dots_fill(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list);
+
+/** Draws them in their order with figures of a radius [px], by a program with the vertices of gradientball.vert, which is
+ *  in use, and with the target and blending in use. */
+void sph2d__dots_draw(const sph2d__gl *gl, const sph2d__dots *dots, GLuint program, const sph2d__raster *on,
+                      double reach);
 
 /** Frees it; it may be zeroed. */
 void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots);

@@ -27,10 +27,11 @@ sph2d_status sph2d__drawing_create(sph2d__drawing *self, const char *shader_dir,
     self->target.transparent = self->transparent;
     if (status == SPH2D_OK && self->shown)
         status = sph2d__target_create_color(gl, &self->patch, self->width, self->height, report);
+    gl->GenVertexArrays(1, &self->gl.no_vertices);
     if (status == SPH2D_OK)
         status = sph2d__dots_create(gl, &self->dots, report);
     if (status == SPH2D_OK)
-        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"points", "points"}, NULL,
+        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"gradientball", "points"}, NULL,
                                       &self->points_program, report);
     if (status == SPH2D_OK && self->style == SPH2D_STYLE_METABALLS)
         status =
@@ -56,6 +57,7 @@ void sph2d__drawing_destroy(sph2d__drawing *self)
     gl->DeleteProgram(self->points_program);
     gl->DeleteProgram(self->mask_program);
     sph2d__dots_destroy(gl, &self->dots);
+    gl->DeleteVertexArrays(1, &gl->no_vertices);
     sph2d__target_destroy(gl, &self->patch);
     sph2d__target_destroy(gl, &self->target);
 }
@@ -116,37 +118,45 @@ static void draw_background(const sph2d__drawing *self, const sph2d__view *view,
     gl->Disable(GL_SCISSOR_TEST);
 }
 
-static sph2d_status draw_liquid(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
-                                sph2d_report *report)
+static sph2d__dot_list fluid_of(const sph2d_picture *picture, const sph2d__layout *at)
 {
-    const sph2d__dot_list fluid = {.count = picture->count,
-                                   .x = picture->x,
-                                   .y = picture->y,
-                                   .color = {26, 112, 176, 255},
-                                   .values = picture->values,
-                                   .value_min = at->min,
-                                   .value_max = at->max,
-                                   .diverging = picture->diverging};
-    if (self->style == SPH2D_STYLE_METABALLS)
-        return sph2d__metaballs_draw(&self->gl, &self->metaballs, &self->dots, &self->target, &at->view, fluid, picture,
-                                     self->walls.mask.texture, report);
-    sph2d__points_draw(&self->gl, self->points_program, &self->dots, &self->target, &at->view, fluid, picture->radius);
-    return SPH2D_OK;
+    return (sph2d__dot_list){.count = picture->count,
+                             .x = picture->x,
+                             .y = picture->y,
+                             .color = {26, 112, 176, 255},
+                             .values = picture->values,
+                             .value_min = at->min,
+                             .value_max = at->max,
+                             .diverging = picture->diverging};
 }
 
 sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
                                   sph2d_report *report)
 {
     const sph2d__gl *gl = &self->gl;
+    const bool balls = self->style == SPH2D_STYLE_METABALLS;
+    if (!gl->es) /* where vertices always tell the size of points */
+        gl->Enable(GL_PROGRAM_POINT_SIZE);
+    gl->Disable(GL_SCISSOR_TEST);
+    sph2d__walls_find(gl, &self->walls, &at->view, picture);
+    if (balls) {
+        const sph2d_status summed = sph2d__metaballs_sum(gl, &self->metaballs, &self->dots, &at->view,
+                                                         fluid_of(picture, at), picture, self->walls.mark, report);
+        if (summed != SPH2D_OK)
+            return summed;
+    }
     draw_background(self, &at->view, picture->view);
     gl->Enable(GL_SCISSOR_TEST); /* no wall behind the numbers */
     gl->Scissor(0, 0, self->width - at->right, self->height - at->below);
-    sph2d__walls_find(gl, &self->walls, &at->view, picture);
-    sph2d_status status = draw_liquid(self, picture, at, report);
-    if (status == SPH2D_OK)
-        status = sph2d__lines_find(&self->lines, &at->view, picture, &self->walls.mask.cover, &self->scales, report);
-    sph2d__lines_draw(gl, &self->lines, self->mask_program, &self->dots, &self->target);
-    sph2d__walls_draw(gl, &self->walls, self->mask_program, &self->dots, &self->target, picture);
+    if (balls)
+        sph2d__metaballs_shade(gl, &self->metaballs, &self->target, picture, self->walls.mask.texture);
+    else
+        sph2d__points_draw(gl, self->points_program, &self->dots, &self->target, &at->view, fluid_of(picture, at),
+                           picture->radius);
+    const sph2d_status status =
+        sph2d__lines_find(&self->lines, &at->view, picture, &self->walls.mask.cover, &self->scales, report);
+    sph2d__lines_draw(gl, &self->lines, self->mask_program, &self->target);
+    sph2d__walls_draw(gl, &self->walls, self->mask_program, &self->target, picture);
     gl->Disable(GL_SCISSOR_TEST);
     return status;
 }

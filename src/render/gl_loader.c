@@ -6,11 +6,25 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What OpenGL ES has only by an extension. */
-static bool interpolates_floats(const sph2d__gl *gl)
+/* Not in the headers of OpenGL's core profile. */
+#ifndef GL_ALIASED_POINT_SIZE_RANGE
+#define GL_ALIASED_POINT_SIZE_RANGE 0x846D
+#endif
+
+/* OpenGL ES draws into floats, adds them up and interpolates them only by extensions. */
+static void find_abilities(sph2d__gl *gl)
 {
-    const char *extensions = (const char *)gl->GetString(GL_EXTENSIONS);
-    return extensions && strstr(extensions, "OES_texture_float_linear");
+    const char *extensions = gl->es ? (const char *)gl->GetString(GL_EXTENSIONS) : NULL;
+    const bool drawn = !gl->es || (extensions && strstr(extensions, "EXT_color_buffer_float"));
+    const bool added = !gl->es || (extensions && strstr(extensions, "EXT_float_blend"));
+    const bool half = drawn || (extensions && strstr(extensions, "EXT_color_buffer_half_float"));
+    gl->sum_bits = drawn && added ? 32 : half ? 16 : 0;
+    gl->smooth_bits = !gl->es || (extensions && strstr(extensions, "OES_texture_float_linear")) ? 32 : 16;
+    GLint sides[2] = {0, 0};
+    gl->GetIntegerv(gl->es ? GL_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, sides);
+    gl->largest_point = sides[1];
+    gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, sides);
+    gl->widest_viewport = sides[0] < sides[1] ? sides[0] : sides[1];
 }
 
 /* OSMesa returns a pointer for any name, so a pointer does not show that a function exists. The version is checked
@@ -33,7 +47,7 @@ static bool check_version(sph2d__gl *gl, const sph2d__gl_context *context, char 
                  version ? version : "none");
         return false;
     }
-    gl->half = gl->es && !interpolates_floats(gl);
+    find_abilities(gl);
     return true;
 }
 

@@ -21,6 +21,7 @@
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)                                                                   \
     X(BlitFramebuffer, PFNGLBLITFRAMEBUFFERPROC)                                                                       \
     X(BufferData, PFNGLBUFFERDATAPROC)                                                                                 \
+    X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                                                                           \
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)                                                         \
     X(Clear, PFNGLCLEARPROC)                                                                                           \
     X(ClearColor, PFNGLCLEARCOLORPROC)                                                                                 \
@@ -35,6 +36,8 @@
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)                                                                 \
     X(Disable, PFNGLDISABLEPROC)                                                                                       \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                                                                                 \
+    X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)                                                               \
+    X(DrawBuffers, PFNGLDRAWBUFFERSPROC)                                                                               \
     X(Enable, PFNGLENABLEPROC)                                                                                         \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)                                                       \
     X(Finish, PFNGLFINISHPROC)                                                                                         \
@@ -62,18 +65,25 @@
     X(Uniform1f, PFNGLUNIFORM1FPROC)                                                                                   \
     X(Uniform1i, PFNGLUNIFORM1IPROC)                                                                                   \
     X(Uniform2f, PFNGLUNIFORM2FPROC)                                                                                   \
+    X(Uniform2i, PFNGLUNIFORM2IPROC)                                                                                   \
     X(Uniform4f, PFNGLUNIFORM4FPROC)                                                                                   \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                                                                                 \
+    X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)                                                               \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)                                                               \
     X(Viewport, PFNGLVIEWPORTPROC)
 
-/** One context's functions: gl->Clear(...). */
+/** One context's functions: gl->Clear(...); and what it can do. */
 typedef struct sph2d__gl {
 #define SPH2D__GL_MEMBER(name, type) type name;
     SPH2D__GL_MAP(SPH2D__GL_MEMBER)
 #undef SPH2D__GL_MEMBER
-    bool es;   /**< OpenGL ES, as in browsers */
-    bool half; /**< 32-bit floats cannot be interpolated, 16-bit ones can */
+    bool es;               /**< OpenGL ES, as in browsers */
+    int sum_bits;          /**< of the floats that draw calls can be added up in: 32, 16 or 0 for none */
+    int smooth_bits;       /**< of the floats that textures can interpolate: 32 or 16 */
+    GLint largest_point;   /**< side of a point [px] */
+    GLint widest_viewport; /**< or highest [px] */
+    GLuint
+        no_vertices; /**< a vertex array without arrays, for shaders that need none; made by sph2d__drawing_create() */
 } sph2d__gl;
 
 /** Opens the context "osmesa" or "egl", or with NULL the first that works, makes it current and loads its functions.

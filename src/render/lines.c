@@ -231,8 +231,8 @@ static void add_rectangle(sph2d__cover *cover, const sph2d__piece *p, double wid
         sph2d__cover_edge(cover, corners[k], corners[(k + 1) % 4]);
 }
 
-static void draw_wide(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, sph2d__dots *dots,
-                      const sph2d__target *target, double wide, const float color[4])
+static void draw_wide(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, const sph2d__target *target,
+                      double wide, const float color[4])
 {
     sph2d__cover *cover = &lines->mask.cover;
     sph2d__cover_clear(cover, target->width, target->height);
@@ -240,18 +240,17 @@ static void draw_wide(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, 
         add_rectangle(cover, &lines->pieces[k], wide);
     sph2d__cover_fill(cover); /* all turn the same way: where some overlap is no hole */
     sph2d__mask_upload(gl, &lines->mask);
-    sph2d__mask_draw(gl, &lines->mask, program, dots, target, color);
+    sph2d__mask_draw(gl, &lines->mask, program, target, color);
 }
 
-void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, sph2d__dots *dots,
-                       const sph2d__target *target)
+void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, const sph2d__target *target)
 {
     static const float light[4] = {1.0F, 1.0F, 1.0F, 0.55F}, dark[4] = {0.06F, 0.08F, 0.11F, 1.0F};
     const double wide = fmax(1.1, 0.65 * sph2d__canvas_unit(target->width, target->height));
     if (lines->count == 0)
         return;
-    draw_wide(gl, lines, program, dots, target, wide + 2.0, light);
-    draw_wide(gl, lines, program, dots, target, wide, dark);
+    draw_wide(gl, lines, program, target, wide + 2.0, light);
+    draw_wide(gl, lines, program, target, wide, dark);
 }
 
 void sph2d__lines_destroy(const sph2d__gl *gl, sph2d__lines *lines)

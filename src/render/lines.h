@@ -44,8 +44,7 @@ void sph2d__lines_add(sph2d__lines *lines, const sph2d__piece *piece);
 sph2d_box sph2d__lines_box(const sph2d__view *view);
 
 /** Draws what was found, dark with a light edge, over the contents of `target` with the program "tiles", "mask". */
-void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, sph2d__dots *dots,
-                       const sph2d__target *target);
+void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program, const sph2d__target *target);
 
 /** Frees it; it may be zeroed. */
 void sph2d__lines_destroy(const sph2d__gl *gl, sph2d__lines *lines);

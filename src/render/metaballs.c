@@ -2,21 +2,21 @@
 /** @file metaballs.c
  *  Draws metaballs. The appearance of water is in the shaders; its extent is determined here.
  *
- *  First the fields of all particles, r^4 - r^2 + 1/4 with r in units of R, are added up for each pixel: the "field". With
- *  few pixels per particle the field alone varies only in a thin rim, so there is a second sum on a coarse grid, the
- *  "depth", of much wider balls of several particles each: it rises slowly from the surface inwards, and lighting and
- *  colour follow it. Then the tiles of the image where there is liquid are shaded: inside it by a shorter program. */
+ *  The first pass (gradientball) draws every particle as a point with its field r^4 - r^2 + 1/4, r in units of R, and
+ *  blending adds them up in a texture of floats, the "field". With few pixels per particle the field alone varies only in
+ *  a thin rim, so the pass is repeated on a coarse grid with much wider balls of several particles each: the "depth", which
+ *  rises slowly from the surface inwards, and which lighting and colour follow. The second pass (metaballs) makes a liquid
+ *  of the two, tile by tile: nothing where there is none, and inside it by a program without a rim. All of it is done by
+ *  OpenGL: the processor hands over the particles once a picture, and sums nothing. */
 #include "render/metaballs.h"
 
 #include <math.h>
-#include <stdlib.h>
 
-#include "render/colormap.h"
 #include "render/shader.h"
+#include "render/tiles.h"
 
-/* Textures that the shader reads; the last one is the caller's. */
-enum { FIELD, DEPTH, TINT, TEXTURES, WALLS = TEXTURES };
-_Static_assert((int)TEXTURES == SPH2D__METABALL_TEXTURES, "each has a place in sph2d__metaballs");
+/* Texture units of the second pass. */
+enum { FIELD, COLORS, DEPTH, WALLS, KINDS, UNITS };
 
 /* There is water where the summed field exceeds T. An isolated ball is then drawn with radius R sqrt(1/2 - sqrt T);
  * this T makes that R/(2 sqrt pi), so that with the usual R of two spacings an isolated particle covers its own area,
@@ -31,13 +31,20 @@ static const double field_inside = 0.5236;
 /* Smaller balls would fall between the pixels. */
 static const double smallest_radius = 3.6; /* [px] */
 
-/* The depth: balls wider by this factor, on a grid of squares that are a fraction of their radius. */
-static const double depth_ratio = 9.0, texels_per_radius = 6.0;
-static const double finest_texel = 4.0; /* [px] */
-enum { MARGIN = 2 };                    /* texels around the image, to interpolate with at its edge */
+/* A ball's field ends at so many R. */
+static const double ball_reach = 0.70710678;
+
+/* The depth: balls wider by this factor, on a grid of squares of so many R. */
+static const double depth_ratio = 9.33, square_side = 1.5;
+
+/* Squares around the image: as many as a wall outside is seen from inside, and a texel has two. */
+enum { MARGIN = 4 };
 
 /* The field from which a body of water counts as full, as metaballs.frag has it, and the least that it draws. */
 static const double full = 0.36, lowest = 0.4 * 0.17675;
+
+/* Cells of limits.frag, of which a tile has two by two; wider surroundings of a tile take more time than they save. */
+enum { CELL = SPH2D__TILE / 2, WIDEST = 4 }; /* [px], [cells] */
 
 /* What metaballs.frag knows a look by: where there may be a surface, and inside. */
 static const char *const look_names[][2] = {[SPH2D_LOOK_WATER] = {"WATER", "WATER\n#define INSIDE"},
@@ -45,23 +52,16 @@ static const char *const look_names[][2] = {[SPH2D_LOOK_WATER] = {"WATER", "WATE
                                             [SPH2D_LOOK_GLASS] = {"GLASS", "GLASS\n#define INSIDE"},
                                             [SPH2D_LOOK_INK] = {"INK", "INK\n#define INSIDE"}};
 
-/* Width of lines [px]. */
-static double line_width(const sph2d__target *target)
-{
-    const GLsizei side = target->width < target->height ? target->width : target->height;
-    return fmax(1.4, side / 300.0);
-}
-
 /* Number of squares of `texel` pixels that cover a length. */
 static GLsizei texels(double pixels, double texel)
 {
     return (GLsizei)ceil(pixels / texel);
 }
 
-/* The same for the finest grid of the depth; its margins may need one more by rounding. */
-static GLsizei depth_texels(GLsizei pixels)
+/* Number of squares of the depth's grid along a side of the image. */
+static GLsizei depth_squares(GLsizei pixels, double side)
 {
-    return texels(pixels, finest_texel) + 2 * MARGIN + 1;
+    return texels(pixels, side) + 2 * MARGIN;
 }
 
 static sph2d_status no_memory(sph2d_report *report)
@@ -70,278 +70,262 @@ static sph2d_status no_memory(sph2d_report *report)
     return SPH2D_NOMEM;
 }
 
-static sph2d_status create_grids(sph2d__metaballs *balls, GLsizei width, GLsizei height, sph2d_report *report)
+/* Texels that hold two by two squares of a grid. */
+static GLsizei half(GLsizei squares)
 {
-    const GLsizei columns = depth_texels(width), rows = depth_texels(height);
-    const bool made = sph2d__field_grid_create(&balls->field, width, height, 1) &&
-                      sph2d__field_grid_create(&balls->depth, columns, rows, 1) &&
-                      sph2d__cover_create(&balls->walls, columns, rows);
-    balls->rises = made ? malloc((size_t)columns * (size_t)rows * sizeof *balls->rises) : NULL;
-    if (!balls->rises)
-        return no_memory(report);
-    const sph2d_status status = sph2d__lumps_create(&balls->lumps, columns, rows, report);
-    return status == SPH2D_OK ? sph2d__tiles_create(&balls->tiles, width, height, report) : status;
+    return (squares + 1) / 2;
 }
 
-static void create_textures(const sph2d__gl *gl, sph2d__metaballs *balls, GLsizei width, GLsizei height)
+/* ---- creation ---------------------------------------------------------------------------------------------------- */
+
+static sph2d_status build_programs(const sph2d__gl *gl, sph2d__metaballs *balls, const char *dir, sph2d_report *report)
 {
-    gl->GenTextures(TEXTURES, balls->textures);
-    sph2d__texture_prepare(gl, balls->textures[FIELD], GL_NEAREST);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, width, height, 0, GL_RED, GL_FLOAT, NULL);
-    sph2d__texture_prepare(gl, balls->textures[DEPTH], GL_LINEAR);
-    sph2d__texture_prepare(gl, balls->textures[TINT], GL_NEAREST); /* larger when there are colours */
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    const struct {
+        const char *names[2], *defined;
+        GLuint *program;
+    } wanted[] = {{{"gradientball", "gradientball"}, NULL, &balls->balls[0]},
+                  {{"gradientball", "gradientball"}, "COLORED", &balls->balls[1]},
+                  {{"grid", "depth"}, NULL, &balls->depth_program},
+                  {{"grid", "limits"}, NULL, &balls->limits_program},
+                  {{"grid", "kinds"}, NULL, &balls->kinds_program},
+                  {{"tiles", "metaballs"}, look_names[balls->look][0], &balls->looks[0]},
+                  {{"tiles", "metaballs"}, look_names[balls->look][1], &balls->looks[1]}};
+    sph2d_status status = SPH2D_OK;
+    for (size_t k = 0; k < sizeof wanted / sizeof *wanted && status == SPH2D_OK; ++k)
+        status = sph2d__program_build(gl, dir, (const char *[2]){wanted[k].names[0], wanted[k].names[1]},
+                                      wanted[k].defined, wanted[k].program, report);
+    return status;
+}
+
+/* Gives the field room for colours, or takes it: they make the first pass slower. */
+static sph2d_status create_field(const sph2d__gl *gl, sph2d__metaballs *balls, bool colored, sph2d_report *report)
+{
+    sph2d__target_destroy(gl, &balls->field);
+    balls->colored = colored;
+    return sph2d__target_create_float(gl, &balls->field, colored ? 2 : 1, GL_NEAREST, half(balls->width),
+                                      half(balls->height), report);
+}
+
+static sph2d_status create_targets(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d_report *report)
+{
+    const double finest = smallest_radius * square_side;
+    const GLsizei columns = depth_squares(balls->width, finest), rows = depth_squares(balls->height, finest);
+    const GLsizei across = texels(balls->width, CELL), down = texels(balls->height, CELL);
+    sph2d_status status = create_field(gl, balls, false, report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_float(gl, &balls->sums, 1, GL_NEAREST, half(columns), half(rows), report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_float(gl, &balls->depth, 1, GL_LINEAR, columns, rows, report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_float(gl, &balls->limits, 1, GL_NEAREST, across, down, report);
+    if (status == SPH2D_OK)
+        status = sph2d__target_create_color(gl, &balls->kinds, sph2d__tiles_count(balls->width),
+                                            sph2d__tiles_count(balls->height), report);
+    return status == SPH2D_OK && !sph2d__cover_create(&balls->cover, columns, rows) ? no_memory(report) : status;
 }
 
 sph2d_status sph2d__metaballs_create(const sph2d__gl *gl, sph2d__metaballs *balls, const char *shader_dir,
                                      sph2d_look look, GLsizei width, GLsizei height, sph2d_report *report)
 {
-    *balls = (sph2d__metaballs){.look = look};
-    sph2d_status status = SPH2D_OK;
-    for (int k = 0; k < 2 && status == SPH2D_OK; ++k)
-        status = sph2d__program_build(gl, shader_dir, (const char *[2]){"tiles", "metaballs"}, look_names[look][k],
-                                      &balls->programs[k], report);
+    *balls = (sph2d__metaballs){.look = look, .width = width, .height = height};
+    sph2d_status status = build_programs(gl, balls, shader_dir, report);
     if (status == SPH2D_OK)
-        status = create_grids(balls, width, height, report);
-    if (status == SPH2D_OK) {
-        create_textures(gl, balls, width, height);
-        status = sph2d__gl_check(gl, "preparing to draw metaballs", report);
-    }
+        status = create_targets(gl, balls, report);
+    if (status == SPH2D_OK)
+        status = sph2d__dots_create(gl, &balls->walls, report);
     if (status != SPH2D_OK)
         sph2d__metaballs_destroy(gl, balls);
     return status;
 }
 
-/* ---- sums -------------------------------------------------------------------------------------------------------- */
+/* ---- first pass: sums -------------------------------------------------------------------------------------------- */
 
-/* Gives the field room for colours, or takes it: they make the sums slower. */
-static bool set_planes(const sph2d__gl *gl, sph2d__metaballs *balls, int planes)
+/* Adds balls of a radius [px] to the target in use; those of opacity 1 count as `weight` particles. */
+static void add_balls(const sph2d__gl *gl, GLuint program, const sph2d__dots *dots, const sph2d__raster *on,
+                      double radius, double weight)
 {
-    const int columns = balls->field.columns, rows = balls->field.rows;
-    if (balls->field.planes == planes)
-        return true;
-    unsigned char(*tints)[4] = planes > 1 ? malloc((size_t)columns * (size_t)rows * sizeof *tints) : NULL;
-    sph2d__field_grid field = {0};
-    if ((planes > 1 && !tints) || !sph2d__field_grid_create(&field, columns, rows, planes)) {
-        free(tints);
-        return false;
-    }
-    sph2d__field_grid_destroy(&balls->field);
-    free(balls->tints);
-    balls->field = field;
-    balls->tints = tints;
-    if (tints) {
-        gl->BindTexture(GL_TEXTURE_2D, balls->textures[TINT]);
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, columns, rows, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    }
-    return true;
-}
-
-/* Adds up the balls of a list, with colours where it has values. */
-static void sum_field(sph2d__field_grid *field, const sph2d__view *view, const sph2d__dot_list *list, double radius)
-{
-    sph2d__field_grid_reset(field, field->columns, field->rows);
-    for (size_t i = 0; i < list->count; ++i) {
-        float pixel[2];
-        unsigned char color[4] = {0};
-        if (!sph2d__view_place(view, list->x[i], list->y[i], list->reach, pixel))
-            continue;
-        if (list->values)
-            sph2d__colormap((list->values[i] - list->value_min) / (list->value_max - list->value_min), list->diverging,
-                            color);
-        sph2d__field_grid_add(field, pixel, radius, 1.0F, (float[3]){color[0], color[1], color[2]});
-    }
-}
-
-/* The mean colours of some rows, where anything is drawn. */
-static void find_tints(sph2d__metaballs *balls, int top, int bottom)
-{
-    const sph2d__field_grid *field = &balls->field;
-    const float least = (float)(0.5 * lowest);
-    for (int y = top; y < bottom; ++y) {
-        const float *sum = sph2d__field_grid_row(field, y), *red = sum + field->stride, *green = red + field->stride,
-                    *blue = green + field->stride;
-        unsigned char(*tint)[4] = balls->tints + (size_t)y * (size_t)field->columns;
-        for (int x = 0; x < field->columns; ++x) {
-            const float part = 1.0F / (sum[x] > least ? sum[x] : 1.0F);
-            tint[x][0] = (unsigned char)(red[x] * part + 0.5F);
-            tint[x][1] = (unsigned char)(green[x] * part + 0.5F);
-            tint[x][2] = (unsigned char)(blue[x] * part + 0.5F);
-            tint[x][3] = 255;
-        }
-    }
-}
-
-/* Uploads the rows of the field that differ from 0, and those that the shader reads around their tiles. */
-static void upload_field(const sph2d__gl *gl, sph2d__metaballs *balls, double radius)
-{
-    const sph2d__field_grid *field = &balls->field;
-    const int around = (int)fmin(0.4 * radius + 2.0 + SPH2D__TILE, field->rows);
-    const int top = field->top > around ? field->top - around : 0;
-    const int bottom = field->bottom < field->rows - around ? field->bottom + around : field->rows;
-    if (field->top >= field->bottom)
-        return;
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)((size_t)field->planes * field->stride));
-    gl->BindTexture(GL_TEXTURE_2D, balls->textures[FIELD]);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, top, field->columns, bottom - top, GL_RED, GL_FLOAT,
-                      sph2d__field_grid_row(field, top));
-    gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    if (field->planes == 1)
-        return;
-    find_tints(balls, top, bottom);
-    gl->BindTexture(GL_TEXTURE_2D, balls->textures[TINT]);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, top, field->columns, bottom - top, GL_RGBA, GL_UNSIGNED_BYTE,
-                      balls->tints[(size_t)top * (size_t)field->columns]);
-}
-
-/* Counts walls as filled with liquid, so that water is not lighter at them. */
-static void add_walls(sph2d__metaballs *balls, const sph2d__view *wide, const sph2d_picture *picture, int columns,
-                      int rows, double radius, double texel)
-{
-    sph2d__view grid = *wide;
-    grid.middle = (sph2d_vec2){wide->middle.x / texel, wide->middle.y / texel};
-    grid.scale /= texel;
-    sph2d__cover_clear(&balls->walls, columns, rows);
-    sph2d__walls_cover(&balls->walls, &grid, picture, radius * sqrt(0.5) / wide->scale);
-    const double side = radius / depth_ratio / 2; /* of a particle's square [px] */
-    const float most = (float)(texel * texel / (side * side) / 255);
-    for (size_t k = 0; k < (size_t)columns * (size_t)rows; ++k)
-        balls->lumps.weights[k] += most * balls->walls.pixels[k];
-}
-
-/* Adds up the depth by balls of a radius [px] on a grid of squares of `texel` pixels. */
-static void sum_depth(sph2d__metaballs *balls, const sph2d__view *view, const sph2d__dot_list *list,
-                      const sph2d_picture *picture, double radius, double texel)
-{
-    const sph2d__view wide = sph2d__view_widen(view, MARGIN * texel);
-    const GLsizei columns = texels(wide.width, texel), rows = texels(wide.height, texel);
-    sph2d__field_grid_reset(&balls->depth, columns, rows);
-    sph2d__lumps_reset(&balls->lumps, columns, rows, texel);
-    add_walls(balls, &wide, picture, columns, rows, radius, texel);
-    sph2d__lumps_sum(&balls->lumps, &balls->depth, &wide, list, radius);
-}
-
-/* Uploads how much the depth rises to the right and down and its mean, from the four places around each, in units of the
- * depth of a large body of water. Not by half precision where that can be: the lines of INK show its steps. */
-static void upload_depth(const sph2d__gl *gl, sph2d__metaballs *balls)
-{
-    const float part = (float)(1.0 / (field_inside * depth_ratio * depth_ratio));
-    const int columns = balls->depth.columns, rows = balls->depth.rows;
-    float(*rise)[4] = balls->rises;
-    for (int y = 0; y < rows; ++y) {
-        const float *here = sph2d__field_grid_row(&balls->depth, y);
-        const float *above = sph2d__field_grid_row(&balls->depth, y > 0 ? y - 1 : y);
-        const float *below = sph2d__field_grid_row(&balls->depth, y < rows - 1 ? y + 1 : y);
-        for (int x = 0; x < columns; ++x, ++rise) {
-            const float left = part * here[x > 0 ? x - 1 : x], right = part * here[x < columns - 1 ? x + 1 : x];
-            (*rise)[0] = right - left;
-            (*rise)[1] = part * (below[x] - above[x]);
-            (*rise)[2] = 0.25F * (right + left + part * (below[x] + above[x]));
-            (*rise)[3] = 1.0F;
-        }
-    }
-    gl->BindTexture(GL_TEXTURE_2D, balls->textures[DEPTH]);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, gl->half ? GL_RGBA16F : GL_RGBA32F, columns, rows, 0, GL_RGBA, GL_FLOAT,
-                   balls->rises);
-}
-
-/* ---- drawing ----------------------------------------------------------------------------------------------------- */
-
-static void bind_texture(const sph2d__gl *gl, int unit, GLuint texture)
-{
-    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-}
-
-/* Draws the tiles of a kind. */
-static void draw_tiles(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                       const sph2d__target *target, const sph2d_picture *picture, unsigned char kind, double radius,
-                       double texel)
-{
-    const GLuint program = balls->programs[kind == SPH2D__TILE_INSIDE];
     gl->UseProgram(program);
-    sph2d__program_set_vec2(gl, program, "image_size", target->width, target->height);
-    sph2d__program_set_float(gl, program, "tile", SPH2D__TILE);
-    sph2d__program_set_int(gl, program, "field", FIELD);
-    sph2d__program_set_int(gl, program, "depth", DEPTH);
-    sph2d__program_set_int(gl, program, "tint", TINT);
-    sph2d__program_set_int(gl, program, "walls", WALLS);
-    sph2d__program_set_int(gl, program, "colored", picture->values != NULL);
-    sph2d__program_set_int(gl, program, "charted", !picture->values && !picture->level_values);
-    sph2d__program_set_float(gl, program, "radius", radius);
-    sph2d__program_set_float(gl, program, "threshold", threshold);
-    sph2d__program_set_float(gl, program, "line_width", line_width(target));
-    sph2d__program_set_float(gl, program, "texel", texel);
-    sph2d__program_set_float(gl, program, "margin", MARGIN);
-    sph2d__tiles_draw(gl, &balls->tiles, dots, kind);
+    sph2d__program_set_float(gl, program, "unit", on->texel / radius);
+    sph2d__program_set_float(gl, program, "weight", weight);
+    sph2d__dots_draw(gl, dots, program, on, radius * ball_reach);
 }
 
-/* Draws the liquid over what is in the target. */
-static void draw_surface(const sph2d__gl *gl, const sph2d__metaballs *balls, sph2d__dots *dots,
-                         const sph2d__target *target, const sph2d_picture *picture, GLuint walls, double radius,
-                         double texel)
+/* Makes balls of the walls on the coarse grid: one for each square that they cover, opaque where they cover all of it. */
+static void find_walls(const sph2d__gl *gl, sph2d__metaballs *balls, const sph2d__view *view,
+                       const sph2d_picture *picture)
+{
+    enum { BATCH = 256 };
+    const double reach = balls->radius * depth_ratio * ball_reach, texel = balls->texel;
+    sph2d__dot batch[BATCH];
+    size_t filled = 0;
+    sph2d__view grid = *view;
+    grid.middle = (sph2d_vec2){view->middle.x / texel + MARGIN, view->middle.y / texel + MARGIN};
+    grid.scale /= texel;
+    sph2d__cover_clear(&balls->cover, balls->columns, balls->rows);
+    sph2d__walls_cover(&balls->cover, &grid, picture, reach / view->scale);
+    const int squares = balls->columns * balls->rows;
+    sph2d__dots_reserve(gl, &balls->walls, (size_t)squares);
+    for (int k = 0; k < squares; ++k) {
+        const double x = k % balls->columns + 0.5 - MARGIN, y = k / balls->columns + 0.5 - MARGIN;
+        const unsigned char covered = balls->cover.pixels[k];
+        if (covered > 0)
+            batch[filled++] = (sph2d__dot){{(float)(x * texel), (float)(y * texel)}, {0, 0, 0, covered}};
+        if (filled == BATCH || k == squares - 1) {
+            sph2d__dots_add(gl, &balls->walls, batch, filled);
+            filled = 0;
+        }
+    }
+}
+
+/* A pass over a target that computes each texel from a texture, by a program that is in use and calls it `name`. */
+static void compute(const sph2d__gl *gl, GLuint program, const sph2d__target *target, GLsizei columns, GLsizei rows,
+                    const char *name, GLuint texture)
 {
     sph2d__target_bind(gl, target);
-    sph2d__target_blend(gl, target);
-    bind_texture(gl, WALLS, walls);
-    for (int unit = TEXTURES - 1; unit >= 0; --unit)
-        bind_texture(gl, unit, balls->textures[unit]);
-    draw_tiles(gl, balls, dots, target, picture, SPH2D__TILE_TOUCHED, radius, texel);
-    if (balls->look != SPH2D_LOOK_GLASS) /* opaque inside */
-        gl->Disable(GL_BLEND);
-    draw_tiles(gl, balls, dots, target, picture, SPH2D__TILE_INSIDE, radius, texel);
-    for (int unit = WALLS; unit >= 0; --unit)
-        bind_texture(gl, unit, 0);
+    gl->Viewport(0, 0, columns, rows);
+    gl->Disable(GL_BLEND);
+    gl->BindVertexArray(gl->no_vertices);
+    sph2d__texture_bind(gl, 0, texture);
+    sph2d__program_set_int(gl, program, name, 0);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    sph2d__texture_bind(gl, 0, 0);
+}
+
+/* Sums the wide balls of the particles, and of the walls: these count as filled with liquid, so that water is not lighter
+ * at them. */
+static void sum_depth(const sph2d__gl *gl, sph2d__metaballs *balls, const sph2d__dots *dots)
+{
+    const double radius = balls->radius * depth_ratio, side = balls->radius / 2; /* of a particle's square [px] */
+    const double square = balls->texel * balls->texel / (side * side);           /* [particles] */
+    const sph2d__raster on = {half(balls->columns), half(balls->rows), 2 * balls->texel, MARGIN / 2, 2};
+    sph2d__target_begin_sum(gl, &balls->sums);
+    add_balls(gl, balls->balls[0], &balls->walls, &on, radius, square);
+    add_balls(gl, balls->balls[0], dots, &on, radius, 1.0);
+
+    const GLuint program = balls->depth_program;
+    gl->UseProgram(program);
+    sph2d__program_set_float(gl, program, "part", 1.0 / (field_inside * depth_ratio * depth_ratio));
+    gl->Uniform2i(gl->GetUniformLocation(program, "last"), balls->columns - 1, balls->rows - 1);
+    compute(gl, program, &balls->depth, balls->columns, balls->rows, "sums", balls->sums.texture);
+}
+
+/* Width of lines [px]. */
+static double line_width(const sph2d__metaballs *balls)
+{
+    return fmax(1.4, fmin(balls->width, balls->height) / 300.0);
 }
 
 /* A tile is inside where no pixel would differ: the rim is flat, the surface farther than its slope at this place tells
  * and, where there is a line along it, the line too. */
-static sph2d__tile_rule rule_of(const sph2d__metaballs *balls, const sph2d__target *target, double radius)
+static void find_kinds(const sph2d__gl *gl, sph2d__metaballs *balls)
 {
-    const double pixels = balls->look == SPH2D_LOOK_WATER ? 0.9 : line_width(target) + 0.5;
-    return (sph2d__tile_rule){.lowest = (float)lowest,
-                              .full = (float)full,
-                              .range = (float)(sqrt(2.0) * (full - threshold) / pixels),
-                              .around = 0.4 * radius + 1.0};
+    GLuint program = balls->limits_program;
+    gl->UseProgram(program);
+    compute(gl, program, &balls->limits, balls->limits.width, balls->limits.height, "field", balls->field.texture);
+
+    const double pixels = balls->look == SPH2D_LOOK_WATER ? 0.9 : line_width(balls) + 0.5;
+    const double around = ceil((0.4 * balls->radius + 1.0) / CELL);
+    program = balls->kinds_program;
+    gl->UseProgram(program);
+    sph2d__program_set_float(gl, program, "lowest", lowest);
+    sph2d__program_set_float(gl, program, "full", around <= WIDEST ? full : 1.0e9);
+    sph2d__program_set_float(gl, program, "range", sqrt(2.0) * (full - threshold) / pixels);
+    sph2d__program_set_int(gl, program, "around", around <= WIDEST ? (int)around : 0);
+    compute(gl, program, &balls->kinds, balls->kinds.width, balls->kinds.height, "limits", balls->limits.texture);
 }
 
-sph2d_status sph2d__metaballs_draw(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
-                                   const sph2d__target *target, const sph2d__view *view, sph2d__dot_list list,
-                                   const sph2d_picture *picture, GLuint walls, sph2d_report *report)
+/* Sets R, and the squares of the depth. Balls larger than the image give a nearly uniform one: no need for a larger grid. */
+static void set_radius(sph2d__metaballs *balls, double radius)
 {
-    if (!set_planes(gl, balls, list.values ? 4 : 1))
-        return no_memory(report);
-    const double pixels = fmax(picture->radius * view->scale, smallest_radius);
-    list.reach = pixels * sqrt(0.5);
-    sum_field(&balls->field, view, &list, pixels);
-    upload_field(gl, balls, pixels);
-    const sph2d__tile_rule rule = rule_of(balls, target, pixels);
-    sph2d__tiles_find(&balls->tiles, &balls->field, &rule);
+    balls->radius = radius;
+    balls->texel = fmin(square_side * radius, balls->width + balls->height);
+    balls->columns = depth_squares(balls->width, balls->texel);
+    balls->rows = depth_squares(balls->height, balls->texel);
+}
 
-    const double wide = pixels * depth_ratio;
-    /* Balls larger than the image give a nearly uniform depth: no need for a larger grid. */
-    const double texel = fmin(fmax(finest_texel, wide / texels_per_radius), view->width + view->height);
-    list.reach = wide * sqrt(0.5);
-    sum_depth(balls, view, &list, picture, wide, texel);
-    upload_depth(gl, balls);
-    draw_surface(gl, balls, dots, target, picture, walls, pixels, texel);
+sph2d_status sph2d__metaballs_sum(const sph2d__gl *gl, sph2d__metaballs *balls, sph2d__dots *dots,
+                                  const sph2d__view *view, sph2d__dot_list list, const sph2d_picture *picture,
+                                  uint64_t walls_mark, sph2d_report *report)
+{
+    const bool colored = list.values;
+    const bool ready = balls->field.framebuffer && balls->colored == colored;
+    const sph2d_status status = ready ? SPH2D_OK : create_field(gl, balls, colored, report);
+    if (status != SPH2D_OK)
+        return status;
+    const double radius = fmax(picture->radius * view->scale, smallest_radius);
+    if (radius != balls->radius || walls_mark != balls->walls_mark) {
+        set_radius(balls, radius);
+        find_walls(gl, balls, view, picture);
+        balls->walls_mark = walls_mark;
+    }
+    list.reach = radius * depth_ratio * ball_reach;
+    sph2d__dots_fill(gl, dots, view, &list);
+    const sph2d__raster image = {balls->field.width, balls->field.height, 2.0, 0, 2};
+    sph2d__target_begin_sum(gl, &balls->field);
+    add_balls(gl, balls->balls[colored], dots, &image, radius, 1.0);
+    if (balls->look != SPH2D_LOOK_FLAT) /* one colour */
+        sum_depth(gl, balls, dots);
+    find_kinds(gl, balls);
     return SPH2D_OK;
+}
+
+/* ---- second pass: a liquid --------------------------------------------------------------------------------------- */
+
+/* Draws the tiles of a kind. */
+static void shade_tiles(const sph2d__gl *gl, const sph2d__metaballs *balls, const sph2d__target *target,
+                        const sph2d_picture *picture, int kind)
+{
+    const GLuint program = balls->looks[kind == SPH2D__TILE_INSIDE];
+    gl->UseProgram(program);
+    sph2d__program_set_int(gl, program, "field", FIELD);
+    sph2d__program_set_int(gl, program, "colors", COLORS);
+    sph2d__program_set_int(gl, program, "depth", DEPTH);
+    sph2d__program_set_int(gl, program, "walls", WALLS);
+    gl->Uniform2i(gl->GetUniformLocation(program, "last"), balls->width - 1, balls->height - 1);
+    sph2d__program_set_int(gl, program, "colored", picture->values != NULL);
+    sph2d__program_set_int(gl, program, "charted", !picture->values && !picture->level_values);
+    sph2d__program_set_float(gl, program, "radius", balls->radius);
+    sph2d__program_set_float(gl, program, "threshold", threshold);
+    sph2d__program_set_float(gl, program, "line_width", line_width(balls));
+    sph2d__program_set_float(gl, program, "texel", balls->texel);
+    sph2d__program_set_float(gl, program, "margin", MARGIN);
+    sph2d__tiles_draw(gl, program, target, KINDS, kind);
+}
+
+void sph2d__metaballs_shade(const sph2d__gl *gl, const sph2d__metaballs *balls, const sph2d__target *target,
+                            const sph2d_picture *picture, GLuint walls)
+{
+    const GLuint textures[UNITS] = {[FIELD] = balls->field.texture,
+                                    [COLORS] = balls->field.second,
+                                    [DEPTH] = balls->depth.texture,
+                                    [WALLS] = walls,
+                                    [KINDS] = balls->kinds.texture};
+    for (int unit = UNITS - 1; unit >= 0; --unit)
+        sph2d__texture_bind(gl, unit, textures[unit]);
+    sph2d__target_blend(gl, target);
+    shade_tiles(gl, balls, target, picture, SPH2D__TILE_TOUCHED);
+    if (balls->look != SPH2D_LOOK_GLASS) /* opaque inside */
+        gl->Disable(GL_BLEND);
+    shade_tiles(gl, balls, target, picture, SPH2D__TILE_INSIDE);
+    for (int unit = UNITS - 1; unit >= 0; --unit)
+        sph2d__texture_bind(gl, unit, 0); /* the next picture draws into them */
 }
 
 void sph2d__metaballs_destroy(const sph2d__gl *gl, sph2d__metaballs *balls)
 {
-    for (int k = 0; k < 2; ++k)
-        gl->DeleteProgram(balls->programs[k]); /* 0 is ignored */
-    gl->DeleteTextures(TEXTURES, balls->textures);
-    sph2d__field_grid_destroy(&balls->field);
-    sph2d__field_grid_destroy(&balls->depth);
-    free(balls->tints);
-    free(balls->rises);
-    sph2d__lumps_destroy(&balls->lumps);
-    sph2d__cover_destroy(&balls->walls);
-    sph2d__tiles_destroy(&balls->tiles);
+    for (int k = 0; k < 2; ++k) {
+        gl->DeleteProgram(balls->balls[k]); /* 0 is ignored */
+        gl->DeleteProgram(balls->looks[k]);
+    }
+    gl->DeleteProgram(balls->depth_program);
+    gl->DeleteProgram(balls->limits_program);
+    gl->DeleteProgram(balls->kinds_program);
+    sph2d__target_destroy(gl, &balls->field);
+    sph2d__target_destroy(gl, &balls->sums);
+    sph2d__target_destroy(gl, &balls->depth);
+    sph2d__target_destroy(gl, &balls->limits);
+    sph2d__target_destroy(gl, &balls->kinds);
+    sph2d__dots_destroy(gl, &balls->walls);
+    sph2d__cover_destroy(&balls->cover);
     *balls = (sph2d__metaballs){0};
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file target.c
- *  Framebuffers, such as the image. */
+ *  Framebuffers: the image, and the float textures in which the metaballs' fields are summed. */
 #include "render/target.h"
 
 static const char *framebuffer_text(GLenum framebuffer_status)
@@ -38,6 +38,12 @@ void sph2d__texture_prepare(const sph2d__gl *gl, GLuint texture, GLint filter)
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+void sph2d__texture_bind(const sph2d__gl *gl, int unit, GLuint texture)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+}
+
 /* Ends a creation: checks for errors and for completeness of the framebuffer. */
 static sph2d_status finish(const sph2d__gl *gl, sph2d__target *target, const char *what, sph2d_report *report)
 {
@@ -70,8 +76,21 @@ static sph2d_status check_limit(const sph2d__gl *gl, GLenum limit_name, GLsizei 
     return SPH2D_RENDER;
 }
 
-sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
-                                        sph2d_report *report)
+/* Makes a texture of a format and attaches it to the framebuffer in use. */
+static GLuint attach_texture(const sph2d__gl *gl, const sph2d__target *target, GLenum attachment, GLint format,
+                             GLenum type, GLint filter)
+{
+    GLuint texture = 0;
+    gl->GenTextures(1, &texture);
+    sph2d__texture_prepare(gl, texture, filter);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, format, target->width, target->height, 0, GL_RGBA, type, NULL);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+static sph2d_status begin(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                          sph2d_report *report)
 {
     *target = (sph2d__target){.width = width, .height = height};
     const sph2d_status status = check_limit(gl, GL_MAX_TEXTURE_SIZE, width, height, report);
@@ -79,12 +98,42 @@ sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *targ
         return status;
     gl->GenFramebuffers(1, &target->framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-    gl->GenTextures(1, &target->texture);
-    sph2d__texture_prepare(gl, target->texture, GL_NEAREST);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d__target_create_color(const sph2d__gl *gl, sph2d__target *target, GLsizei width, GLsizei height,
+                                        sph2d_report *report)
+{
+    const sph2d_status status = begin(gl, target, width, height, report);
+    if (status != SPH2D_OK)
+        return status;
+    target->texture = attach_texture(gl, target, GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_UNSIGNED_BYTE, GL_NEAREST);
     return finish(gl, target, "making the picture", report);
+}
+
+static sph2d_status no_floats(sph2d_report *report)
+{
+    sph2d_report_add(
+        report, SPH2D_ERROR, SPH2D_CODE_GL_FAILED, NULL,
+        "metaballs are summed in textures of floats, into which this OpenGL ES cannot draw: it has neither "
+        "GL_EXT_color_buffer_float nor GL_EXT_color_buffer_half_float");
+    return SPH2D_RENDER;
+}
+
+sph2d_status sph2d__target_create_float(const sph2d__gl *gl, sph2d__target *target, int textures, GLint filter,
+                                        GLsizei width, GLsizei height, sph2d_report *report)
+{
+    static const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    const GLint sum = gl->sum_bits == 32 ? GL_RGBA32F : GL_RGBA16F;
+    const GLint smooth = gl->smooth_bits == 32 ? sum : GL_RGBA16F; /* that can be interpolated */
+    const sph2d_status status = gl->sum_bits > 0 ? begin(gl, target, width, height, report) : no_floats(report);
+    if (status != SPH2D_OK)
+        return status;
+    target->texture = attach_texture(gl, target, both[0], filter == GL_LINEAR ? smooth : sum, GL_FLOAT, filter);
+    if (textures == 2)
+        target->second = attach_texture(gl, target, both[1], smooth, GL_FLOAT, GL_LINEAR);
+    gl->DrawBuffers(textures, both);
+    return finish(gl, target, "making the field of the metaballs", report);
 }
 
 void sph2d__target_copy(const sph2d__gl *gl, const sph2d__target *from, sph2d__pixel_box source, GLuint framebuffer,
@@ -107,6 +156,16 @@ void sph2d__target_blend(const sph2d__gl *gl, const sph2d__target *target)
                           target->transparent ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
 }
 
+void sph2d__target_begin_sum(const sph2d__gl *gl, const sph2d__target *target)
+{
+    sph2d__target_bind(gl, target);
+    gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    gl->Enable(GL_BLEND);
+    gl->BlendEquation(GL_FUNC_ADD);
+    gl->BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+}
+
 void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
@@ -117,5 +176,6 @@ void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target)
 {
     gl->DeleteFramebuffers(1, &target->framebuffer); /* 0 is ignored */
     gl->DeleteTextures(1, &target->texture);
+    gl->DeleteTextures(1, &target->second);
     *target = (sph2d__target){0};
 }

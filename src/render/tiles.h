@@ -5,40 +5,19 @@
 #ifndef SPH2D_RENDER_TILES_H
 #define SPH2D_RENDER_TILES_H
 
-#include "render/dots.h"
-#include "render/field_grid.h"
+#include "render/target.h"
 
 enum { SPH2D__TILE = 16 }; /**< side of a tile [px] */
 
-/** What is in a tile: nothing to draw, something, or a field that is full and even in it and around it. */
+/** What is in a tile: nothing to draw, something, or a field that is full and even in it and around it; as kinds.frag
+ *  finds them. */
 enum { SPH2D__TILE_EMPTY, SPH2D__TILE_TOUCHED, SPH2D__TILE_INSIDE };
 
-typedef struct sph2d__tiles {
-    int columns, rows;
-    unsigned char *kinds; /**< one a tile, row by row */
-} sph2d__tiles;
+/** Number of tiles that cover so many pixels. */
+GLsizei sph2d__tiles_count(GLsizei pixels);
 
-/** What makes the kind of a tile. */
-typedef struct sph2d__tile_rule {
-    float lowest;  /**< a tile is not empty if the field is as large somewhere */
-    float full;    /**< it is inside if the field is as large everywhere ... */
-    float range;   /**< ... and between its limits so far ... */
-    double around; /**< ... in the tile and so many pixels around it */
-} sph2d__tile_rule;
-
-/** Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__tiles_create(sph2d__tiles *tiles, int width, int height, sph2d_report *report);
-
-/** Finds the kinds of tiles from a field on the pixels of an image as large as theirs. */
-void sph2d__tiles_find(sph2d__tiles *tiles, const sph2d__field_grid *field, const sph2d__tile_rule *rule);
-
-/** Finds the tiles in which an image of bytes, as large as theirs, is not 0. */
-void sph2d__tiles_find_bytes(sph2d__tiles *tiles, const unsigned char *bytes, int width, int height);
-
-/** Draws the tiles of a kind, those side by side as one rectangle, with the program, target and blending in use. */
-void sph2d__tiles_draw(const sph2d__gl *gl, const sph2d__tiles *tiles, sph2d__dots *dots, unsigned char kind);
-
-/** Frees it; it may be zeroed. */
-void sph2d__tiles_destroy(sph2d__tiles *tiles);
+/** Draws the tiles of a kind with a program whose vertices are those of tiles.vert and which is in use, with the blending
+ *  in use. The texture unit `kinds` has a texel for each tile. */
+void sph2d__tiles_draw(const sph2d__gl *gl, GLuint program, const sph2d__target *target, int kinds, int kind);
 
 #endif

@@ -20,16 +20,6 @@ bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned 
     return true;
 }
 
-sph2d__view sph2d__view_widen(const sph2d__view *view, double border)
-{
-    sph2d__view wide = *view;
-    wide.width += (unsigned)ceil(2.0 * border);
-    wide.height += (unsigned)ceil(2.0 * border);
-    wide.middle.x += border;
-    wide.middle.y += border;
-    return wide;
-}
-
 static double to_right(const sph2d__view *view, double x)
 {
     return view->middle.x + (x - view->center.x) * view->scale;

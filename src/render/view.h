@@ -25,9 +25,6 @@ typedef struct sph2d__pixel_box {
  *  aspect kept. False where the box is empty, not finite or so small or large that nothing can be drawn. */
 bool sph2d__view_fit(sph2d__view *view, sph2d_box box, unsigned width, unsigned height, unsigned right, unsigned below);
 
-/** The same view in an image with at least `border` more pixels on all sides. */
-sph2d__view sph2d__view_widen(const sph2d__view *view, double border);
-
 /** Converts a position, which may lie outside the image. */
 sph2d_vec2 sph2d__view_at(const sph2d__view *view, double x, double y);
 

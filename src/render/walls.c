@@ -155,12 +155,12 @@ void sph2d__walls_find(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__vi
     walls->mark = mark;
 }
 
-void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, GLuint program, sph2d__dots *dots,
-                       const sph2d__target *target, const sph2d_picture *picture)
+void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, GLuint program, const sph2d__target *target,
+                       const sph2d_picture *picture)
 {
     static const float color[4] = {0.36F, 0.345F, 0.34F, 1.0F};
     if (picture->outline_count > 0)
-        sph2d__mask_draw(gl, &walls->mask, program, dots, target, color);
+        sph2d__mask_draw(gl, &walls->mask, program, target, color);
 }
 
 void sph2d__walls_destroy(const sph2d__gl *gl, sph2d__walls *walls)

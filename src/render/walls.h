@@ -23,8 +23,8 @@ void sph2d__walls_cover(sph2d__cover *cover, const sph2d__view *view, const sph2
 void sph2d__walls_find(const sph2d__gl *gl, sph2d__walls *walls, const sph2d__view *view, const sph2d_picture *picture);
 
 /** Draws the outlines that were found over the contents of `target` with the program "tiles", "mask". */
-void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, GLuint program, sph2d__dots *dots,
-                       const sph2d__target *target, const sph2d_picture *picture);
+void sph2d__walls_draw(const sph2d__gl *gl, const sph2d__walls *walls, GLuint program, const sph2d__target *target,
+                       const sph2d_picture *picture);
 
 /** Frees it; it may be zeroed. */
 void sph2d__walls_destroy(const sph2d__gl *gl, sph2d__walls *walls);
