@@ -34,7 +34,9 @@ static const double smallest_radius = 3.6; /* [px] */
 /* A ball's field ends at so many R. */
 static const double ball_reach = 0.70710678;
 
-/* The depth: balls wider by this factor, on a grid of squares of so many R. */
+/* The depth: balls wider by this factor, on a grid of squares of so many R. The field of a ball of radius R has the variance
+ * R^2/16 along each axis. These have that of balls 9 times as wide whose weights are spread over the four nodes of the
+ * grid around, which adds a sixth of a square: 9.33^2 = 9^2 + 16/6 1.5^2. */
 static const double depth_ratio = 9.33, square_side = 1.5;
 
 /* Squares around the image: as many as a wall outside is seen from inside, and a texel has two. */
