@@ -1,8 +1,11 @@
-"""Simulations side by side in threads, each on one or two threads of its own."""
+"""Simulations side by side in threads and processes, each on one or two threads of OpenMP."""
+import os
+import signal
 import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
@@ -112,6 +115,42 @@ class Threads(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(failures, [])
+
+    def test_a_fork_goes_on(self):
+        """Both processes have two threads, whoever forks: multiprocessing forks, too."""
+        def both(out):
+            sim = sph2d.Simulation(tank(), {"spacing": 0.01}, threads=2)
+            for _ in range(10):
+                sim.step()
+            with warnings.catch_warnings():  # newer Pythons warn of forks beside threads
+                warnings.simplefilter("ignore")
+                child = os.fork()
+            for _ in range(10):
+                sim.step()
+            x = sim.fluid.x.copy()
+            if child == 0:
+                os._exit(0 if np.array_equal(x, expected) else 1)
+            deadline = time.monotonic() + 60
+            while (ended := os.waitpid(child, os.WNOHANG)) == (0, 0) and time.monotonic() < deadline:
+                time.sleep(0.01)
+            if ended == (0, 0):
+                os.kill(child, signal.SIGKILL)
+                ended = os.waitpid(child, 0)
+            out += [ended[1], np.array_equal(x, expected)]
+
+        sim = sph2d.Simulation(tank(), {"spacing": 0.01}, threads=1)
+        for _ in range(20):
+            sim.step()
+        expected = sim.fluid.x.copy()
+        for _ in range(2):
+            out = []
+            both(out)
+            self.assertEqual(out, [0, True])
+            out = []
+            thread = threading.Thread(target=both, args=(out,))
+            thread.start()
+            thread.join()
+            self.assertEqual(out, [0, True])
 
     def test_the_same_bits(self):
         one, two = (sph2d.Simulation(tank(), {"spacing": 0.02}, threads=threads) for threads in (1, 2))
