@@ -59,11 +59,13 @@ START_TEST(loops_have_as_many_tasks_as_are_worth_it)
     ck_assert_int_eq(sph2d__threads(), 1);
     ck_assert_int_eq(sph2d__tasks(0, 10), 1);
     ck_assert_int_eq(sph2d__tasks(29, 10), 2);
-    ck_assert_int_eq(sph2d__tasks(1000, 10), 4);
+    ck_assert_int_eq(sph2d__tasks(310, 10), 4);
+    ck_assert_int_eq(sph2d__tasks(1000, 10), 12);
+    ck_assert_int_eq(sph2d__tasks(9000, 10), 16);
     int tasks = -1;
 #pragma omp parallel num_threads(3)
 #pragma omp master
-    tasks = sph2d__tasks(1000, 10) - 4 * sph2d__threads();
+    tasks = sph2d__tasks(900, 10) - 4 * sph2d__threads();
     ck_assert_int_eq(tasks, 0);
 }
 END_TEST
@@ -236,15 +238,17 @@ START_TEST(threads_of_the_host_have_simulations_side_by_side)
 }
 END_TEST
 
+/* LLVM's runtime breaks down after a few such threads, if they have others do their tasks. */
 START_TEST(a_simulation_moves_from_thread_to_thread)
 {
+    enum { TURNS = 40 };
     sph2d_sim *sim = column(MANY, 2);
-    for (int k = 0; k < STEPS; ++k) {
+    for (int k = 0; k < TURNS; ++k) {
         pthread_t host;
         ck_assert_int_eq(pthread_create(&host, NULL, one_step, sim), 0);
         pthread_join(host, NULL);
     }
-    ck_assert_uint_eq(sph2d_sim_steps(sim), STEPS);
+    ck_assert_uint_eq(sph2d_sim_steps(sim), TURNS);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -314,9 +318,11 @@ END_TEST
 Suite *suite_parallel(void)
 {
     Suite *suite = suite_create("parallel");
-    TCase *core = tcase_create("parallel");
-    tcase_add_unchecked_fixture(core, begin, NULL);
+    TCase *core = tcase_create("threads"), *forks = tcase_create("forks");
+    tcase_add_checked_fixture(core, begin, NULL);
+    tcase_add_checked_fixture(forks, begin, NULL);
     tcase_set_timeout(core, 120);
+    tcase_set_timeout(forks, 120);
     tcase_add_test(core, loops_have_as_many_tasks_as_are_worth_it);
     tcase_add_test(core, the_number_asked_for_is_used);
     tcase_add_test(core, few_particles_get_few_threads);
@@ -330,8 +336,9 @@ Suite *suite_parallel(void)
     tcase_add_test(core, threads_of_the_host_have_simulations_side_by_side);
     tcase_add_test(core, a_simulation_moves_from_thread_to_thread);
     tcase_add_test(core, regions_of_the_host_have_simulations_side_by_side);
-    tcase_add_test(core, a_fork_goes_on_with_its_copy);
-    tcase_add_test(core, another_thread_forks);
+    tcase_add_test(forks, a_fork_goes_on_with_its_copy);
+    tcase_add_test(forks, another_thread_forks);
     suite_add_tcase(suite, core);
+    suite_add_tcase(suite, forks);
     return suite;
 }

@@ -15,7 +15,8 @@
  *  OMP_PROC_BIND and OMP_PLACES mean what they mean in other programs, a call inside a parallel region of the caller
  *  takes one thread unless OMP_MAX_ACTIVE_LEVELS allows more, and beside other busy jobs OMP_WAIT_POLICY=passive is
  *  faster. A forked process may go on with its copy of a simulation. Where the system refuses a thread, OpenMP's
- *  runtime ends the process. */
+ *  runtime ends the process. Built by clang, steps on other threads of the host than that of main() take one thread, as
+ *  LLVM's runtime may break down when those end. */
 #ifndef SPH2D_SIM_H
 #define SPH2D_SIM_H
 

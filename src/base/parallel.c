@@ -1,16 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parallel.c
  *  Limits of OpenMP, and its threads across a fork. */
+#define _GNU_SOURCE /* gettid */
 #include "base/parallel.h"
+
+#include <stdbool.h>
 
 #ifdef _OPENMP
 
 #include <pthread.h>
+#include <unistd.h>
+
+/** Whether the calling thread may have others do its tasks. In LLVM's runtime, at least from 14 to 19, threads keep the
+ *  memory of tasks that they have done, and use it after the thread that made these has ended: there only the thread of
+ *  main() may, which lasts. */
+static bool may_share(void)
+{
+#if defined(__clang__) && defined(__linux__)
+    return gettid() == getpid();
+#else
+    return true;
+#endif
+}
 
 int sph2d__max_threads(int wanted)
 {
     int most = omp_get_thread_limit(), threads = wanted > 0 ? wanted : omp_get_max_threads();
-    return threads < most ? threads : most;
+    return !may_share() ? 1 : threads < most ? threads : most;
 }
 
 static void end_threads(void)

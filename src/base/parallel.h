@@ -47,16 +47,18 @@ static inline int sph2d__threads(void)
 #endif
 }
 
-/** The number of tasks for a loop, each of at least `grain` iterations: some for each thread, so that one that comes
- *  late leaves its part to the others. */
+/** The number of tasks for a loop, each of at least `grain` iterations: four for each thread, so that one that comes late
+ *  leaves its part to the others, and in long loops up to sixteen, so that none waits long for the last task. */
 static inline int sph2d__tasks(size_t count, size_t grain)
 {
-    size_t most = 4 * (size_t)sph2d__threads(), worth = count / grain;
-    return (int)(worth < 1 ? 1 : worth < most ? worth : most);
+    size_t threads = (size_t)sph2d__threads(), worth = count / grain, tasks = worth / 8;
+    tasks = tasks < 4 * threads ? 4 * threads : tasks > 16 * threads ? 16 * threads : tasks;
+    return (int)(worth < 1 ? 1 : worth < tasks ? worth : tasks);
 }
 
 /** The number of threads to ask for in a region of the caller: that wanted, or where it is 0 that of OpenMP
- *  (OMP_NUM_THREADS, else the processors that the process may use); at most OMP_THREAD_LIMIT. 1 without OpenMP. */
+ *  (OMP_NUM_THREADS, else the processors that the process may use); at most OMP_THREAD_LIMIT. 1 without OpenMP, and with
+ *  LLVM's runtime (clang) on other threads than that of main(). */
 int sph2d__max_threads(int wanted);
 
 /** To be called before the first region: makes fork() safe. GNU's OpenMP has no threads in the child, but would wait for
