@@ -196,7 +196,7 @@ static const struct {
 } pairs[] = {
     {"spacing", "110946"},
     {"spacing", "1e-9"},
-    {"domain", "{min: [-1e3, -1e3], max: [1e3, 1e3]}"},
+    {"domain", "{min: [-3e2, -3e2], max: [3e2, 3e2]}"},
     {"domain", "{min: [0, 0], max: [1, 1e12]}"},
     {"domain", "{min: [1e11, 1e11], max: [1.0000001e11, 1.0000001e11]}"},
     {"gravity", "[0, -1e12]"},

@@ -50,10 +50,15 @@ static double sum_in_front(const sph2d__system *s, size_t b)
     return sum;
 }
 
+static void set_some_fronts(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t b = first; b < last; ++b)
+        s->walls.front[b] = fmax(1 - sum_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
+}
+
 static void walls_placed(sph2d__system *s)
 {
-    for (size_t b = 0; b < s->walls.count; ++b)
-        s->walls.front[b] = fmax(1 - sum_in_front(s, b) / sph2d__kernel_value_at(s->method.kernel, 0), 0);
+    sph2d__over_particles(s, s->walls.count, set_some_fronts);
 }
 
 /* The largest rate at which liquid that sticks to walls pair by pair is damped, a quarter of a spacing from them, is up
