@@ -143,7 +143,8 @@ SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all 
 # One position-independent object serves both the archive and the shared library. Contraction is off so that a fused
 # multiply-add stands only where it was written; interposition is off so that exported functions can still be inlined.
 ALL_CFLAGS := -std=c17 $(if $(SANITIZE),-O2 -g,-O3) $(WARNINGS) -fno-math-errno -ffp-contract=off -fPIC \
-    -fvisibility=hidden -fno-semantic-interposition -ffile-prefix-map=$(CURDIR)=. $(OMP_CFLAGS) $(SANITIZERS)
+    -fvisibility=hidden -fno-semantic-interposition $(OMP_CFLAGS) $(SANITIZERS)
+HERE_CFLAGS := -ffile-prefix-map='$(CURDIR)'=. # no object names the folder that it was built in
 ALL_CPPFLAGS := -D_POSIX_C_SOURCE=200809L -MMD -MP
 ALL_LDFLAGS := -Wl,--as-needed -pthread $(if $(WITH_OPENMP),-fopenmp) $(SANITIZERS) $(LDFLAGS)
 SHARED_LDFLAGS := -shared -Wl,--version-script=src/libsph2d.map $(if $(SANITIZE),,-Wl,--no-undefined)
@@ -282,7 +283,7 @@ $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)
 $(IO_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(TEST_OBJ): | $(if $(MISSING),packages)
 
 compile = $(call say_compiled,$(1))mkdir -p $(@D) && \
-    $(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(PART) $(2) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
+    $(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) $(HERE_CFLAGS) $(PART) $(2) $(CPPFLAGS) $(CFLAGS) -c -o $@ $<
 link = $(call say,LD,$@)mkdir -p $(@D) && \
     $(CC) $(ALL_CFLAGS) $(CFLAGS) $(ALL_LDFLAGS) $(1) -o $@ $(filter-out $(IN_ARCHIVES),$(filter %.o %.a,$^)) $(2) $(LDLIBS)
 
@@ -364,7 +365,7 @@ FORCE:
 # What the times of a study were taken with: told by --version, and a new commit compiles one file. Rows that were run
 # are found again as long as the source is the same.
 COMMIT = $(or $(if $(wildcard .git),$(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 --exclude '*' 2>/dev/null)),none)
-TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I% -ffile-prefix-map=%,$(ALL_CFLAGS) $(CFLAGS))))
+TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I%,$(ALL_CFLAGS) $(CFLAGS))))
 SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
 $(BUILD)/gen/build_info.h: FORCE
 	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
@@ -622,36 +623,38 @@ check-symbols: lib ## what the shared libraries export and need
 	diff $(BUILD)/declared $(BUILD)/exported || { echo 'symbols: declared (<) and exported (>) differ'; exit 1; }
 	$(hush)tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP)
 
-STAGING := $(abspath $(BUILD)/staging)
-STAGED := /usr/share/bash-completion/completions/sph2d /usr/share/zsh/site-functions/_sph2d \
-    $(addprefix /usr/share/doc/sph2d/,LICENSE README.md docs/scenes.md examples/README.md examples/dam_break/scene.yaml)
-STAGE := DESTDIR=$(STAGING) prefix=/usr libdir=/usr/lib pkgconfigdir=/usr/lib/pkgconfig
+# Below a folder with a space, by somebody whose files are private.
+STAGING := $(abspath $(BUILD))/staging
+STAGED := share/bash-completion/completions/sph2d share/zsh/site-functions/_sph2d \
+    $(addprefix share/doc/sph2d/,LICENSE README.md docs/scenes.md examples/README.md examples/dam_break/scene.yaml)
+STAGE := prefix='$(STAGING)/my tools' libdir='$(STAGING)/my tools/lib' pkgconfigdir='$(STAGING)/my tools/lib/pkgconfig'
 check-install: all ## install into a scratch folder, build the examples there with pkg-config alone, run them
-	$(hush)rm -rf $(STAGING); mkdir -p $(STAGING)/run
-	$(hush)$(MAKE) install $(STAGE) >/dev/null
-	$(hush)sed -i 's|^prefix=.*|prefix=$(STAGING)/usr|' $(STAGING)/usr/lib/pkgconfig/*.pc; \
-	module=$$(find $(STAGING)/usr -name sph2d.py); test -n "$$module" || { echo 'install: sph2d.py is missing'; exit 1; }; \
-	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/*} '$(WITH_NUMPY)' examples/embed.py >$(STAGING)/run/log || exit 1; \
-	export PKG_CONFIG_PATH=$(STAGING)/usr/lib/pkgconfig LD_LIBRARY_PATH=$(STAGING)/usr/lib; \
+	$(hush)rm -rf '$(STAGING)'; mkdir -p '$(STAGING)/run'
+	$(hush)umask 077; $(MAKE) install $(STAGE) >/dev/null
+	$(hush)to='$(STAGING)/my tools'; cd '$(STAGING)/run'; \
+	hidden=$$(find "$$to" -type f ! -perm -o=r -o -type d ! -perm -o=rx); test -z "$$hidden" || { echo "install: others cannot read $$hidden"; exit 1; }; \
+	module=$$(find "$$to" -name sph2d.py); test -n "$$module" || { echo 'install: sph2d.py is missing'; exit 1; }; \
+	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/*} '$(WITH_NUMPY)' '$(CURDIR)'/examples/embed.py >log || exit 1; \
+	export PKG_CONFIG_PATH="$$to/lib/pkgconfig" LD_LIBRARY_PATH="$$to/lib"; \
 	for static in '' --static; do \
-	    test -z "$$static" || rm $(STAGING)/usr/lib/*.so*; \
+	    test -z "$$static" || rm "$$to"/lib/*.so*; \
 	    for e in $(filter-out examples/window.c,$(EXAMPLES)); do \
-	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|contacts\|render\)\.h>.*/sph2d-\1/p' $$e); \
+	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|contacts\|render\)\.h>.*/sph2d-\1/p' '$(CURDIR)'/$$e); \
 	        flags=$$($(PKG_CONFIG) $$static --cflags --libs $${uses:-sph2d}) && \
-	        $(CC) $$e -o $(STAGING)/run/example $$flags $(SANITIZERS) && \
-	        (cd $(STAGING)/run && timeout 300 ./example >log) || { echo "install: $$e fails $$static"; exit 1; }; \
+	        eval "$(CC) '$(CURDIR)'/$$e -o example $$flags $(SANITIZERS)" && \
+	        timeout 300 ./example >log || { echo "install: $$e fails $$static"; exit 1; }; \
 	    done; \
 	done; \
 	$(PKG_CONFIG) --exists --print-errors $(LIBRARIES:lib%=%) || exit 1; \
-	for p in $(MAN_PAGES); do \
-	    test -s "$(STAGING)/usr/share/man/man$${p##*.}/$${p##*/}" || { echo "install: $$p is missing"; exit 1; }; \
+	for p in $(notdir $(MAN_PAGES)); do \
+	    test -s "$$to/share/man/man$${p##*.}/$$p" || { echo "install: $$p is missing"; exit 1; }; \
 	done; \
 	for f in $(STAGED); do \
-	    test -s "$(STAGING)$$f" || { echo "install: $$f is missing"; exit 1; }; \
+	    test -s "$$to/$$f" || { echo "install: $$f is missing"; exit 1; }; \
 	done; \
-	$(STAGING)/usr/bin/sph2d check $(STAGING)/usr/share/doc/sph2d/examples/sprinkler/scene.yaml >/dev/null || exit 1
+	"$$to/bin/sph2d" check "$$to/share/doc/sph2d/examples/sprinkler/scene.yaml" >/dev/null || exit 1
 	$(hush)$(MAKE) uninstall $(STAGE) >/dev/null
-	$(hush)left=$$(find $(STAGING)/usr ! -type d); \
+	$(hush)left=$$(find '$(STAGING)/my tools' ! -type d); \
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
@@ -691,9 +694,11 @@ format: ## rewrite the C files with clang-format
 	clang-format -i $(ALL_C)
 
 # ---- installation ----------------------------------------------------------------------------------------------------
-pc_dir = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
-pc_fill = sed 's|@prefix@|$(prefix)|; s|@libdir@|$(call pc_dir,$(libdir))|; \
-    s|@includedir@|$(call pc_dir,$(includedir))|; s|@version@|$(VERSION)|g; s|@gl@|$(GL)|; s|@openmp@|$(if $(WITH_OPENMP),-fopenmp)|'
+# As pkg-config's files write a path, which may have spaces, and as sed takes it.
+empty :=
+pc_path = $(subst $(empty) ,\\ ,$(subst |,\|,$(subst &,\&,$(subst \,\\\\,$(subst $(prefix)/,$${prefix}/,$(1))))))
+pc_fill = sed 's|@prefix@|$(call pc_path,$(prefix))|; s|@libdir@|$(call pc_path,$(libdir))|; \
+    s|@includedir@|$(call pc_path,$(includedir))|; s|@version@|$(VERSION)|g; s|@gl@|$(GL)|; s|@openmp@|$(if $(WITH_OPENMP),-fopenmp)|'
 MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
@@ -703,14 +708,14 @@ D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)' \
 	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
-	    $(sort $(foreach f,$(DOC_FILES),'$D$(docdir)/$(patsubst ./,,$(dir $(f)))'))
+	    $(foreach d,$(sort $(dir $(DOC_FILES))),'$D$(docdir)/$(d)')
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
 	$(INSTALL) -m 644 $(LIBRARIES:%=$(BUILD)/%.a) '$D$(libdir)'
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
 	cp -P $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so.$(SOMAJOR) $(BUILD)/$(l).so) '$D$(libdir)'
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
 	$(INSTALL) -m 644 python/sph2d.py '$D$(pythondir)'
-	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in >'$D$(pkgconfigdir)/$(l).pc' &&) true
+	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in | $(INSTALL) -m 644 /dev/stdin '$D$(pkgconfigdir)/$(l).pc' &&) true
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
 	$(INSTALL) -m 644 cli/completions/_sph2d '$D$(zshcompletiondir)'
