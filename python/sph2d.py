@@ -37,6 +37,7 @@ import pathlib
 import re
 import sys
 import sysconfig
+import tempfile
 import threading
 import warnings
 import weakref
@@ -159,6 +160,7 @@ const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
 sph2d_allocator sph2d_shared_allocator(void);
 void sph2d_shared_hold(const void *block);
 void sph2d_shared_release(const void *block);
+sph2d_state sph2d_sim_state(sph2d_sim *sim);
 sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
 sph2d_view sph2d_sim_walls(const sph2d_sim *sim);
 size_t sph2d_field_count(sph2d_group group);
@@ -634,6 +636,24 @@ def _own(owner, destroy, address):
     return finalizer
 
 
+class _Owner:
+    """Owns memory of the library. A copy by attributes would free it, too, so copy and pickle are refused by a sentence
+    of the class, where it does not say how to make one."""
+
+    def __reduce__(self):
+        raise TypeError(self._no_copy)
+
+
+class _Unchanging(_Owner):
+    """An owner of what never changes: it is its own copy, as a tuple is."""
+
+    def __copy__(self):
+        return self
+
+    def __deepcopy__(self, _memo):
+        return self
+
+
 def _destroy_scene(file):
     with _IO_LOCK:
         _IO.sph2d_scene_file_destroy(file)
@@ -644,7 +664,7 @@ def _destroy_snapshot(snapshot):
         _IO.sph2d_snapshot_destroy(snapshot)
 
 
-class Scene:
+class Scene(_Unchanging):
     """A scene that was read and checked.
 
     source: a dict (any mapping) with the keys of a scene file, or the name of a scene file. Values of a dict are what
@@ -652,7 +672,11 @@ class Scene:
     taken, too. Files that it names are relative to the current folder, those of a scene file to its folder.
     set: a dict of changes on top, from paths of keys to values: {"fluid.density": 900, "blocks[0].velocity": [1, 0]}.
 
+    A scene does not change, so copy.copy() gives the scene itself; it cannot be pickled, what it is made of can.
+
     Errors: Error with status SCENE, with every fault of the scene; NOINPUT; NOMEM. Warns with SceneWarning."""
+
+    _no_copy = "a Scene cannot be pickled: pickle the dict or the name of the file that it is made of"
 
     def __init__(self, source, set=None):
         changes, report, file = _overrides(set), _STRUCT["report"](), ctypes.c_void_p()
@@ -699,8 +723,10 @@ class Scene:
 # ---- simulations -----------------------------------------------------------------------------------------------------
 
 
-class _Block:
+class _Block(_Owner):
     """A block of a simulation's memory, which lives at least as long as this."""
+
+    _no_copy = "the memory of a view cannot be copied: copy() the array"
 
     def __init__(self, address):
         _CORE.sph2d_shared_hold(address)
@@ -710,7 +736,7 @@ class _Block:
         _release(self.address)
 
 
-class Simulation:
+class Simulation(_Owner):
     """A simulation: its scene, its particles, its clock.
 
     source, set: a Scene, or what makes one. threads: number of threads, 1 to 1024; default 0: what OpenMP says
@@ -722,7 +748,8 @@ class Simulation:
     other and through walls.
 
     Memory is freed with the last reference to it, or by close(); a simulation is a context manager, too. Afterwards all
-    calls raise ValueError. Errors: as of Scene, and Error with status INVALID, NOMEM; ValueError for other threads or
+    calls raise ValueError. copy.copy() and copy.deepcopy() make an independent simulation that goes on from here, bit
+    for bit; so does pickle, as by write_snapshot() and Snapshot.resume(). Errors: as of Scene, and Error with status INVALID, NOMEM; ValueError for other threads or
     an unknown isa. Warns with SceneWarning."""
 
     def __init__(self, source, set=None, *, threads=0, isa="auto", contacts=True):
@@ -731,7 +758,7 @@ class Simulation:
         self._create(source if isinstance(source, Scene) else Scene(source, set), None, threads, isa, contacts)
 
     def _create(self, scene, state, threads, isa, contacts):
-        self._scene, self._keys, self._sim = scene, scene.as_dict(), None
+        self._scene, self._keys, self._sim, self._options = scene, scene.as_dict(), None, (threads, contacts)
         self._lock, self._report = threading.RLock(), _STRUCT["report"]()
         options = _CORE.sph2d_sim_options_default()
         options.threads, options.isa = _whole("threads", threads, 0, 1024), _isa_of(isa)
@@ -771,6 +798,25 @@ class Simulation:
         if not self._sim:
             return "<sph2d.Simulation, closed>"
         return f"<sph2d.Simulation of {self._keys['name']!r}: {len(self.fluid)} particles, t = {self.time:g} s>"
+
+    def __copy__(self):
+        made = type(self).__new__(type(self))
+        made.__dict__.update(self.__dict__)  # what others have added
+        with self._lock:
+            state = self._get(_CORE.sph2d_sim_state)
+            if state.array_count == 0:
+                raise Error("NOMEM")
+            made._create(self._scene, state, self._options[0], "auto", self._options[1])
+        return made
+
+    def __deepcopy__(self, _memo):
+        return self.__copy__()
+
+    def __reduce__(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "state.h5")
+            self.write_snapshot(path)
+            return _resumed, (type(self), path.read_bytes(), *self._options)
 
     def _get(self, function, *arguments):
         """Calls a function of the library with the simulation."""
@@ -1034,20 +1080,24 @@ def _isa_of(name):
 # ---- snapshots -------------------------------------------------------------------------------------------------------
 
 
-class _SnapshotMemory:
+class _SnapshotMemory(_Owner):
     """A snapshot of the library, as long as anything uses it."""
+
+    _no_copy = "the memory of a snapshot cannot be copied: copy() its arrays"
 
     def __init__(self, address):
         self.address = address
         _own(self, _destroy_snapshot, address)
 
 
-class Snapshot:
-    """A snapshot that was read into memory, where it does not change; it is freed with the last reference to it or to
-    one of its arrays.
+class Snapshot(_Unchanging):
+    """A snapshot that was read into memory, where it does not change, so that copy.copy() gives the snapshot itself; it
+    is freed with the last reference to it or to one of its arrays. It cannot be pickled, the name of its file can.
 
     path: the file. checked: whether its checksum must be right, default True; False reads files that another program
     has changed, which must come from a source that is trusted. Errors: Error with status NOINPUT, FORMAT, NOMEM."""
+
+    _no_copy = "a Snapshot cannot be pickled: pickle the name of its file, and read it again"
 
     def __init__(self, path, checked=True):
         report, made, name = _STRUCT["report"](), ctypes.c_void_p(), _path_bytes(path)
@@ -1123,11 +1173,22 @@ class Snapshot:
     def resume(self, *, threads=0, contacts=True):
         """A Simulation that goes on from here, bit for bit, with the instruction set of the snapshot; arguments as of
         Simulation. Errors: as of Simulation and scene()."""
-        sim = Simulation.__new__(Simulation)
+        return self._resume(Simulation, threads, contacts)
+
+    def _resume(self, kind, threads, contacts):
+        sim = kind.__new__(kind)
         with _IO_LOCK:
             state = _IO.sph2d_snapshot_state(self._memory.address)
         sim._create(self.scene(), state, threads, "auto", contacts)
         return sim
+
+
+def _resumed(kind, content, threads, contacts):
+    """A simulation of a class from the bytes of a snapshot, which pickle has kept."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "state.h5")
+        path.write_bytes(content)
+        return Snapshot(path)._resume(kind, threads, contacts)
 
 
 # ---- pictures --------------------------------------------------------------------------------------------------------
@@ -1173,14 +1234,16 @@ def _word_index(name, word):
     return words.index(word)
 
 
-class Renderer:
+class Renderer(_Owner):
     """Draws pictures without a window (libsph2d-render); used by one thread at a time.
 
     width, height: size [pixels], 16 to 16384, default 1280 x 720. style: "metaballs", a liquid surface, the default, or
     "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". background: "opaque", the
     default, or "transparent". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works.
-    close() frees it; it is a context manager, too. Errors: Error with status RENDER, also where the library is missing,
-    and NOMEM; ValueError for another size, style, look or background."""
+    close() frees it; it is a context manager, too; it cannot be copied or pickled. Errors: Error with status RENDER, also
+    where the library is missing, and NOMEM; ValueError for another size, style, look or background."""
+
+    _no_copy = "a Renderer cannot be copied or pickled: make another one of the same size and style"
 
     def __init__(self, width=1280, height=720, style="metaballs", look="water", background="opaque", gl=None):
         library = _load_optional("sph2d-render", "RENDER", "for pictures")
