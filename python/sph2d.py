@@ -24,6 +24,9 @@ each other, but h5py, where it shares HDF5 with this module, must not be used by
 The libraries are looked for in the folder that the environment variable SPH2D_LIBRARY_DIR names, and nowhere else if it
 is set; else in the folders `lib` beside this file and above it, as `make install` puts them; then by the system's
 loader. libsph2d and libsph2d-io must be there, libsph2d-contacts for scenes with bodies, libsph2d-render for pictures.
+
+Arguments. Numbers may be of any kind, as of NumPy, Decimal or Fraction; points are arrays, sequences or iterators of
+them. What cannot be taken is refused by a TypeError or ValueError that names it, of scenes by the path of its key.
 """
 import collections
 import collections.abc
@@ -35,6 +38,7 @@ import operator
 import os
 import pathlib
 import re
+import reprlib
 import sys
 import sysconfig
 import tempfile
@@ -460,47 +464,179 @@ def _python(value):
     return value
 
 
-def _vec2(point):
-    x, y = point
-    return _STRUCT["vec2"](x, y)
+# ---- what is given: taken, or refused by a sentence that names it ----------------------------------------------------
+
+_REPR = reprlib.Repr()
+_REPR.maxstring = _REPR.maxother = 80
 
 
-def _path_bytes(path):
-    """The name of a file for C, where a zero byte would end it."""
-    name = os.fsencode(path)
-    if b"\0" in name:
-        raise ValueError("a name of a file has no zero byte")
-    return name
+def _shown(value):
+    """What a sentence shows of a value that was given."""
+    try:
+        return " ".join(_REPR.repr(value).split())
+    except ValueError:  # Python does not write integers of thousands of digits
+        return "a number of thousands of digits"
 
 
-def _json(value, indent=""):
-    """A value as JSON, a key per line, so that a message shows the line of its key."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        value = value.tolist()
-    if isinstance(value, bool):
-        return '"on"' if value else '"off"'
-    inner = indent + " "
-    if isinstance(value, collections.abc.Mapping):
-        items = [f"{json.dumps(str(key))}: {_json(item, inner)}" for key, item in value.items()]
-        return "{\n" + inner + f",\n{inner}".join(items) + f"\n{indent}}}" if items else "{}"
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_json(item, inner) for item in value) + "]"
-    return json.dumps(os.fspath(value) if isinstance(value, os.PathLike) else value)
+def _plain(value):
+    """An array, or what can be one, as lists, numbers and texts of Python; dates have no numbers of their own."""
+    if hasattr(type(value), "__array__"):
+        array = np.asarray(value)
+        return value if array.dtype.kind in "mM" else array.tolist()
+    return value
 
 
-def _overrides(changes):
-    changes = [(str(key).encode(), _json(value).encode()) for key, value in (changes or {}).items()]
-    if any(b"\0" in key for key, _ in changes):
-        raise ValueError("a path of a key has no zero byte")
-    return (_STRUCT["override"] * len(changes))(*changes)
+def _is_list(value):
+    """Whether it has items in an order: a sequence or an iterator, but no text."""
+    return isinstance(value, collections.abc.Iterable) and not isinstance(
+        value, (str, bytes, bytearray, memoryview, collections.abc.Set, collections.abc.Mapping))
+
+
+def _scalar(name, value, what="a number"):
+    """A number of any kind as one of Python; infinite where it is beyond those of C. Errors: TypeError."""
+    plain = _plain(value)
+    try:
+        if hasattr(type(plain), "__index__"):
+            plain = operator.index(plain)
+            float(plain)
+            return plain
+        if hasattr(type(plain), "__float__") and not isinstance(plain, (np.datetime64, np.timedelta64)):
+            return float(plain)  # not of texts, which float() would read
+    except OverflowError:
+        return math.inf if plain > 0 else -math.inf
+    except (TypeError, ValueError, ArithmeticError):  # it was no number, though it had the method
+        pass
+    raise TypeError(f"{name} must be {what}, not {_shown(value)}")
+
+
+def _number(name, value):
+    return float(_scalar(name, value))
+
+
+def _finite(name, value):
+    number = _number(name, value)
+    if not math.isfinite(number):
+        raise ValueError(f"{name} must be finite, not {_shown(value)}")
+    return number
 
 
 def _whole(name, value, low, high):
     """A whole number within limits; C would cut off what is beyond those of its type."""
-    value = operator.index(value)
-    if not low <= value <= high:
-        raise ValueError(f"{name} must be {low} to {high}, not {value}")
+    what = f"a whole number, {low} to {high}"
+    number = _scalar(name, value, what)
+    if not low <= number <= high or number % 1:
+        raise (TypeError if number % 1 else ValueError)(f"{name} must be {what}, not {_shown(value)}")
+    return int(number)
+
+
+def _nested(name, value):
+    """Lists of numbers."""
+    if _is_list(value):
+        return [_nested(f"{name}[{k}]", item) for k, item in enumerate(value)]
+    return _number(name, value)
+
+
+def _numbers(name, value, *shapes):
+    """Numbers in arrays, sequences or iterators as an array of doubles that has one of some shapes, in which -1 stands
+    for any length and ... for any lengths. Errors: ValueError for another shape; TypeError for what is no number."""
+    try:
+        array = np.asarray(value)
+    except ValueError:  # rows of different lengths or kinds
+        array = np.asarray(None)
+    if array.dtype.kind == "O" and (_is_list(value) or () in shapes):
+        try:
+            array = np.asarray(_nested(name, _plain(value)), float)
+        except (ValueError, RecursionError):
+            pass
+    found = array.dtype.kind in "biuf"
+    if found:
+        if array.shape == (0,) and len(shapes[0]) == 2:
+            array = array.reshape(0, 2)  # no points
+        for shape in shapes:
+            if shape[:1] == (...,) and array.shape[-1:] == shape[1:] or len(shape) == array.ndim and all(
+                    wanted in (-1, length) for wanted, length in zip(shape, array.shape)):
+                return np.asarray(array, float, "C")
+    texts = " or ".join(str(shape).replace("Ellipsis", "...").replace("-1", "n") for shape in shapes)
+    raise ValueError(f"{name} must be numbers of shape {texts}, not {f'of {array.shape}' if found else _shown(value)}")
+
+
+def _vec2(name, point):
+    return _STRUCT["vec2"](*_numbers(name, point, (2,)).tolist())
+
+
+def _flag(name, value):
+    plain = _plain(value)
+    if not isinstance(plain, int) or plain not in (0, 1):
+        raise TypeError(f"{name} must be True or False, not {_shown(value)}")
+    return bool(plain)
+
+
+def _choice(name, value, choices):
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name} is one of {', '.join(choices)}, not {_shown(value)}")
     return value
+
+
+def _text(name, value):
+    """A text for C, where a zero byte would end it; None for none."""
+    if value is not None and (not isinstance(value, str) or "\0" in value):
+        raise TypeError(f"{name} must be a text without zero bytes, not {_shown(value)}")
+    return None if value is None else value.encode("ascii", "replace")
+
+
+def _path_bytes(name, path, what="the name of a file"):
+    """The name of a file for C."""
+    try:
+        made = os.fsencode(path)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name} must be {what}, not {_shown(path)}") from error
+    if b"\0" in made:
+        raise ValueError(f"{name} must be {what}, which has no zero byte")
+    return made
+
+
+def _key_text(key):
+    """A key; one that is no text is refused as an unknown one."""
+    return key if isinstance(key, str) else _shown(key)
+
+
+def _json(value, path, indent=""):
+    """A value of a key as JSON, a key per line, so that a message shows the line of its key."""
+    value, inner = _plain(value), indent + " "
+    if value is None or isinstance(value, (str, float)):
+        return json.dumps(value)
+    if isinstance(value, bool):
+        return '"on"' if value else '"off"'
+    if isinstance(value, os.PathLike):
+        return json.dumps(os.fsdecode(_path_bytes(path, value)))
+    if isinstance(value, collections.abc.Mapping):
+        texts = ((_key_text(key), item) for key, item in value.items())
+        items = [f"{json.dumps(key)}: {_json(item, f'{path}.{key}' if path else key, inner)}" for key, item in texts]
+        return "{\n" + inner + f",\n{inner}".join(items) + f"\n{indent}}}" if items else "{}"
+    if _is_list(value):
+        return "[" + ", ".join(_json(item, f"{path}[{k}]", inner) for k, item in enumerate(value)) + "]"
+    return json.dumps(_scalar(path, value, "a number, a text, a list or a dict"))
+
+
+def _json_bytes(value, path=""):
+    """Errors: TypeError, which names the key, for what is no value of one; ValueError for endless nesting."""
+    try:
+        return _json(value, path).encode()
+    except RecursionError:
+        raise ValueError(f"{path or 'the scene'} is nested too deeply, or in itself") from None
+
+
+def _overrides(changes):
+    if not isinstance({} if changes is None else changes, collections.abc.Mapping):
+        raise TypeError(f"set must be a dict from paths of keys to values, not {_shown(changes)}")
+    changes = [(_key_text(key), value) for key, value in (changes or {}).items()]
+    if any("\0" in key for key, _ in changes):
+        raise ValueError("a path of a key in `set` has no zero byte")
+    return (_STRUCT["override"] * len(changes))(*((key.encode(errors="backslashreplace"), _json_bytes(value, key))
+                                                  for key, value in changes))
+
+
+# ---- arrays and records of the library -------------------------------------------------------------------------------
 
 
 class _Borrowed:
@@ -521,12 +657,11 @@ def _copy(kind, address, count, stride=1):
     return values if stride or not count else np.broadcast_to(values, count)
 
 
-def _group(name):
+def _group(name, *names):
+    """A group, of some names only where they are given."""
     groups = {"fluid": _ENUM["GROUP_FLUID"], "wall": _ENUM["GROUP_WALL"], "run": _ENUM["GROUP_RUN"],
               "outline": _ENUM["GROUP_OUTLINE"]}
-    if name not in groups:
-        raise ValueError(f"a group is one of {', '.join(groups)}, not {name!r}")
-    return groups[name]
+    return groups[_choice("group", name, names or groups)]
 
 
 def _components(array, view):
@@ -668,8 +803,8 @@ class Scene(_Unchanging):
     """A scene that was read and checked.
 
     source: a dict (any mapping) with the keys of a scene file, or the name of a scene file. Values of a dict are what
-    YAML has: numbers, texts, lists, dicts; tuples, arrays of NumPy, paths and True and False (for on and off) are
-    taken, too. Files that it names are relative to the current folder, those of a scene file to its folder.
+    YAML has: numbers, texts, lists, dicts; tuples, iterators, arrays of NumPy, paths and True and False (for on and
+    off) are taken, too. Files that it names are relative to the current folder, those of a scene file to its folder.
     set: a dict of changes on top, from paths of keys to values: {"fluid.density": 900, "blocks[0].velocity": [1, 0]}.
 
     A scene does not change, so copy.copy() gives the scene itself; it cannot be pickled, what it is made of can.
@@ -681,14 +816,16 @@ class Scene(_Unchanging):
     def __init__(self, source, set=None):
         changes, report, file = _overrides(set), _STRUCT["report"](), ctypes.c_void_p()
         rest = changes, len(changes), ctypes.byref(file), ctypes.byref(report)
+        is_dict = isinstance(source, collections.abc.Mapping)
+        given = _json_bytes(source) if is_dict else _path_bytes("source", source, "a dict, or the name of a scene file")
         with _IO_LOCK:
-            if isinstance(source, collections.abc.Mapping):
+            if is_dict:
                 with open(os.memfd_create("scene"), "w+b", buffering=0) as text:
-                    text.write(_json(source).encode())
+                    text.write(given)
                     text.seek(0)
                     status = _IO.sph2d_scene_file_read_open(text.fileno(), b"scene", *rest)
             else:
-                status = _IO.sph2d_scene_file_read(_path_bytes(source), *rest)
+                status = _IO.sph2d_scene_file_read(given, *rest)
         self._take(file.value, status, report)
 
     def _take(self, file, status, report):
@@ -749,19 +886,20 @@ class Simulation(_Owner):
 
     Memory is freed with the last reference to it, or by close(); a simulation is a context manager, too. Afterwards all
     calls raise ValueError. copy.copy() and copy.deepcopy() make an independent simulation that goes on from here, bit
-    for bit; so does pickle, as by write_snapshot() and Snapshot.resume(). Errors: as of Scene, and Error with status INVALID, NOMEM; ValueError for other threads or
-    an unknown isa. Warns with SceneWarning."""
+    for bit; so does pickle, as by write_snapshot() and Snapshot.resume(). Errors: as of Scene, and Error with status
+    INVALID, NOMEM; ValueError for other threads or an unknown isa. Warns with SceneWarning."""
 
     def __init__(self, source, set=None, *, threads=0, isa="auto", contacts=True):
-        if isinstance(source, Scene) and set:
+        if isinstance(source, Scene) and _overrides(set):
             raise TypeError("`set` changes a scene as it is read: Scene(source, set)")
         self._create(source if isinstance(source, Scene) else Scene(source, set), None, threads, isa, contacts)
 
     def _create(self, scene, state, threads, isa, contacts):
-        self._scene, self._keys, self._sim, self._options = scene, scene.as_dict(), None, (threads, contacts)
+        self._scene, self._keys, self._sim = scene, scene.as_dict(), None
+        self._options = _whole("threads", threads, 0, 1024), _flag("contacts", contacts)
         self._lock, self._report = threading.RLock(), _STRUCT["report"]()
         options = _CORE.sph2d_sim_options_default()
-        options.threads, options.isa = _whole("threads", threads, 0, 1024), _isa_of(isa)
+        options.threads, options.isa = self._options[0], _isa_of(isa)
         options.allocator = _CORE.sph2d_shared_allocator()
         function, from_state = _CORE.sph2d_sim_create, ()
         if state is not None:
@@ -774,7 +912,7 @@ class Simulation(_Owner):
             if made:
                 self._sim, self._destroy = made.value, _own(self, _CORE.sph2d_sim_destroy, made.value)
         _tell(status, self._report, scene)
-        if contacts and self._keys["bodies"]:
+        if self._options[1] and self._keys["bodies"]:
             what = "for contacts of bodies (contacts=False does without)"
             library = _load_optional("sph2d-contacts", "INVALID", what)
             library.sph2d_contacts_attach(self._sim)
@@ -846,14 +984,13 @@ class Simulation(_Owner):
     def run_to(self, time):
         """Steps until the time [s] is reached; the last step may pass it. Errors: as of step(); ValueError if the time
         is not finite."""
-        if not math.isfinite(time):
-            raise ValueError(f"a time must be finite, not {time}")
+        time = _finite("time", time)
         while self.time * (1 + 1e-12) < time:  # as `sph2d run` ends
             self.step()
 
     def advance(self, duration):
         """Steps for a duration [s]: run_to(time + duration)."""
-        self.run_to(self.time + duration)
+        self.run_to(self.time + _finite("duration", duration))
 
     # -- what it is
 
@@ -939,21 +1076,19 @@ class Simulation(_Owner):
         """A field by its name in snapshots, "Pressures", of a group "fluid" or "wall": a view (see the module); of
         points a tuple of two. Of group "outline", the corners of walls and bodies now, it is a copy. Errors: KeyError,
         which lists the names; ValueError for another group."""
-        group = _group(group)
+        group = _group(group, "fluid", "wall", "outline")
         view = _copy if group == _ENUM["GROUP_OUTLINE"] else self._view
         with self._lock:
             fields = [self._get(_CORE.sph2d_field, group, k) for k in range(_CORE.sph2d_field_count(group))]
             for field in fields:
-                if field.name.decode() == name:
+                if isinstance(name, str) and field.name.decode() == name:
                     return _components(field, view)
-        raise KeyError(f"{name!r} is not one of {', '.join(field.name.decode() for field in fields)}")
+        raise KeyError(f"{_shown(name)} is not one of {', '.join(field.name.decode() for field in fields)}")
 
     def sample(self, points):
         """The liquid at points [m], shape (..., 2): a Sample, of third order inside liquid. Errors: ValueError for
         another shape."""
-        points = np.asarray(points, float)
-        if points.shape[-1:] != (2,):
-            raise ValueError(f"points have shape (..., 2), not {points.shape}")
+        points = _numbers("points", points, (..., 2))
         flat = points.reshape(-1, 2)
         out = np.empty((len(flat), 5))
         with self._lock:
@@ -966,24 +1101,24 @@ class Simulation(_Owner):
 
     def set_gravity(self, gravity):
         """Sets gravity (x, y) [m/s^2] from the next step on. Errors: Error with status INVALID when not finite."""
-        self._steer("gravity must be finite", _CORE.sph2d_sim_set_gravity, _vec2(gravity))
+        self._steer("gravity must be finite", _CORE.sph2d_sim_set_gravity, _vec2("gravity", gravity))
 
     def set_pointer(self, at, radius, acceleration):
         """Attracts liquid within a radius [m] to a point [m] by an acceleration [m/s^2], or repels it if that is
         negative; 0 ends it. Errors: Error with status INVALID for values that are not finite or out of range."""
         self._steer("the pointer needs a finite place and acceleration, and a radius above 0",
-                    _CORE.sph2d_sim_set_pointer, _vec2(at), radius, acceleration)
+                    _CORE.sph2d_sim_set_pointer, _vec2("at", at), _number("radius", radius),
+                    _number("acceleration", acceleration))
 
     def add_particles(self, points, velocity=(0, 0), density=0):
         """Adds liquid at points [m], shape (n, 2), where there is room: in the domain, 0.75 spacings from other
         particles and from walls, in no solid. velocity [m/s] and density [kg/m^3], 0 for rest density, are those of all
         or of shape (n, 2) and (n,). Returns how many were added; they count as `fed`. Errors: ValueError for other
         shapes; Error with status INVALID for values that are not finite or out of range, GUARD, NOMEM."""
-        points = np.asarray(points, float)
-        if points.ndim != 2 or points.shape[1] != 2:
-            raise ValueError(f"points have shape (n, 2), not {points.shape}")
-        rows, added = np.empty((len(points), 5)), ctypes.c_size_t()
-        rows[:, :2], rows[:, 2:4], rows[:, 4] = points, velocity, density
+        points, added = _numbers("points", points, (-1, 2)), ctypes.c_size_t()
+        rows, count = np.empty((len(points), 5)), len(points)
+        rows[:, :2], rows[:, 2:4] = points, _numbers("velocity", velocity, (count, 2), (2,))
+        rows[:, 4] = _numbers("density", density, (count,), ())
         self._steer("particles need finite places and velocities, and densities that are finite and not below 0",
                     _CORE.sph2d_sim_add_particles, rows.ctypes.data, len(rows), ctypes.byref(added))
         return added.value
@@ -1007,10 +1142,11 @@ class Simulation(_Owner):
                 if item["name"] == key:
                     return k
             names = ", ".join(item["name"] for item in items if item["name"]) or "none"
-            raise KeyError(f"the scene's {what} have no name {key!r}; names: {names}")
-        if not 0 <= operator.index(key) < len(items):
-            raise IndexError(f"{key} is not the number of one of {len(items)} {what}")
-        return operator.index(key)
+            raise KeyError(f"the scene's {what} have no name {_shown(key)}; names: {names}")
+        number = _scalar("which", key, "a name or a number")
+        if not 0 <= number < len(items):
+            raise IndexError(f"{_shown(key)} is not the number of one of {len(items)} {what}")
+        return _whole("which", number, 0, len(items) - 1)
 
     def body(self, which):
         """The BodyState of a body, by name or number. Errors: KeyError, IndexError."""
@@ -1024,7 +1160,7 @@ class Simulation(_Owner):
         """Sets the velocity [m/s] and angular velocity [rad/s] of a body from the next step on, like a blow. Errors:
         KeyError, IndexError; Error with status INVALID for values that are not finite."""
         self._steer("velocity and rate of a body must be finite", _CORE.sph2d_sim_set_body_velocity,
-                    self._index(which, "bodies"), _vec2(velocity), rate)
+                    self._index(which, "bodies"), _vec2("velocity", velocity), _number("rate", rate))
 
     # -- measuring and saving
 
@@ -1043,28 +1179,36 @@ class Simulation(_Owner):
     def write_snapshot(self, path, compress=0):
         """Writes all that is needed to go on, as HDF5 (docs/snapshots.md), whole or not at all. compress: deflate
         level, 0 to 9. Errors: Error with status CANTCREAT, IO, NOMEM; ValueError for another level."""
-        report, name = _STRUCT["report"](), _path_bytes(path)
+        report, name = _STRUCT["report"](), _path_bytes("path", path)
         compress = _whole("compress", compress, 0, 9)
         with self._lock, _IO_LOCK:
             status = self._get(_IO.sph2d_snapshot_write, self._scene._file, compress, name, ctypes.byref(report))
         _tell(status, report)
 
 
+def _members(name, value, *keys):
+    """The values of a dict with just these keys."""
+    if not isinstance(value, collections.abc.Mapping) or {*value} != {*keys}:
+        raise ValueError(f"{name} must be a dict with {' and '.join(keys)}, not {_shown(value)}")
+    return [value[key] for key in keys]
+
+
 def _shape(shape):
     """A shape for C, and its corners, which must live as long."""
     made, corners = _STRUCT["shape"](), None
-    try:
-        (name, value), = shape.items()
-        made.kind = _ENUM["SHAPE_" + name.upper()]
-        if name == "box":
-            made.box.min, made.box.max = _vec2(value["min"]), _vec2(value["max"])
-        elif name == "disc":
-            made.disc.center, made.disc.radius = _vec2(value["center"]), value["radius"]
-        else:
-            corners = np.array(value, float).reshape(-1, 2)
-            made.polygon.items, made.polygon.count = corners.ctypes.data, len(corners)
-    except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"a shape is a box, disc or polygon as of a drain, not {shape!r}") from error
+    if not isinstance(shape, collections.abc.Mapping) or len(shape) != 1 or not {*shape} < {"box", "disc", "polygon"}:
+        raise ValueError(f"a shape is a box, disc or polygon as of a drain, not {_shown(shape)}")
+    (name, value), = shape.items()
+    made.kind = _ENUM["SHAPE_" + name.upper()]
+    if name == "box":
+        low, high = _members("shape.box", value, "min", "max")
+        made.box.min, made.box.max = _vec2("shape.box.min", low), _vec2("shape.box.max", high)
+    elif name == "disc":
+        center, radius = _members("shape.disc", value, "center", "radius")
+        made.disc.center, made.disc.radius = _vec2("shape.disc.center", center), _number("shape.disc.radius", radius)
+    else:
+        corners = _numbers("shape.polygon", value, (-1, 2))
+        made.polygon.items, made.polygon.count = corners.ctypes.data, len(corners)
     return made, corners
 
 
@@ -1072,9 +1216,7 @@ def _isa_of(name):
     sets = {"auto": _ENUM["ISA_AUTO"]}
     for isa in ("ISA_BASELINE", "ISA_AVX2", "ISA_AVX512"):
         sets[_CORE.sph2d_isa_name(_ENUM[isa]).decode()] = _ENUM[isa]
-    if name not in sets:
-        raise ValueError(f"isa is one of {', '.join(sets)}, not {name!r}")
-    return sets[name]
+    return sets[_choice("isa", name, sets)]
 
 
 # ---- snapshots -------------------------------------------------------------------------------------------------------
@@ -1100,8 +1242,8 @@ class Snapshot(_Unchanging):
     _no_copy = "a Snapshot cannot be pickled: pickle the name of its file, and read it again"
 
     def __init__(self, path, checked=True):
-        report, made, name = _STRUCT["report"](), ctypes.c_void_p(), _path_bytes(path)
-        read = _IO.sph2d_snapshot_read if checked else _IO.sph2d_snapshot_read_unchecked
+        report, made, name = _STRUCT["report"](), ctypes.c_void_p(), _path_bytes("path", path)
+        read = _IO.sph2d_snapshot_read if _flag("checked", checked) else _IO.sph2d_snapshot_read_unchecked
         with _IO_LOCK:
             status = read(name, ctypes.byref(made), ctypes.byref(report))
         if status == _OK:
@@ -1129,10 +1271,11 @@ class Snapshot(_Unchanging):
     def field(self, name, group="fluid"):
         """An array by name, read-only, without a copy; of points a tuple of two. Errors: KeyError, which lists the
         names; ValueError for another group."""
+        names = self.names(group)
+        if not isinstance(name, str) or name not in names:
+            raise KeyError(f"{_shown(name)} is not one of {', '.join(names)}")
         with _IO_LOCK:
             found = _IO.sph2d_snapshot_array(self._memory.address, _group(group), name.encode())
-        if not found:
-            raise KeyError(f"{name!r} is not one of {', '.join(self.names(group))}")
         return _components(_STRUCT["array"].from_address(found), self._view)
 
     def _view(self, kind, address, count, stride):
@@ -1211,17 +1354,20 @@ _Space = collections.namedtuple("_Space", "domain boundary spacing")
 def _space_of(source):
     if isinstance(source, Snapshot):
         return source.info
+    if not isinstance(source, Simulation):
+        raise TypeError(f"source must be a Simulation or a Snapshot, not {_shown(source)}")
     keys = source._keys
     return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"])
 
 
 def vorticity(source):
-    """The vorticity dv_y/dx - dv_x/dy at each of source.fluid [1/s], of a Simulation or Snapshot: an array of its own. It
-    is exact for linear velocities, also at surfaces; NaN at particles that are alone. Errors: Error with status NOMEM."""
-    fluid, report = source.fluid, _STRUCT["report"]()
+    """The vorticity dv_y/dx - dv_x/dy at each of source.fluid [1/s], of a Simulation or Snapshot: an array of its own.
+    It is exact for linear velocities, also at surfaces; NaN at particles that are alone. Errors: Error with status
+    NOMEM."""
+    space, fluid, report = _space_of(source), source.fluid, _STRUCT["report"]()
     arrays = [np.ascontiguousarray(numbers, float) for numbers in (fluid.x, fluid.y, fluid.vx, fluid.vy)]
     out = np.empty(len(fluid))
-    _tell(_CORE.sph2d_vorticity(len(out), *(array.ctypes.data for array in arrays), _space_of(source).spacing,
+    _tell(_CORE.sph2d_vorticity(len(out), *(array.ctypes.data for array in arrays), space.spacing,
                                 out.ctypes.data, ctypes.byref(report)), report)
     return out
 
@@ -1229,9 +1375,7 @@ def vorticity(source):
 def _word_index(name, word):
     """The number of a word of the key run.frames.NAME."""
     words = _words(f"run.frames.{name}")
-    if word not in words:
-        raise ValueError(f"{name} is one of {', '.join(words)}, not {word!r}")
-    return words.index(word)
+    return words.index(_choice(name, word, words))
 
 
 class Renderer(_Owner):
@@ -1240,8 +1384,8 @@ class Renderer(_Owner):
     width, height: size [pixels], 16 to 16384, default 1280 x 720. style: "metaballs", a liquid surface, the default, or
     "points". look: shading of metaballs, "water", the default, "flat", "glass" or "ink". background: "opaque", the
     default, or "transparent". gl: kind of OpenGL context, "osmesa" or "egl"; default None: the first that works.
-    close() frees it; it is a context manager, too; it cannot be copied or pickled. Errors: Error with status RENDER, also
-    where the library is missing, and NOMEM; ValueError for another size, style, look or background."""
+    close() frees it; it is a context manager, too; it cannot be copied or pickled. Errors: Error with status RENDER,
+    also where the library is missing, and NOMEM; ValueError for another size, style, look or background."""
 
     _no_copy = "a Renderer cannot be copied or pickled: make another one of the same size and style"
 
@@ -1254,11 +1398,11 @@ class Renderer(_Owner):
         options.width, options.height = _whole("width", width, 16, 16384), _whole("height", height, 16, 16384)
         options.style, options.look = _word_index("style", style), _word_index("look", look)
         options.background = _word_index("background", background)
-        options.gl = gl.encode() if gl else None
+        options.gl = _text("gl", gl)
         made, report = ctypes.c_void_p(), _STRUCT["report"]()
         status = library.sph2d_renderer_create(ctypes.byref(options), ctypes.byref(made), ctypes.byref(report))
         self._library, self._lock, self._renderer = library, threading.RLock(), made.value
-        self._shape = height, width, 4
+        self._shape = options.height, options.width, 4
         if status == _OK:
             self._destroy = _own(self, library.sph2d_renderer_destroy, self._renderer)
         self._default_radius = 0.5 if options.style == _ENUM["STYLE_POINTS"] else 2
@@ -1298,8 +1442,8 @@ class Renderer(_Owner):
         largest speed; default False. levels: numbers to draw isolines of, one for each of source.fluid, at multiples of
         level_step, default 0: a round number; level_label: what the strip calls them. diverging: colours for values of
         either sign, as those of vorticity(), and a range symmetric about 0; default False. streamlines: whether evenly
-        spaced lines along the velocity are drawn, streamline_spacing apart [m], default 0: a 40th of a square view. Errors: Error with status
-        INVALID, RENDER, NOMEM; ValueError for values or levels of another shape."""
+        spaced lines along the velocity are drawn, streamline_spacing apart [m], default 0: a 40th of a square view.
+        Errors: Error with status INVALID, RENDER, NOMEM; ValueError for values or levels of another shape."""
         space, fluid = _space_of(source), source.fluid
         kept = _within(fluid, space)
         arrays = {"x": fluid.x[kept], "y": fluid.y[kept]}
@@ -1308,25 +1452,26 @@ class Renderer(_Owner):
         arrays["outline_liquid"] = source.field("LiquidSides", "outline")
         for name, numbers in (("values", values), ("level_values", levels)):
             if numbers is not None:
-                if np.shape(numbers) != (len(fluid),):
-                    raise ValueError(f"{name} have shape ({len(fluid)},), not {np.shape(numbers)}")
-                arrays[name] = np.asarray(numbers, float)[kept]
-        if arrows:
+                arrays[name] = _numbers("levels" if name == "level_values" else name, numbers, (len(fluid),))[kept]
+        if _flag("arrows", arrows):
             arrays["vx"], arrays["vy"] = fluid.vx[kept], fluid.vy[kept]
-        if streamlines:
+        if _flag("streamlines", streamlines):
             arrays["stream_vx"], arrays["stream_vy"] = fluid.vx[kept], fluid.vy[kept]
         picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
         (left, bottom), (right, top) = space.domain
         thick = max(space.spacing, 0.008 * max(right - left, top - bottom))  # as in frames of the command
-        low, high = ((left - thick, bottom - thick), (right + thick, top + thick)) if view is None else view
-        picture.view.min, picture.view.max = _vec2(low), _vec2(high)
-        picture.radius = self._default_radius * space.spacing if radius is None else radius
-        picture.wall_thickness, picture.spacing, picture.level_step = thick, space.spacing, level_step
-        picture.value_min, picture.value_max = value_range
-        picture.diverging, picture.streamline_spacing = diverging, streamline_spacing
-        picture.value_label, picture.caption, picture.notes, picture.level_label = (
-            None if text is None else text.encode("ascii", "replace") for text in (label, caption, notes, level_label))
+        all_of_it = (left - thick, bottom - thick), (right + thick, top + thick)
+        low, high = _numbers("view", all_of_it if view is None else view, (2, 2))
+        picture.view.min, picture.view.max = _vec2("view", low), _vec2("view", high)
+        picture.radius = self._default_radius * space.spacing if radius is None else _number("radius", radius)
+        picture.wall_thickness, picture.spacing = thick, space.spacing
+        picture.value_min, picture.value_max = _numbers("value_range", value_range, (2,))
+        picture.level_step = _number("level_step", level_step)
+        picture.streamline_spacing = _number("streamline_spacing", streamline_spacing)
+        picture.diverging = _flag("diverging", diverging)
+        picture.value_label, picture.level_label = _text("label", label), _text("level_label", level_label)
+        picture.caption, picture.notes = _text("caption", caption), _text("notes", notes)
         with self._lock:
             self._call(self._library.sph2d_renderer_draw, ctypes.byref(picture))
             pixels = self._library.sph2d_renderer_pixels(self._renderer)
@@ -1335,6 +1480,6 @@ class Renderer(_Owner):
     def write_png(self, path):
         """Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors:
         Error with status INVALID (nothing drawn), CANTCREAT, IO, NOMEM."""
-        name = _path_bytes(path)
+        name = _path_bytes("path", path)
         with self._lock:
             self._call(self._library.sph2d_renderer_write_png, name)
