@@ -98,11 +98,9 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     if (!(r->mean_density > 0) && sim->openings.count == 0)
         r->mean_density = mean_density(&s->fluid);
     sph2d_status status = sim->openings.count > 0 ? sph2d__sort_fluid(sim) : SPH2D_OK; /* some came, some left */
-    rotate_rates(&s->fluid);
-    if (status == SPH2D_OK)
-        status = sph2d__sim_update_forcing(sim, r->time);
     if (status != SPH2D_OK)
         return status;
+    rotate_rates(&s->fluid);
     if (!sph2d__sim_book_fitted(sim, dt))
         return SPH2D_NOMEM;
     set_weights(sim->weights, dt, r->last_step, r->older_step);
@@ -112,6 +110,8 @@ sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt)
     status = sph2d__advect(sim, dt, advance, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_update_forcing(sim, r->time + dt);
     if (status != SPH2D_OK)
         return status;
     restore_mean_density(sim);
