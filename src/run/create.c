@@ -208,6 +208,8 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     if (status == SPH2D_OK)
         status = sph2d__sim_recompute_gradients(sim);
     sph2d__bodies_know(sim, false);
+    double time = sim->record.time; /* obstacles are where the last step left them */
+    sph2d__sim_set_drift_interval(sim, time, time);
     return status;
 }
 
