@@ -105,6 +105,46 @@ const char *test_report_text(const sph2d_report *report)
     return text;
 }
 
+static bool same_array(const sph2d_array *a, const sph2d_array *b)
+{
+    bool same = a->group == b->group && strcmp(a->name, b->name) == 0 && a->type == b->type && a->count == b->count &&
+                a->components == b->components && a->stride == b->stride;
+    for (unsigned c = 0; same && c < a->components; ++c)
+        same = a->count == 0 || memcmp(a->data[c], b->data[c], 8 * (a->stride ? a->count * a->stride : 1)) == 0;
+    return same;
+}
+
+void test_same(sph2d_sim *a, sph2d_sim *b, const char *when)
+{
+    sph2d_state s = sph2d_sim_state(a), t = sph2d_sim_state(b);
+    ck_assert_uint_eq(s.version, SPH2D_STATE_VERSION);
+    ck_assert_uint_eq(s.array_count, t.array_count);
+    for (size_t i = 0; i < s.array_count; ++i)
+        ck_assert_msg(same_array(&s.arrays[i], &t.arrays[i]), "%s: %s", when, s.arrays[i].name);
+    for (int g = SPH2D_GROUP_FLUID; g <= SPH2D_GROUP_OUTLINE; ++g)
+        for (size_t i = 0; i < sph2d_field_count((sph2d_group)g); ++i) {
+            sph2d_array x = sph2d_field(a, (sph2d_group)g, i), y = sph2d_field(b, (sph2d_group)g, i);
+            ck_assert_msg(same_array(&x, &y), "%s: field %s of group %d", when, x.name, g);
+        }
+    sph2d_summary p = sph2d_sim_summary(a), q = sph2d_sim_summary(b);
+    ck_assert_msg(memcmp(&p, &q, sizeof p) == 0, "%s: summary", when);
+    const sph2d_scene *scene = sph2d_sim_scene(a);
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        double u[SPH2D_PROBE_MAX_COLUMNS], v[SPH2D_PROBE_MAX_COLUMNS];
+        size_t n = sph2d_sim_probe(a, i, u);
+        ck_assert_uint_eq(sph2d_sim_probe(b, i, v), n);
+        ck_assert_msg(memcmp(u, v, n * sizeof *u) == 0, "%s: probe %s", when, scene->probes[i].name);
+    }
+    for (size_t i = 0; i < scene->body_count; ++i) {
+        sph2d_body_state u = sph2d_sim_body(a, i), v = sph2d_sim_body(b, i);
+        ck_assert_msg(memcmp(&u, &v, sizeof u) == 0, "%s: body %zu", when, i);
+    }
+    for (size_t output = 0; output < SPH2D_OUTPUT_PROBE + scene->probe_count; ++output)
+        ck_assert_uint_eq(sph2d_sim_output_count(a, output), sph2d_sim_output_count(b, output));
+    ck_assert(sph2d_sim_time(a) == sph2d_sim_time(b) && sph2d_sim_time_step(a) == sph2d_sim_time_step(b));
+    ck_assert(sph2d_sim_steps(a) == sph2d_sim_steps(b) && sph2d_sim_isa(a) == sph2d_sim_isa(b));
+}
+
 void *test_resize(void *block, size_t old_size, size_t new_size)
 {
     void *fresh = NULL;

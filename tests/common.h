@@ -36,6 +36,9 @@ bool test_report_has(const sph2d_report *report, sph2d_code code, const char *pa
 /** All messages of a report, for the text of a failed test. Static storage. */
 const char *test_report_text(const sph2d_report *report);
 
+/** Expects that two simulations of a scene are the same to the last bit: state, fields, bodies, probes, summary. */
+void test_same(sph2d_sim *a, sph2d_sim *b, const char *when);
+
 /** Memory of the C library as sph2d_allocator wants it: aligned to 64 bytes, freed by size 0, NULL when there is none.
  */
 void *test_resize(void *block, size_t old_size, size_t new_size);

@@ -70,6 +70,7 @@
     X(sources)                                                                                                         \
     X(edit)                                                                                                            \
     X(steering)                                                                                                        \
+    X(twins)                                                                                                           \
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
     X(scene_file)                                                                                                      \

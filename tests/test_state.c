@@ -94,42 +94,6 @@ static sph2d_sim *run_to_the_middle(void)
     return sim;
 }
 
-static bool same_array(const sph2d_array *a, const sph2d_array *b)
-{
-    bool same = a->group == b->group && strcmp(a->name, b->name) == 0 && a->type == b->type && a->count == b->count &&
-                a->components == b->components && a->stride == b->stride;
-    for (unsigned c = 0; same && c < a->components; ++c)
-        same = a->count == 0 || memcmp(a->data[c], b->data[c], 8 * (a->stride ? a->count * a->stride : 1)) == 0;
-    return same;
-}
-
-/** Both are the same to the last bit: state, fields, summary. */
-static void check_same(sph2d_sim *a, sph2d_sim *b)
-{
-    sph2d_state s = sph2d_sim_state(a), t = sph2d_sim_state(b);
-    ck_assert_uint_eq(s.version, SPH2D_STATE_VERSION);
-    ck_assert_uint_eq(s.array_count, t.array_count);
-    for (size_t i = 0; i < s.array_count; ++i)
-        ck_assert_msg(same_array(&s.arrays[i], &t.arrays[i]), "%s", s.arrays[i].name);
-    for (int g = SPH2D_GROUP_FLUID; g <= SPH2D_GROUP_WALL; ++g)
-        for (size_t i = 0; i < sph2d_field_count((sph2d_group)g); ++i) {
-            sph2d_array x = sph2d_field(a, (sph2d_group)g, i), y = sph2d_field(b, (sph2d_group)g, i);
-            ck_assert_msg(same_array(&x, &y), "field %s", x.name);
-        }
-    sph2d_summary p = sph2d_sim_summary(a), q = sph2d_sim_summary(b);
-    ck_assert_mem_eq(&p, &q, sizeof p);
-    double u[SPH2D_PROBE_MAX_COLUMNS], v[SPH2D_PROBE_MAX_COLUMNS];
-    for (size_t i = 0; i < 2; ++i) {
-        size_t n = sph2d_sim_probe(a, i, u);
-        ck_assert_uint_eq(sph2d_sim_probe(b, i, v), n);
-        ck_assert(memcmp(u, v, n * sizeof *u) == 0);
-    }
-    for (size_t output = 0; output < 4; ++output)
-        ck_assert_uint_eq(sph2d_sim_output_count(a, output), sph2d_sim_output_count(b, output));
-    ck_assert(sph2d_sim_time(a) == sph2d_sim_time(b) && sph2d_sim_time_step(a) == sph2d_sim_time_step(b));
-    ck_assert(sph2d_sim_steps(a) == sph2d_sim_steps(b) && sph2d_sim_isa(a) == sph2d_sim_isa(b));
-}
-
 START_TEST(a_restored_run_goes_on_bit_for_bit)
 {
     sph2d_sim *went_on = run_to_the_middle(), *restored = NULL;
@@ -138,10 +102,10 @@ START_TEST(a_restored_run_goes_on_bit_for_bit)
     options.threads = _i + 1;
     ck_assert_int_eq(sph2d_sim_restore(&scene, &options, &state.state, &restored, NULL), SPH2D_OK);
     test_state_free(&state); /* it was copied */
-    check_same(went_on, restored);
+    test_same(went_on, restored, "restored");
     run(went_on, 50);
     run(restored, 50);
-    check_same(went_on, restored);
+    test_same(went_on, restored, "restored");
     sph2d_sim_destroy(went_on);
     sph2d_sim_destroy(restored);
 }
@@ -175,7 +139,7 @@ START_TEST(a_restored_vortex_goes_on_bit_for_bit)
     for (int n = 0; n < 3; ++n) {
         run(went_on, 2);
         run(restored, 2);
-        check_same(went_on, restored);
+        test_same(went_on, restored, "restored");
     }
     sph2d_sim_destroy(went_on);
     sph2d_sim_destroy(restored);
@@ -192,7 +156,7 @@ START_TEST(the_state_at_the_start_and_of_nothing)
         ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state.state, &restored, NULL), SPH2D_OK);
         run(went_on, 20);
         run(restored, 20);
-        check_same(went_on, restored);
+        test_same(went_on, restored, "restored");
         test_state_free(&state);
         sph2d_sim_destroy(went_on);
         sph2d_sim_destroy(restored);
@@ -211,7 +175,7 @@ START_TEST(the_state_keeps_its_instruction_set)
     ck_assert_int_eq(sph2d_sim_isa(restored), SPH2D_ISA_BASELINE);
     run(went_on, 20);
     run(restored, 20);
-    check_same(went_on, restored);
+    test_same(went_on, restored, "restored");
     test_state_free(&state);
     sph2d_sim_destroy(went_on);
     sph2d_sim_destroy(restored);

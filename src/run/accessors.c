@@ -16,8 +16,7 @@ sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
     sph2d__sim_sum_energy(sim, &before);
     sim->record.gravity_x = gravity.x;
     sim->record.gravity_y = gravity.y;
-    sim->system.body.gravity_x = gravity.x;
-    sim->system.body.gravity_y = gravity.y;
+    sph2d__sim_steer(sim);
     sph2d__sim_sum_energy(sim, &after);
     sim->record.energy_fed += after.potential - before.potential;
     return SPH2D_OK;
@@ -35,6 +34,7 @@ sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius,
     sim->record.pointer_y = at.y;
     sim->record.pointer_radius = radius;
     sim->record.pointer_acceleration = acceleration;
+    sph2d__sim_steer(sim);
     return SPH2D_OK;
 }
 

@@ -47,6 +47,7 @@ sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec
     double before = sph2d__rigid_kinetic(r, r->state->velocity);
     r->state->velocity = (sph2d__twist){r->free.x * velocity.x, r->free.y * velocity.y, r->free.turn * rate};
     sim->record.energy_fed += sph2d__rigid_kinetic(r, r->state->velocity) - before;
+    sph2d__bodies_know(sim, false); /* the velocities of its boundary particles, too */
     return SPH2D_OK;
 }
 

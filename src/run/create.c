@@ -204,9 +204,10 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
         return status;
     if (!sph2d__rheology_set(&sim->system))
         return SPH2D_NOMEM;
-    status = sph2d__sim_update_forcing(sim, sim->record.time);
+    status = sph2d__sim_repeat_forcing(sim, sim->record.time);
     if (status == SPH2D_OK)
         status = sph2d__sim_recompute_gradients(sim);
+    sph2d__sim_steer(sim);
     sph2d__bodies_know(sim, false);
     double time = sim->record.time; /* obstacles are where the last step left them */
     sph2d__sim_set_drift_interval(sim, time, time);

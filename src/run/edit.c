@@ -41,6 +41,7 @@ static bool is_particle(const sph2d_particle *p)
 /** Makes the simulation as it is between steps: sorted, with gradients of the particles that there are now. */
 static sph2d_status settle(sph2d_sim *sim)
 {
+    sph2d__sim_act(sim);
     sph2d_status status = sph2d__sim_sort_all_arrays(sim);
     return status == SPH2D_OK ? sph2d__sim_recompute_gradients(sim) : status;
 }

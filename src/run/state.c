@@ -12,7 +12,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 7
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 8
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -56,6 +56,8 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 #define COUNT(member, label, text) out[n++] = run_array(label, text, SPH2D_U64, 1, &r->member);
     SPH2D__RECORD_COUNTS(COUNT)
 #undef COUNT
+    out[n++] = run_array("ActingForces", "gravity, place, reach and strength of the pointer in the last evaluation",
+                         SPH2D_F64, SPH2D__STEERING_VALUES, &sim->acting);
     out[n++] =
         run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count, sim->source_rows);
     out[n++] = run_array("OutputCounts", "outputs taken: snapshots, frames, then each probe", SPH2D_U64,
@@ -208,6 +210,12 @@ static bool in_cell_order(loader *l, const sph2d_sim *sim)
     return true;
 }
 
+/** Whether a pointer of some strength may reach so far. */
+static bool is_reach(double radius, double acceleration)
+{
+    return acceleration != 0 ? radius > 0 : radius >= 0;
+}
+
 /** Ranges that later code relies on. */
 static void check_record(loader *l, const sph2d_sim *sim)
 {
@@ -220,8 +228,10 @@ static void check_record(loader *l, const sph2d_sim *sim)
         refuse(l, "LastTimeStep", "is below 0");
     if (!(r->older_step >= 0))
         refuse(l, "OlderTimeStep", "is below 0");
-    if (r->pointer_acceleration != 0 ? !(r->pointer_radius > 0) : !(r->pointer_radius >= 0))
+    if (!is_reach(r->pointer_radius, r->pointer_acceleration))
         refuse(l, "PointerRadius", "is not above 0");
+    if (!is_reach(sim->acting.pointer_radius, sim->acting.pointer_acceleration))
+        refuse(l, "ActingForces", "have a pointer's reach that is not above 0");
     if (r->next_limit >= SPH2D__LIMIT_COUNT)
         refuse(l, "NextLimit", "is out of range");
     if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))

@@ -42,9 +42,9 @@ static bool move_walls(sph2d_sim *sim, double time)
     return sorted;
 }
 
-sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
+/** Sets the forces on the liquid at a time. */
+static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
 {
-    const sph2d__record *r = &sim->record;
     sph2d__body *body = &sim->system.body;
     size_t count = 0;
     for (size_t i = 0; i < sim->scene.interaction_count; ++i) {
@@ -53,14 +53,36 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
         if (on_path(&force->path, time, &at))
             sim->points[count++] = (sph2d__point_force){at.x, at.y, force->radius, force->acceleration};
     }
-    if (r->pointer_acceleration != 0)
+    if (by->pointer_acceleration != 0)
         sim->points[count++] =
-            (sph2d__point_force){r->pointer_x, r->pointer_y, r->pointer_radius, r->pointer_acceleration};
+            (sph2d__point_force){by->pointer_x, by->pointer_y, by->pointer_radius, by->pointer_acceleration};
     body->points = sim->points;
     body->point_count = count;
-    body->gravity_x = r->gravity_x;
-    body->gravity_y = r->gravity_y;
+    body->gravity_x = by->gravity_x;
+    body->gravity_y = by->gravity_y;
     body->frame = sph2d__frame_at(&sim->scene, &sim->tank, time);
+}
+
+static sph2d__steering steering_of(const sph2d__record *r)
+{
+    return (sph2d__steering){r->gravity_x, r->gravity_y,      r->pointer_x,
+                             r->pointer_y, r->pointer_radius, r->pointer_acceleration};
+}
+
+void sph2d__sim_steer(sph2d_sim *sim)
+{
+    const sph2d__steering by = steering_of(&sim->record);
+    set_forces(sim, &by, sim->record.time);
+}
+
+void sph2d__sim_act(sph2d_sim *sim)
+{
+    sim->acting = steering_of(&sim->record);
+}
+
+sph2d_status sph2d__sim_repeat_forcing(sph2d_sim *sim, double time)
+{
+    set_forces(sim, &sim->acting, time);
     if (sim->moving_count == 0)
         return SPH2D_OK;
     if (!move_walls(sim, time))
@@ -69,4 +91,10 @@ sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
     if (sim->method->walls_placed)
         sim->method->walls_placed(&sim->system);
     return SPH2D_OK;
+}
+
+sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time)
+{
+    sph2d__sim_act(sim);
+    return sph2d__sim_repeat_forcing(sim, time);
 }

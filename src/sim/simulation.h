@@ -19,6 +19,14 @@ typedef struct sph2d__ids {
     uint64_t first, end;
 } sph2d__ids;
 
+/** Forces that a program sets while a run goes on. */
+typedef struct sph2d__steering {
+    double gravity_x, gravity_y;                                       /**< [m/s^2] */
+    double pointer_x, pointer_y, pointer_radius, pointer_acceleration; /**< [m], [m/s^2]; acceleration 0: no pointer */
+} sph2d__steering;
+/** Number of doubles in it. */
+enum { SPH2D__STEERING_VALUES = sizeof(sph2d__steering) / sizeof(double) };
+
 struct sph2d_sim {
     sph2d_scene scene; /**< a deep copy, in `arena`, with bodies after the obstacles (scene/bodies.h) */
     sph2d_scene given; /**< the same without them: for callers */
@@ -51,13 +59,20 @@ struct sph2d_sim {
     double split;      /**< theta of the present step: projected.c */
 
     sph2d__record record;
-    sph2d_status stopped; /**< why the run cannot go on: SPH2D_GUARD, SPH2D_NOMEM; SPH2D_OK otherwise */
+    sph2d__steering acting; /**< that of the last evaluation, which a restored simulation repeats; state */
+    sph2d_status stopped;   /**< why the run cannot go on: SPH2D_GUARD, SPH2D_NOMEM; SPH2D_OK otherwise */
     sph2d_array *state_arrays;
     size_t state_capacity;
 };
 
-/** Sets the body's point forces (interactions, pointer) and moves the obstacles to their positions at `time`. Errors:
- *  SPH2D_NOMEM. */
+/** Sets the forces on the liquid as they are now, and have not acted yet: those of the record. */
+void sph2d__sim_steer(sph2d_sim *sim);
+/** Lets the forces of the record act from now on: the next evaluation is with them. */
+void sph2d__sim_act(sph2d_sim *sim);
+/** Sets the forces that act (gravity, interactions, pointer, frame) and moves the obstacles to their positions at
+ *  `time`. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__sim_repeat_forcing(sph2d_sim *sim, double time);
+/** The same, with the forces of the record. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time);
 /** Sets the time interval of the next drift, for moving obstacles [s]. */
 void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
