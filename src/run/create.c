@@ -222,6 +222,9 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
         return status;
     if (!sph2d__append_bodies(&sim->scene, &sim->arena, &sim->memory))
         return SPH2D_NOMEM;
+    const sph2d_particles particles = sim->scene.particles;
+    if (particles.file) /* a resumed run does not know them: nothing follows from them but the liquid */
+        sim->scene.particles = (sph2d_particles){.file = particles.file};
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
     sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
     sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
@@ -242,6 +245,7 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sim->tank = sph2d__tank_course(&sim->scene, points);
     sim->method = sph2d__method_find(&sim->scene.method);
     set_system(sim, options);
+    sim->scene.particles = sim->given.particles = particles;
     return SPH2D_OK;
 }
 

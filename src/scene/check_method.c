@@ -318,7 +318,8 @@ static bool has_voids(const sph2d_scene *scene)
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         if (sph2d__outline_is_open(&scene->obstacles[i].outline))
             return false;
-    return scene->block_count > 0 && scene->particles.count == 0 && !sph2d__liquid_fills(scene);
+    bool particles = scene->particles.file || scene->particles.count > 0;
+    return scene->block_count > 0 && !particles && !sph2d__liquid_fills(scene);
 }
 
 /** Fitted operators have no free surface: liquid must fill the domain, and walls must be no-slip. */

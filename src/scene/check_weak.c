@@ -32,8 +32,8 @@ static void check_films(sph2d__checker *c)
             thickest = i;
         }
     }
-    if (!(rows > 0) || !(rows < FEWEST_ROWS) || scene->source_count > 0 || scene->particles.count > 0 ||
-        (scene->gravity.x == 0 && scene->gravity.y == 0))
+    if (!(rows > 0) || !(rows < FEWEST_ROWS) || scene->source_count > 0 || scene->particles.file ||
+        scene->particles.count > 0 || (scene->gravity.x == 0 && scene->gravity.y == 0))
         return;
     char path[SPH2D__PATH_SIZE];
     sph2d_diagnostic *d = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE,

@@ -153,7 +153,8 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
         d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
-    if (sph2d__starts_from_snapshot(scene)) /* what liquid it is, a resumed run does not know */
+    bool unread = scene->particles.file && !scene->particles.items;
+    if (unread || sph2d__starts_from_snapshot(scene)) /* what liquid it is, a resumed run does not know */
         d.head = fmax(d.head, d.soft_compression * d.sound_speed * d.sound_speed / OVERSHOOT);
     return d;
 }
