@@ -459,6 +459,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(hush)$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006)
 	$(hush)$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015)
 	$(hush)$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006)
+	$(hush)$(RESTARTS) "$$(nproc)" tests/restarts/scenes
 	$(hush)$(KILLS) $(if $(SPH2D_TEST_FULL),500,10)
 	$(hush)$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || { grep -E 'MISSED|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; }
 	$(hush)$(if $(GOLDEN),tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)")
@@ -531,6 +532,7 @@ strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by in
 RESTARTS = tests/restarts/restarts.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/restarts
 test-restarts: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes stopped and resumed, byte for byte; SEEDS=1..200
 	$(hush)$(RESTARTS) "$$(nproc)" $(or $(SEEDS),1..200)
+	$(hush)$(RESTARTS) "$$(nproc)" tests/restarts/scenes
 
 KILLS = tests/restarts/kills.sh $(BUILD)/sph2d $(BUILD)/kills
 test-kills: $(BUILD)/sph2d ## runs, one with openings, killed at random moments: no torn file, the same folder in the end; KILLED=500

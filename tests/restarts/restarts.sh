@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Random scenes, run whole on one thread, and stopped and resumed on two: the same folder and the same exit code.
+# Scenes run whole on one thread, and stopped and resumed on two: the same folder and the same exit code.
 #
-# restarts.sh SPH2D STRANGERS DIR JOBS FIRST..LAST
+# restarts.sh SPH2D STRANGERS DIR JOBS FIRST..LAST | FOLDER
 # A seed gives a scene of tests/strangers with more drives, probes and outputs, and its stops: by a signal, by
 # --max-wall, after single steps, or by an earlier run.until. Where a signal hits depends on the machine; DIR/SEED/log
-# says where.
+# says where. A FOLDER has scenes that are stopped as they are, after single steps and by run.until: together they use
+# every key of a scene, but those that FOLDER/unused_keys lists with a reason.
 set -euo pipefail
 if [ "$1" = --one ]; then shift && one=yes; else one=; fi
 SPH2D=$(realpath -e "$1") strangers=$(realpath -e "$2") jobs=$4 seeds=$5
@@ -106,11 +107,11 @@ session() {
     echo "--- $stop $delay: sph2d $*" >>log
     code=0
     case $stop in
-    steps | wall) "$SPH2D" "$@" -q --max-wall "${delay}s" >>log 2>&1 || code=$? ;;
-    until | end) "$SPH2D" "$@" -q >>log 2>&1 || code=$? ;;
+    steps | wall) "$SPH2D" "$@" -q "${draw[@]}" --max-wall "${delay}s" >>log 2>&1 || code=$? ;;
+    until | end) "$SPH2D" "$@" -q "${draw[@]}" >>log 2>&1 || code=$? ;;
     *)
         # A shell switches SIGINT off for what it runs in the background.
-        env --default-signal=INT,TERM,HUP "$SPH2D" "$@" -q >>log 2>&1 &
+        env --default-signal=INT,TERM,HUP "$SPH2D" "$@" -q "${draw[@]}" >>log 2>&1 &
         pid=$!
         sleep "$delay"
         kill -"$stop" $pid 2>/dev/null || true
@@ -125,7 +126,10 @@ choose_stop() {
     stop=$1 delay=0
     case $stop in
     steps) delay=0.000001 ;;
-    until) delay=$(between "$reached" "$until") && reached=$delay ;;
+    until)
+        if [ -n "$given" ]; then delay=$(number "$until / 2"); else delay=$(between "$reached" "$until"); fi
+        reached=$delay
+        ;;
     wall | INT | TERM | HUP | KILL) delay=$(between 0.005 "$seconds") ;;
     esac
 }
@@ -146,7 +150,8 @@ is_stop() { case $code in 75 | 129 | 130 | 137 | 143) return 0 ;; *) return 1 ;;
 run_in_parts() {
     local kinds kind
     reached=0 stops=0
-    case $((RANDOM % 5)) in
+    case ${given:+given}$((RANDOM % 5)) in
+    given*) kinds=(steps steps until steps) ;;
     0) kinds=(steps steps steps wall) ;;
     1) kinds=(until until steps) ;;
     2) kinds=(KILL "$(pick KILL TERM wall)" "$(pick KILL steps)") ;;
@@ -179,21 +184,30 @@ compare() {
 
 run_one() {
     local seed=$1 begun whole
-    RANDOM=$seed
+    given=
+    case $seed in *.yaml) given=$(realpath -e "$seed") && seed=$(basename "$seed" .yaml) ;; esac
     rm -rf "${dir:?}/$seed" && mkdir "$dir/$seed" && cd "$dir/$seed"
-    "$strangers" --seeds "$seed" --print >scene.yaml
+    changes=()
+    if [ -n "$given" ]; then
+        cp "${given%/*}"/*.csv "$dir/before.h5" .
+        cp "$given" scene.yaml
+        until=$(sed -n 's/.*\<until: \([0-9.]*\).*/\1/p' scene.yaml)
+    else
+        RANDOM=$seed
+        "$strangers" --seeds "$seed" --print >scene.yaml
+        read_scene
+    fi
     : >log
     : >shortened
-    read_scene
-    changes=() end=(-s "run.until=$until")
-    if [ -n "$until" ]; then change_method && change_drives && change_outputs; fi
+    end=(-s "run.until=$until")
+    if [ -z "$given" ] && [ -n "$until" ]; then change_method && change_drives && change_outputs; fi
     printf '%s\n' "${changes[@]}" >changes
     begun=$EPOCHREALTIME whole=0
-    "$SPH2D" run scene.yaml -o whole -q -j 1 "${changes[@]}" "${end[@]}" >>log 2>&1 || whole=$?
+    "$SPH2D" run scene.yaml -o whole -q -j 1 "${draw[@]}" "${changes[@]}" "${end[@]}" >>log 2>&1 || whole=$?
     seconds=$(number "$EPOCHREALTIME - $begun")
     case $whole in
     0 | 1) ;;
-    65 | 66) echo "refused $seed: $(grep -m 1 error log)" && return ;;
+    65 | 66) echo "${given:+FAIL }refused $seed: $(grep -m 1 error log)" && return ;;
     *) echo "FAIL $seed: a whole run ends with $whole" && return ;;
     esac
     run_in_parts
@@ -207,13 +221,35 @@ run_one() {
     fi
 }
 
-if "$SPH2D" --version | grep -q '^rendering *none'; then cannot_draw=yes; else cannot_draw=; fi
+if "$SPH2D" --version | grep -q '^rendering *none'; then cannot_draw=yes draw=(--no-frames); else cannot_draw='' draw=(); fi
 if [ -n "$one" ]; then
     run_one "$seeds"
     exit
 fi
-seq "${seeds%..*}" "${seeds#*..}" |
-    xargs -P "$jobs" -I{} bash "$0" --one "$SPH2D" "$strangers" "$dir" 1 {} >"$dir/results" ||
+
+# prepare FOLDER: the snapshot that its scenes start with; and are all keys used?
+prepare() {
+    local file scenes=()
+    "$SPH2D" run "$1/before.yaml" -o "$dir/before" -f -q
+    cp "$dir/before/snapshot_000000.h5" "$dir/before.h5"
+    rm -rf "$dir/scenes" && cp -r "$1" "$dir/scenes" && cp "$dir/before.h5" "$dir/scenes"
+    for file in "$dir"/scenes/*.yaml; do scenes+=(--scene "$file"); done
+    "$strangers" --unused "${scenes[@]}" | sort >"$dir/unused"
+    if ! diff <(sed 's/[ \t].*//' "$1/unused_keys" | sort) "$dir/unused" >"$dir/difference"; then
+        echo "FAIL: keys that no scene of $1 uses (>), or that $1/unused_keys lists and one uses (<):" >&2
+        cat "$dir/difference" >&2
+        return 1
+    fi
+}
+
+if [ -d "$seeds" ]; then
+    prepare "$seeds"
+    printf '%s\n' "$seeds"/*.yaml
+else
+    seq "${seeds%..*}" "${seeds#*..}"
+fi >"$dir/list"
+xargs <"$dir/list" \
+    -P "$jobs" -I{} bash "$0" --one "$SPH2D" "$strangers" "$dir" 1 {} >"$dir/results" ||
     { echo 'restarts: a test broke off' >&2 && exit 1; }
 grep '^FAIL' "$dir/results" || true
 awk '/^ok/ { ++ok; stops += $(NF - 1); guards += $5 == 1 } /^refused/ { ++refused } /^FAIL/ { ++failed }

@@ -93,4 +93,8 @@ bool read_scene(const judge_request *request, sph2d_scene_file **file);
  *  this process. */
 library_run judge_scene(const judge_request *request, verdict *v);
 
+/** Prints the keys of scenes that none of these files gives another value than the default; returns 0, or 2 when one
+ *  cannot be read. */
+int tell_unused(const char *const *scenes, size_t count);
+
 #endif

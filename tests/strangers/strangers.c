@@ -18,10 +18,11 @@ enum { MOST_JOBS = 64, MOST_SECONDS = 600, LINE_SIZE = 1000, NAME_SIZE = 40 };
 
 static const char usage[] =
     "strangers [--seeds A..B | --scene FILE...] [--set KEY=VALUE...] [--command sph2d] [--isa NAME] [--dir DIR]\n"
-    "          [--jobs N] [--known FILE] [--print] [--library]\n"
+    "          [--jobs N] [--known FILE] [--print] [--library] [--unused]\n"
     "Writes small random scenes, one a seed, and judges them, or the scenes given, by invariants alone.\n"
     "  --known FILE   lines 'seed invariant reason': failures that are known. One that holds is an error, too.\n"
     "  --print        writes the scenes of the seeds to the standard output, and does not run them.\n"
+    "  --unused       prints the keys that none of the scenes given uses.\n"
     "  --library      runs in this process alone, without the command: for the figures of a long run.\n"
     "Each scene leaves a folder in DIR with verdict, figures.csv and what the command wrote and said.\n";
 
@@ -30,7 +31,7 @@ typedef struct options {
     unsigned long first, last;
     const char **scenes, **changes;
     size_t scene_count, change_count, jobs;
-    bool print, library;
+    bool print, library, unused;
 } options;
 
 /** A scene that is being judged, or was. */
@@ -358,6 +359,8 @@ int main(int argc, char **argv)
             o.print = true;
         else if (strcmp(argv[i], "--library") == 0)
             o.library = true;
+        else if (strcmp(argv[i], "--unused") == 0)
+            o.unused = true;
         else if (i + 1 < argc) {
             read_option(argv[i], argv[i + 1], &o);
             ++i;
@@ -371,7 +374,9 @@ int main(int argc, char **argv)
         return 2;
     }
     int result = 0;
-    if (o.print)
+    if (o.unused)
+        result = tell_unused(o.scenes, o.scene_count);
+    else if (o.print)
         for (unsigned long seed = o.first; seed <= o.last; ++seed)
             random_scene_write(seed, stdout);
     else {
