@@ -634,7 +634,8 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)rm -rf '$(STAGING)'; mkdir -p '$(STAGING)/run'
 	$(hush)umask 077; $(MAKE) install $(STAGE) >/dev/null
 	$(hush)to='$(STAGING)/my tools'; cd '$(STAGING)/run'; \
-	hidden=$$(find "$$to" -type f ! -perm -o=r -o -type d ! -perm -o=rx); test -z "$$hidden" || { echo "install: others cannot read $$hidden"; exit 1; }; \
+	hidden=$$(find "$$to" -type f ! -perm -o=r -o -type d ! -perm -o=rx); \
+	test -z "$$hidden" || { echo "install: others cannot read $$hidden"; exit 1; }; \
 	module=$$(find "$$to" -name sph2d.py); test -n "$$module" || { echo 'install: sph2d.py is missing'; exit 1; }; \
 	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/*} '$(WITH_NUMPY)' '$(CURDIR)'/examples/embed.py >log || exit 1; \
 	export PKG_CONFIG_PATH="$$to/lib/pkgconfig" LD_LIBRARY_PATH="$$to/lib"; \
