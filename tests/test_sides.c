@@ -208,6 +208,23 @@ START_TEST(a_wall_between_two_liquids_is_a_solid_and_keeps_them_apart)
 }
 END_TEST
 
+/** Particles of the packing between its arms are moved off its layers, not left where rounding finds them too near. */
+START_TEST(a_line_of_several_pieces_makes_its_room_as_one_does)
+{
+    sph2d_vec2 zigzag[4];
+    const size_t count = _i % 2 ? 3 : 4;
+    blocks[0] = test_block(0, 0, 1, 0.5);
+    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYLINE;
+    obstacles[0].outline.polyline = (sph2d_points){zigzag, count};
+    obstacles[0].liquid = SPH2D_LIQUID_BOTH;
+    for (size_t k = 0; k < count; ++k)
+        zigzag[k] = (sph2d_vec2){0.2 + 0.15 * (double)k, k % 2 ? 0.15 : 0.25 + 0.002 * _i};
+    sph2d_plan plan;
+    ck_assert_msg(sph2d_scene_plan(&scene, &plan, &report) == SPH2D_OK, "%s", test_report_text(&report));
+    ck_assert_double_eq_tol(plan.area_placed, plan.area_asked, 0.002 * plan.area_asked);
+}
+END_TEST
+
 START_TEST(a_line_that_turns_back_is_no_solid)
 {
     sph2d_vec2 hairpin[3] = {{0.3, 0.9}, {0.5, 0.6}, {0.7, 0.9}};
@@ -326,6 +343,7 @@ Suite *suite_sides(void)
     tcase_add_test(tests, lines_of_one_particle_have_no_side);
     tcase_add_test(tests, liquid_on_both_sides_must_be_said);
     tcase_add_test(tests, a_wall_between_two_liquids_is_a_solid_and_keeps_them_apart);
+    tcase_add_loop_test(tests, a_line_of_several_pieces_makes_its_room_as_one_does, 0, 24);
     tcase_add_test(tests, a_line_that_turns_back_is_no_solid);
     tcase_add_test(tests, nothing_gets_between_the_layers_from_behind);
     tcase_add_test(tests, liquid_in_the_layers_is_refused_with_their_place);

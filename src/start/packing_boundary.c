@@ -11,6 +11,9 @@
  * of a quarter cell whose centre is within COVERED_IN_PART; such quarters are sampled at POINTS x POINTS points. */
 static const double COVERED = 0.72, COVERED_IN_PART = 1.1;
 enum { POINTS = 8 };
+/* Particles are moved off a wall by a little more than they must be: at just that distance rounding decides whether they
+ * are too near. */
+static const double BEYOND = 1 + 1e-9;
 
 /** Whether a boundary particle is part of layers, and so represents an area. */
 static bool has_area(const sph2d__store *walls, size_t j)
@@ -171,7 +174,7 @@ sph2d_vec2 sph2d__packing_clear_of_walls(const sph2d__packing_state *p, sph2d_ve
     sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         double x = at.x + ranges.x[r] - w->x[j], y = at.y + ranges.y[r] - w->y[j], distance = hypot(x, y);
-        double wanted = has_area(w, j) ? sph2d__sim_clear_distance(p->sim, j) : 0;
+        double wanted = has_area(w, j) ? BEYOND * sph2d__sim_clear_distance(p->sim, j) : 0;
         if (wanted - distance > deepest && distance > 0) {
             deepest = wanted - distance;
             clear = (sph2d_vec2){at.x + deepest * x / distance, at.y + deepest * y / distance};
