@@ -164,6 +164,41 @@ START_TEST(the_state_at_the_start_and_of_nothing)
 }
 END_TEST
 
+/** Without arrays of walls the liquid goes on among those of the scene: one more, where a block was at the start and
+ *  liquid is no more, and an obstacle that has moved. */
+START_TEST(a_state_without_walls_takes_those_of_the_scene)
+{
+    obstacles[1].motion.amplitude = (sph2d_vec2){0.05, 0};
+    obstacles[1].motion.frequency = 1;
+    sph2d_sim *sim = run_to_the_middle(), *walled = NULL;
+    const sph2d_shape corner = {.kind = SPH2D_SHAPE_BOX, .box = {{0, 0}, {0.4, 0.5}}};
+    ck_assert_int_eq(sph2d_sim_remove_particles(sim, &corner, NULL), SPH2D_OK);
+    const sph2d_state whole = sph2d_sim_state(sim);
+    sph2d_array arrays[200];
+    sph2d_state state = {whole.version, arrays, 0};
+    ck_assert_uint_lt(whole.array_count, 200);
+    for (size_t i = 0; i < whole.array_count; ++i)
+        if (whole.arrays[i].group != SPH2D_GROUP_WALL)
+            arrays[state.array_count++] = whole.arrays[i];
+    static const sph2d_vec2 drawn[3] = {{0.1, 0.3}, {0.2, 0.2}, {0.3, 0.3}};
+    sph2d_obstacle all[3] = {obstacles[0], obstacles[1], sph2d_obstacle_default()};
+    all[2].outline.kind = SPH2D_OUTLINE_POLYLINE;
+    all[2].outline.polyline = (sph2d_points){drawn, 3};
+    all[2].liquid = SPH2D_LIQUID_BOTH;
+    scene.obstacles = all;
+    scene.obstacle_count = 3;
+    ck_assert_int_eq(sph2d_sim_restore(&scene, NULL, &state, &walled, NULL), SPH2D_OK);
+    const sph2d_view a = sph2d_sim_fluid(sim), b = sph2d_sim_fluid(walled);
+    ck_assert_uint_eq(a.count, b.count);
+    ck_assert_mem_eq(a.x, b.x, a.count * sizeof *a.x);
+    ck_assert_uint_gt(sph2d_field(walled, SPH2D_GROUP_WALL, 0).count, sph2d_field(sim, SPH2D_GROUP_WALL, 0).count);
+    ck_assert(sph2d_sim_time(sim) == sph2d_sim_time(walled));
+    test_steps(walled, 50);
+    sph2d_sim_destroy(walled);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(the_state_keeps_its_instruction_set)
 {
     sph2d_sim_options options = sph2d_sim_options_default();
@@ -395,6 +430,7 @@ Suite *suite_state(void)
     tcase_add_loop_test(tests, a_restored_run_goes_on_bit_for_bit, 0, 2);
     tcase_add_loop_test(tests, a_restored_vortex_goes_on_bit_for_bit, 0, 4);
     tcase_add_test(tests, the_state_at_the_start_and_of_nothing);
+    tcase_add_test(tests, a_state_without_walls_takes_those_of_the_scene);
     tcase_add_test(tests, the_state_keeps_its_instruction_set);
     tcase_add_test(tests, every_array_must_be_there_whole);
     tcase_add_test(tests, every_number_must_be_finite);

@@ -176,6 +176,15 @@ static bool walls_match(loader *l, const sph2d_sim *sim)
     return l->ok;
 }
 
+/** Whether a state says anything of walls. */
+static bool has_walls(const sph2d_state *state)
+{
+    for (size_t i = 0; i < state->array_count; ++i)
+        if (state->arrays[i].group == SPH2D_GROUP_WALL)
+            return true;
+    return false;
+}
+
 static size_t fluid_count(const sph2d_state *state)
 {
     for (size_t i = 0; i < state->array_count; ++i)
@@ -287,11 +296,14 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
         return SPH2D_FORMAT;
     if (sph2d__sim_update_forcing(sim, sim->record.time) != SPH2D_OK)
         return SPH2D_NOMEM;
-    if (!walls_match(&l, sim))
+    bool walls = has_walls(state);
+    if (walls && !walls_match(&l, sim))
         return SPH2D_FORMAT;
     sph2d__lent wanted[STATE_ARRAYS];
     size_t n = list_arrays(sim, wanted);
     for (size_t i = 0; i < n; ++i) {
+        if (wanted[i].array.group == SPH2D_GROUP_WALL && !walls)
+            continue;
         const sph2d_array *from = find_array(&l, &wanted[i].array, wanted[i].array.count);
         for (unsigned c = 0; from && c < from->components; ++c)
             copy_values(&l, from, wanted[i].data[c], c);
