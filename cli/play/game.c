@@ -104,6 +104,39 @@ void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input)
     if (!sph2d_renderer_locate(renderer, input->x, input->y, &at))
         return;
     game_tell_report(g, hand_move(&g->hand, &g->live, at, input->left, input->right, &report), &report);
+    if (g->hand.note[0] != '\0')
+        game_tell(g, "%s", g->hand.note);
+}
+
+void game_undo(game *g)
+{
+    if (g->hand.down || g->hand.pushes) {
+        game_tell(g, "let go of the mouse to undo");
+        return;
+    }
+    sph2d_report report = {0};
+    const char *name;
+    const double spacing = g->live.scene.spacing;
+    const sph2d_status status = live_undo(&g->live, &name, &report);
+    game_tell_report(g, status, &report);
+    if (status != SPH2D_OK)
+        return;
+    if (g->live.scene.spacing != spacing)
+        game_take_scene(g);
+    if (name)
+        game_tell(g, "undone: %s", name);
+    else
+        game_tell(g, "nothing to undo");
+}
+
+/* Tells once that liquid leaves, more than splashes, and again after it was brought back. */
+static void tell_leak(game *g)
+{
+    const uint64_t left = live_left(&g->live);
+    const bool leaks = 20 * left > left + sph2d_sim_fluid(g->live.sim).count;
+    if (leaks && !g->leaks)
+        game_tell(g, "liquid leaves through an open side; U undoes, R starts again");
+    g->leaks = leaks;
 }
 
 void game_advance(game *g, double seconds, double budget)
@@ -111,4 +144,5 @@ void game_advance(game *g, double seconds, double budget)
     sph2d_report report = {0};
     if (!g->paused)
         game_tell_report(g, live_advance(&g->live, seconds * g->rate, budget, &report), &report);
+    tell_leak(g);
 }

@@ -16,18 +16,19 @@ typedef struct game {
     hand hand;
     frame_style style;
     frame_buffers buffers;
-    double *corners;        /**< of outlines, with those of the hand: x, then y */
-    uint64_t *marks;        /**< their numbers, then their sides of liquid */
+    double *corners; /**< of outlines, with those of the hand: x, then y */
+    uint64_t *marks; /**< their numbers, then their sides of liquid */
     size_t corner_capacity;
     sph2d_vec2 color_range; /**< of all that was shown of this field */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
-    bool told_elsewhere;    /**< messages are not for the picture */
-    char message[400];      /**< the last thing to tell ... */
-    double told;            /**< ... and when, on the clock [s] */
-    char recording[32];     /**< the folder of a film; empty for none */
-    unsigned recorded;      /**< its frames */
-    double next_frame;      /**< simulated time of the next one [s] */
+    bool leaks;          /**< that liquid left was told */
+    bool told_elsewhere; /**< messages are not for the picture */
+    char message[400];   /**< the last thing to tell ... */
+    double told;         /**< ... and when, on the clock [s] */
+    char recording[32];  /**< the folder of a film; empty for none */
+    unsigned recorded;   /**< its frames */
+    double next_frame;   /**< simulated time of the next one [s] */
 } game;
 
 /** Without a scene yet. */
@@ -64,19 +65,16 @@ void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *pic
 
 /** What can be set while it runs: the size of gravity [m/s^2], viscosity [Pa s], surface tension [N/m], the largest
  *  compression (a part of the density), and the rate, simulated seconds for one of the clock. */
-typedef enum game_quantity {
-    GAME_GRAVITY,
-    GAME_VISCOSITY,
-    GAME_TENSION,
-    GAME_COMPRESSION,
-    GAME_RATE
-} game_quantity;
+typedef enum game_quantity { GAME_GRAVITY, GAME_VISCOSITY, GAME_TENSION, GAME_COMPRESSION, GAME_RATE } game_quantity;
 double game_get(const game *g, game_quantity quantity);
 void game_set(game *g, game_quantity quantity, double value);
 
 /** Sets gravity [m/s^2]; and its size in the scene's file, or on Earth where that has none. */
 void game_pull(game *g, double x, double y);
 double game_usual_gravity(const game *g);
+
+/** Goes back to before the last act. */
+void game_undo(game *g);
 
 /** Does what a key says. */
 void game_key(game *g, int key);

@@ -4,6 +4,7 @@
 #include "hand.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* The reach at first, of the smaller side of the domain; and its acceleration at first over what makes liquid fall over
  * that side in a second, or over gravity if that is more. */
@@ -62,18 +63,37 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
     if (down) {
         const sph2d_vec2 last = h->corner_count > 0 ? h->corners[h->corner_count - 1] : h->at;
         const bool far = hypot(h->at.x - last.x, h->at.y - last.y) > CORNERS_APART * l->scene.spacing;
-        if ((h->corner_count == 0 || far) && h->corner_count < HAND_MOST_CORNERS)
+        if ((h->corner_count == 0 || far) && h->corner_count < DRAWN_MOST_CORNERS)
             h->corners[h->corner_count++] = h->at;
         return SPH2D_OK;
     }
     const size_t count = h->corner_count;
+    size_t removed = 0;
     h->corner_count = 0;
-    return count > 1 ? live_add_wall(l, h->corners, count, report) : SPH2D_OK;
+    if (count < 2)
+        return SPH2D_OK;
+    live_remember(l, "wall");
+    const sph2d_status status = live_add_wall(l, h->corners, count, &removed, report);
+    if (status != SPH2D_OK)
+        past_drop(&l->past);
+    else if (removed > 0)
+        snprintf(h->note, sizeof h->note, "the wall took the place of %zu particles; U brings them back", removed);
+    return status;
+}
+
+static sph2d_status erase_wall(hand *h, live *l, sph2d_report *report)
+{
+    bool found;
+    const sph2d_status status = live_remove_wall(l, h->at, &found, report);
+    if (status == SPH2D_OK)
+        snprintf(h->note, sizeof h->note, found ? "wall taken away" : "no wall was drawn here");
+    return status;
 }
 
 sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, sph2d_report *report)
 {
-    const bool pressed = left && !h->down;
+    const bool pressed = left && !h->down, pushed = right && !h->pushes, draws = h->tool == HAND_WALL;
+    h->note[0] = '\0';
     h->at = at;
     h->down = left;
     h->pushes = right;
@@ -83,9 +103,11 @@ sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, s
         h->grip = grip_take(l, at);
     const sph2d_vec2 g = l->scene.gravity;
     const double strength = STRENGTH * fmax(hypot(g.x, g.y), smaller_side(&l->scene));
-    const double pull = right ? -strength : left && h->tool == HAND_PULL && !h->grip.holds ? strength : 0;
+    const double pull = right && !draws ? -strength : left && h->tool == HAND_PULL && !h->grip.holds ? strength : 0;
     if (l->stopped != SPH2D_OK)
         return SPH2D_OK;
+    if ((pressed || pushed) && !draws)
+        live_remember(l, pushed ? "push" : h->grip.holds ? "move" : hand_name(h->tool));
     sph2d_status status = sph2d_sim_set_pointer(l->sim, at, h->radius, pull);
     if (status == SPH2D_OK && h->grip.holds)
         status = grip_pull(&h->grip, l, at);
@@ -93,7 +115,9 @@ sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, s
         status = pour(h, l);
     if (status == SPH2D_OK && left && h->tool == HAND_WIPE)
         status = wipe(h, l);
-    if (status == SPH2D_OK && h->tool == HAND_WALL)
+    if (status == SPH2D_OK && draws)
         status = draw_wall(h, l, left, report);
+    if (status == SPH2D_OK && draws && pushed)
+        status = erase_wall(h, l, report);
     return status;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keep.c
  *  What play leaves behind: a scene with its snapshot, and the frames of a film. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -25,11 +26,12 @@ static bool make_folder(game *g, const char *name, char out[32])
 /* Writes `scene.yaml` and `snapshot_000000.h5` into a folder, by which the run can be resumed. */
 static sph2d_status save_into(live *l, const char *folder, sph2d_report *report)
 {
-    const size_t size = sph2d_scene_text(&l->scene, NULL, 0) + 1;
+    const sph2d_scene scene = live_scene(l);
+    const size_t size = sph2d_scene_text(&scene, NULL, 0) + 1;
     char *text = size > 1 ? malloc(size) : NULL;
     if (!text)
         return SPH2D_NOMEM;
-    sph2d_scene_text(&l->scene, text, size);
+    sph2d_scene_text(&scene, text, size);
     char path[4096];
     sph2d_scene_file *file = NULL;
     snprintf(path, sizeof path, "%s/scene.yaml", folder);
@@ -73,7 +75,9 @@ void game_film(game *g)
 
 void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
 {
-    if (g->recording[0] == '\0' || sph2d_sim_time(g->live.sim) < g->next_frame)
+    const double now = sph2d_sim_time(g->live.sim), each = g->rate / GAME_FILM_RATE;
+    g->next_frame = fmin(g->next_frame, now + each); /* time went back */
+    if (g->recording[0] == '\0' || now < g->next_frame)
         return;
     sph2d_report report = {0};
     char path[64];
@@ -84,7 +88,7 @@ void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *pic
     if (status == SPH2D_OK)
         status = sph2d_renderer_write_png(renderer, path, &report);
     g->recorded += status == SPH2D_OK;
-    g->next_frame += g->rate / GAME_FILM_RATE;
+    g->next_frame += each;
     if (status != SPH2D_OK)
         g->recording[0] = '\0';
     game_tell_report(g, status, &report);

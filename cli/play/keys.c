@@ -19,7 +19,8 @@ enum { COLORS = sizeof colors / sizeof colors[0] };
 #endif
 
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
-                         "P pull  O pour  E wipe  W wall   1 to 9 scenes  R again\n"
+                         "P pull  O pour  E wipe  W wall (right takes it away)\n"
+                         "U or Ctrl-Z undo (ten acts)   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
@@ -95,7 +96,11 @@ static void switch_isolines(game *g)
 static void restart(game *g)
 {
     sph2d_report report = {0};
-    game_tell_report(g, live_restart(&g->live, 0, &report), &report);
+    live_remember(&g->live, "again");
+    const sph2d_status status = live_restart(&g->live, 0, &report);
+    game_tell_report(g, status, &report);
+    if (status != SPH2D_OK)
+        past_drop(&g->live.past);
 }
 
 /* Starts again at the spacing at which this machine follows the clock: in two dimensions the cost of simulated time goes
@@ -110,9 +115,12 @@ static void fit(game *g)
     sph2d_report report = {0};
     const double factor = cbrt(g->rate / (part * g->live.pace));
     const double spacing = g->live.scene.spacing * fmin(fmax(factor, 1 / most), most);
+    live_remember(&g->live, "fit");
     const sph2d_status status = live_restart(&g->live, spacing, &report);
     game_tell_report(g, status, &report);
-    if (status == SPH2D_OK) {
+    if (status != SPH2D_OK)
+        past_drop(&g->live.past);
+    else {
         game_take_scene(g);
         game_tell(g, "spacing %.3g m: %zu particles", spacing, sph2d_sim_fluid(g->live.sim).count);
     }
@@ -220,6 +228,9 @@ void game_key(game *g, int key)
         break;
     case 'C':
         next_color(g);
+        break;
+    case 'U':
+        game_undo(g);
         break;
     case 'R':
         restart(g);

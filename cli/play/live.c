@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file live.c
- *  A simulation that follows the clock. A changed fluid goes on from the state of the run. A new wall needs boundary
- *  particles, which are placed when a simulation is made: so one is made of the scene with the wall, and goes on with the
- *  walls of its own state and everything else of the old one. */
+ *  A simulation that follows the clock. What changes it goes on from the state of the run, in a simulation of the
+ *  changed scene: so does what undoes that. */
 #include "live.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <sph2d/contacts.h>
 
@@ -55,7 +52,7 @@ void live_close(live *l)
 {
     sph2d_sim_destroy(l->sim);
     free(l->obstacles);
-    free(l->corners);
+    past_free(&l->past);
     sph2d_scene_file_destroy(l->file);
     *l = (live){0};
 }
@@ -63,17 +60,14 @@ void live_close(live *l)
 sph2d_status live_restart(live *l, double spacing, sph2d_report *report)
 {
     const sph2d_scene *given = sph2d_scene_file_scene(l->file);
-    sph2d_obstacle *obstacles = malloc((given->obstacle_count + 1) * sizeof *obstacles);
-    if (!obstacles)
-        return SPH2D_NOMEM;
-    if (given->obstacle_count > 0)
-        memcpy(obstacles, given->obstacles, given->obstacle_count * sizeof *obstacles);
     const sph2d_scene before = l->scene;
-    l->scene.obstacles = obstacles;
+    l->scene.obstacles = given->obstacles;
     l->scene.obstacle_count = given->obstacle_count;
+    l->scene.gravity = given->gravity;
     if (spacing > 0)
         l->scene.spacing = spacing;
-    const sph2d_status status = create(l, report);
+    sph2d_obstacle *obstacles = drawn_list(&l->scene, given->obstacle_count, 0, 0, NULL);
+    const sph2d_status status = obstacles ? create(l, report) : SPH2D_NOMEM;
     if (status != SPH2D_OK) {
         l->scene = before;
         free(obstacles);
@@ -81,7 +75,6 @@ sph2d_status live_restart(live *l, double spacing, sph2d_report *report)
     }
     free(l->obstacles);
     l->obstacles = obstacles;
-    l->corner_count = 0;
     return SPH2D_OK;
 }
 
@@ -121,11 +114,28 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
 
 /* ---- changes ----------------------------------------------------------------------------------------------------- */
 
-/* Makes a simulation of a scene that goes on from a state, in place of the present one. */
+static bool has_lost_gravity(const live *l, const sph2d_scene *scene)
+{
+    const sph2d_vec2 own = sph2d_scene_file_scene(l->file)->gravity;
+    return scene->gravity.x == 0 && scene->gravity.y == 0 && (own.x != 0 || own.y != 0);
+}
+
+/* Makes a simulation of a scene that goes on from a state. The state has the gravity of now; where that is none, the
+ * scene's own says what the sound speed is. */
+static sph2d_status restore(const live *l, const sph2d_scene *scene, const sph2d_state *state, sph2d_sim **sim,
+                            sph2d_report *report)
+{
+    sph2d_scene with = *scene;
+    if (has_lost_gravity(l, scene))
+        with.gravity = sph2d_scene_file_scene(l->file)->gravity;
+    return sph2d_sim_restore(&with, &l->options, state, sim, report);
+}
+
+/* ... in place of the present one. */
 static sph2d_status go_on(live *l, const sph2d_scene *scene, const sph2d_state *state, sph2d_report *report)
 {
     sph2d_sim *sim = NULL;
-    const sph2d_status made = sph2d_sim_restore(scene, &l->options, state, &sim, report);
+    const sph2d_status made = restore(l, scene, state, &sim, report);
     const sph2d_status status = take(l, sim, made);
     if (status == SPH2D_OK)
         l->scene = *scene;
@@ -138,116 +148,135 @@ sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report
     return state.arrays ? go_on(l, scene, &state, report) : SPH2D_NOMEM;
 }
 
-static const sph2d_array *find(const sph2d_state *state, sph2d_group group, const char *name)
+/* ---- drawn walls ------------------------------------------------------------------------------------------------- */
+
+/* How far liquid is from a drawn wall at least [spacings]; and from where a wall can be taken. */
+static const double CLEARANCE = 0.6, GRASP = 1.5;
+
+static size_t given_obstacles(const live *l)
 {
-    for (size_t i = 0; i < state->array_count; ++i)
-        if (state->arrays[i].group == group && strcmp(state->arrays[i].name, name) == 0)
-            return &state->arrays[i];
-    return NULL;
+    return sph2d_scene_file_scene(l->file)->obstacle_count;
 }
 
-/* The arrays of a state whose walls are those of another: everything of `run` but its walls. The number of the next
- * particle is above those of both. */
-static sph2d_array *join(const sph2d_state *run, const sph2d_state *walls, uint64_t *next)
+double live_wall_thickness(const live *l)
 {
-    sph2d_array *arrays = malloc((run->array_count + 1) * sizeof *arrays);
-    for (size_t i = 0; arrays && i < run->array_count; ++i) {
-        const sph2d_array *from = &run->arrays[i], *other = find(walls, from->group, from->name);
-        arrays[i] = *from;
-        if (from->group == SPH2D_GROUP_WALL && other)
-            arrays[i] = *other;
-        if (from->group == SPH2D_GROUP_RUN && strcmp(from->name, "NextParticleID") == 0 && other) {
-            const uint64_t *a = from->data[0], *b = other->data[0];
-            *next = *a > *b ? *a : *b;
-            arrays[i].data[0] = next;
-        }
-    }
-    return arrays;
+    const double dx = l->scene.spacing;
+    if (l->scene.method.name == SPH2D_METHOD_MULLER)
+        return 0;
+    return ceil(sph2d_sim_plan(l->sim)->support_radius / dx - 1e-9) * dx;
 }
 
-/* Removes the liquid in the way of a line that becomes a solid of a thickness. */
-static sph2d_status clear_way(live *l, const sph2d_vec2 *corners, size_t count, double thickness)
+drawn_line live_divide(const live *l, const sph2d_vec2 *corners, size_t count)
 {
+    return drawn_divide(corners, count, live_wall_thickness(l) + 2 * CLEARANCE * l->scene.spacing);
+}
+
+/* Removes the liquid in the way of a line, and counts it. */
+static sph2d_status clear_way(const live *l, sph2d_sim *sim, const drawn_line *line, size_t *removed)
+{
+    const double more = CLEARANCE * l->scene.spacing;
     sph2d_status status = SPH2D_OK;
-    for (size_t k = 0; k < count && status == SPH2D_OK; ++k) {
-        const sph2d_shape end = {.kind = SPH2D_SHAPE_DISC, .disc = {corners[k], thickness}};
-        status = sph2d_sim_remove_particles(l->sim, &end, NULL);
-        if (k + 1 == count || status != SPH2D_OK)
-            break;
-        const sph2d_vec2 a = corners[k], b = corners[k + 1];
-        const double length = hypot(b.x - a.x, b.y - a.y), x = -(b.y - a.y) / length * thickness,
-                     y = (b.x - a.x) / length * thickness;
-        const sph2d_vec2 quad[4] = {{a.x + x, a.y + y}, {a.x - x, a.y - y}, {b.x - x, b.y - y}, {b.x + x, b.y + y}};
-        const sph2d_shape piece = {.kind = SPH2D_SHAPE_POLYGON, .polygon = {quad, 4}};
-        status = sph2d_sim_remove_particles(l->sim, &piece, NULL);
+    *removed = 0;
+    for (size_t k = 0; k < line->pieces && status == SPH2D_OK; ++k) {
+        sph2d_vec2 corners[2 * DRAWN_MOST_CORNERS];
+        size_t count = drawn_solid(line, k, live_wall_thickness(l) + 2 * more, more, corners), here = 0;
+        const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = {corners, count}};
+        status = sph2d_sim_remove_particles(sim, &shape, &here);
+        *removed += here;
     }
     return status;
 }
 
-/* The scene with one more obstacle, a line with liquid on both sides. Its list and corners are new. */
-static bool with_wall(const live *l, const sph2d_vec2 *corners, size_t count, sph2d_scene *out,
-                      sph2d_obstacle **obstacle_list, sph2d_vec2 **kept)
+/* Goes on with other walls: without obstacles from `from` up to `to`, with those of a line. A state without walls takes
+ * those of the scene, and no liquid is placed: where the scene's blocks were says nothing of where it is now. */
+static sph2d_status change_walls(live *l, size_t from, size_t to, const drawn_line *line, size_t *removed,
+                                 sph2d_report *report)
 {
-    const size_t obstacles = l->scene.obstacle_count;
-    sph2d_obstacle *list = malloc((obstacles + 1) * sizeof *list);
-    sph2d_vec2 *all = malloc((l->corner_count + count) * sizeof *all);
-    if (!list || !all) {
-        free(list);
-        free(all);
-        return false;
-    }
-    if (l->corner_count > 0)
-        memcpy(all, l->corners, l->corner_count * sizeof *all);
-    memcpy(all + l->corner_count, corners, count * sizeof *all);
-    if (obstacles > 0)
-        memcpy(list, l->obstacles, obstacles * sizeof *list);
-    sph2d_vec2 *next = all; /* the corners of earlier lines have moved */
-    for (size_t k = sph2d_scene_file_scene(l->file)->obstacle_count; k < obstacles; ++k) {
-        list[k].outline.polyline.items = next;
-        next += list[k].outline.polyline.count;
-    }
-    list[obstacles] = sph2d_obstacle_default();
-    list[obstacles].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    list[obstacles].outline.polyline = (sph2d_points){next, count};
-    list[obstacles].liquid = SPH2D_LIQUID_BOTH;
-    *out = l->scene;
-    out->obstacles = list;
-    out->obstacle_count = obstacles + 1;
-    *obstacle_list = list;
-    *kept = all;
-    return true;
-}
-
-sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, sph2d_report *report)
-{
-    sph2d_scene scene;
-    sph2d_obstacle *list;
-    sph2d_vec2 *kept;
-    sph2d_sim *fresh = NULL;
-    if (!with_wall(l, corners, count, &scene, &list, &kept))
-        return SPH2D_NOMEM;
-    sph2d_status status = sph2d_sim_create(&scene, &l->options, &fresh, report);
-    const double support = sph2d_sim_plan(l->sim)->support_radius;
+    sph2d_scene scene = l->scene;
+    const sph2d_state run = sph2d_sim_state(l->sim);
+    sph2d_obstacle *list = drawn_list(&scene, given_obstacles(l), from, to, line);
+    sph2d_array *arrays = malloc((run.array_count + 1) * sizeof *arrays);
+    sph2d_state state = {run.version, arrays, 0};
+    sph2d_sim *sim = NULL;
+    sph2d_status status = list && arrays && run.arrays ? SPH2D_OK : SPH2D_NOMEM;
+    for (size_t i = 0; status == SPH2D_OK && i < run.array_count; ++i)
+        if (run.arrays[i].group != SPH2D_GROUP_WALL)
+            arrays[state.array_count++] = run.arrays[i];
     if (status == SPH2D_OK)
-        status = clear_way(l, corners, count, support / 2 + 0.75 * scene.spacing);
-    if (status == SPH2D_OK) {
-        const sph2d_state run = sph2d_sim_state(l->sim), walls = sph2d_sim_state(fresh);
-        uint64_t next = 0;
-        sph2d_array *arrays = run.arrays && walls.arrays ? join(&run, &walls, &next) : NULL;
-        const sph2d_state joined = {run.version, arrays, run.array_count};
-        status = arrays ? go_on(l, &scene, &joined, report) : SPH2D_NOMEM;
-        free(arrays);
-    }
-    sph2d_sim_destroy(fresh);
+        status = restore(l, &scene, &state, &sim, report);
+    if (status == SPH2D_OK && line)
+        status = clear_way(l, sim, line, removed);
+    status = take(l, sim, status);
+    free(arrays);
     if (status != SPH2D_OK) {
         free(list);
-        free(kept);
         return status;
     }
     free(l->obstacles);
-    free(l->corners);
     l->obstacles = list;
-    l->corners = kept;
-    l->corner_count += count;
+    l->scene = scene;
     return SPH2D_OK;
+}
+
+sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, size_t *removed, sph2d_report *report)
+{
+    const drawn_line line = live_divide(l, corners, count);
+    return change_walls(l, 0, 0, &line, removed, report);
+}
+
+sph2d_status live_remove_wall(live *l, sph2d_vec2 at, bool *found, sph2d_report *report)
+{
+    size_t from, to;
+    const double reach = live_wall_thickness(l) / 2 + GRASP * l->scene.spacing;
+    drawn_find(&l->scene, given_obstacles(l), at, reach, &from, &to);
+    *found = from < to;
+    if (!*found)
+        return SPH2D_OK;
+    live_remember(l, "wall taken away");
+    const sph2d_status status = change_walls(l, from, to, NULL, NULL, report);
+    if (status != SPH2D_OK)
+        past_drop(&l->past);
+    return status;
+}
+
+/* ---- acts -------------------------------------------------------------------------------------------------------- */
+
+void live_remember(live *l, const char *name)
+{
+    const sph2d_state state = sph2d_sim_state(l->sim);
+    past_keep(&l->past, name, &l->scene, given_obstacles(l), &state);
+}
+
+sph2d_status live_undo(live *l, const char **name, sph2d_report *report)
+{
+    *name = NULL;
+    if (l->past.count == 0)
+        return SPH2D_OK;
+    past_act *act = &l->past.acts[l->past.count - 1];
+    const sph2d_state state = {SPH2D_STATE_VERSION, act->arrays, act->array_count};
+    const sph2d_status status = go_on(l, &act->scene, &state, report);
+    if (status != SPH2D_OK)
+        return status;
+    free(l->obstacles);
+    l->obstacles = act->obstacles;
+    act->obstacles = NULL;
+    *name = act->name;
+    past_drop(&l->past);
+    l->due = sph2d_sim_time(l->sim);
+    l->stopped = SPH2D_OK;
+    return SPH2D_OK;
+}
+
+uint64_t live_left(const live *l)
+{
+    const sph2d_summary s = sph2d_sim_summary(l->sim);
+    return s.left_open[0] + s.left_open[1] + s.left_open[2] + s.left_open[3];
+}
+
+sph2d_scene live_scene(const live *l)
+{
+    sph2d_scene scene = l->scene;
+    if (has_lost_gravity(l, &scene) && !(scene.method.stiffness > 0))
+        scene.method.sound_speed = sph2d_sim_plan(l->sim)->sound_speed;
+    return scene;
 }

@@ -8,10 +8,13 @@
 
 #include <sph2d/io.h>
 
+#include "drawn.h"
+#include "past.h"
+
 typedef struct live {
     sph2d_scene_file *file;
     sph2d_scene scene;         /**< the file's with the changes since */
-    sph2d_obstacle *obstacles; /**< its list */
+    sph2d_obstacle *obstacles; /**< its list: those of the file, then walls that were drawn */
     sph2d_sim_options options;
     sph2d_sim *sim;
     sph2d_status stopped; /**< why it takes no more steps */
@@ -19,15 +22,15 @@ typedef struct live {
     double deadline;      /**< on the wall clock, for the steps of a picture [s] */
     double ratio;         /**< simulated time over that of the clock, in the mean over about a second */
     double pace;          /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
-    sph2d_vec2 *corners;  /**< of the walls that were drawn */
-    size_t corner_count;
+    past past;
 } live;
 
 /** Starts a scene: takes the file, also after a failure. Errors: as sph2d_sim_create. */
 sph2d_status live_open(live *l, sph2d_scene_file *file, const sph2d_sim_options *options, sph2d_report *report);
 void live_close(live *l);
 
-/** Starts the scene again, without the walls that were drawn, at another spacing (0: the same). */
+/** Starts the scene again, without the walls that were drawn, with its own gravity, at another spacing (0: the
+ *  same). */
 sph2d_status live_restart(live *l, double spacing, sph2d_report *report);
 
 /** Steps until `seconds` more are simulated, or `budget` seconds of the clock have passed; what is not reached then is
@@ -41,8 +44,30 @@ sph2d_status live_step(live *l, sph2d_report *report);
  *  as it was after a failure. Errors: as sph2d_sim_restore. */
 sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report);
 
-/** Goes on with one more wall, a line through 2 corners or more; liquid in its way is removed. Errors: as
- *  sph2d_sim_create. */
-sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, sph2d_report *report);
+/** How thick a wall is that is drawn [m]; 0 where it is a line. */
+double live_wall_thickness(const live *l);
+
+/** The pieces of a line through 2 corners or more that make solids here. */
+drawn_line live_divide(const live *l, const sph2d_vec2 *corners, size_t count);
+
+/** Goes on with one more wall, a line through 2 corners or more, DRAWN_MOST_CORNERS at most. The liquid that is in its
+ *  way now is removed: so many particles. Errors: as sph2d_sim_restore. */
+sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, size_t *removed, sph2d_report *report);
+
+/** Goes on without the drawn wall that is at a place; *found says whether there is one. The same errors. */
+sph2d_status live_remove_wall(live *l, sph2d_vec2 at, bool *found, sph2d_report *report);
+
+/** Keeps what is before an act of the user, for live_undo(). `name` is that of the act, and outlives it. */
+void live_remember(live *l, const char *name);
+
+/** Goes back to before the latest act that live_remember() was told of; *name is its name, NULL if there is none. The
+ *  same errors; the act stays then. */
+sph2d_status live_undo(live *l, const char **name, sph2d_report *report);
+
+/** Particles that left through open sides. */
+uint64_t live_left(const live *l);
+
+/** The scene as it is now, for a file: with its sound speed where gravity, from which this follows, was taken away. */
+sph2d_scene live_scene(const live *l);
 
 #endif

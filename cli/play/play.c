@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file play.c
  *  `sph2d play [SCENE]`: a scene in a window, to be played with. */
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "../clock.h"
 #include "../command.h"
@@ -53,9 +55,12 @@ static void tell_end(const loop *p, const game *g)
 {
     const double seconds = clock_wall() - p->begun;
     const turning *t = &p->turning;
-    message_note("played %.3g s: %zu pictures, %.3g a second; simulated %.3g s of the %.3g s due; %zu particles",
+    char left[64] = "";
+    if (live_left(&g->live) > 0)
+        snprintf(left, sizeof left, ", %" PRIu64 " left through open sides", live_left(&g->live));
+    message_note("played %.3g s: %zu pictures, %.3g a second; simulated %.3g s of the %.3g s due; %zu particles%s",
                  seconds, t->shown, (double)t->shown / fmax(seconds, 1e-9), t->simulated, t->played,
-                 sph2d_sim_fluid(g->live.sim).count);
+                 sph2d_sim_fluid(g->live.sim).count, left);
 }
 
 static int open_game(game *g, const cli_options *options, const sph2d_sim_options *sim_options)

@@ -31,6 +31,10 @@ double game_get(const game *g, game_quantity quantity)
 
 void game_pull(game *g, double x, double y)
 {
+    const sph2d_vec2 now = g->live.scene.gravity;
+    if (x == now.x && y == now.y) /* as by a key that is held */
+        return;
+    live_remember(&g->live, "gravity");
     g->live.scene.gravity = (sph2d_vec2){x, y};
     sph2d_sim_set_gravity(g->live.sim, g->live.scene.gravity);
 }
@@ -56,10 +60,13 @@ static void scale_gravity(game *g, double value)
 static void change_fluid(game *g, const sph2d_scene *scene, const char *name, double value, const char *unit)
 {
     sph2d_report report = {0};
+    live_remember(&g->live, name);
     const sph2d_status status = live_change(&g->live, scene, &report);
     game_tell_report(g, status, &report);
     if (status == SPH2D_OK)
         game_tell(g, "%s %.3g %s", name, value, unit);
+    else
+        past_drop(&g->live.past);
 }
 
 void game_set(game *g, game_quantity quantity, double value)
@@ -79,7 +86,7 @@ void game_set(game *g, game_quantity quantity, double value)
         break;
     case GAME_COMPRESSION:
         scene.method.max_compression = fmin(fmax(value, 1e-4), 0.2);
-        change_fluid(g, &scene, "compression of at most", 100 * scene.method.max_compression, "%");
+        change_fluid(g, &scene, "compression at most", 100 * scene.method.max_compression, "%");
         break;
     case GAME_RATE:
         g->rate = fmin(fmax(value, 1.0 / 1024), 64);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file show.c
  *  The picture of what is played, and the frames of a film. */
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,16 +17,18 @@ static const double message_time = 4;
 static void write_caption(const game *g, double pictures, char *out, size_t size)
 {
     const live *l = &g->live;
-    char pace[64];
+    char pace[64], left[40] = "";
+    if (live_left(l) > 0)
+        snprintf(left, sizeof left, ", %" PRIu64 " left", live_left(l));
     if (l->stopped != SPH2D_OK)
         snprintf(pace, sizeof pace, "stopped; R starts again");
     else if (g->paused)
         snprintf(pace, sizeof pace, "paused");
     else
         snprintf(pace, sizeof pace, "%.2f x the clock", g->rate * l->ratio);
-    snprintf(out, size, "%.40s   t = %.2f s   %s   %zu particles   %.0f pictures/s   %s%s",
-             g->style.name ? g->style.name : "", sph2d_sim_time(l->sim), pace, sph2d_sim_fluid(l->sim).count, pictures,
-             hand_name(g->hand.tool), g->recording[0] ? "   filming" : "");
+    snprintf(out, size, "%.40s   t = %.2f s   %s   %zu particles%s   %.0f pictures/s   %s%s",
+             g->style.name ? g->style.name : "", sph2d_sim_time(l->sim), pace, sph2d_sim_fluid(l->sim).count, left,
+             pictures, hand_name(g->hand.tool), g->recording[0] ? "   filming" : "");
 }
 
 /* Makes the picture, with a range of colours that only widens. */
@@ -57,12 +60,13 @@ static bool reserve_corners(game *g, size_t most)
     return true;
 }
 
-/* Adds the reach of the hand while it acts, and the wall that it draws, as lines. */
+/* Adds the reach of the hand while it acts, as a line, and the wall that it draws, as thick as it will be. */
 static sph2d_status add_hand(game *g, sph2d_picture *picture)
 {
     enum { CIRCLE = 49 };
     const hand *h = &g->hand;
-    const size_t own = picture->outline_count, most = own + CIRCLE + HAND_MOST_CORNERS;
+    const double thickness = live_wall_thickness(&g->live);
+    const size_t own = picture->outline_count, most = own + CIRCLE + 4 * DRAWN_MOST_CORNERS;
     if (most > g->corner_capacity && !reserve_corners(g, most))
         return SPH2D_NOMEM;
     double *x = g->corners, *y = x + most;
@@ -79,11 +83,16 @@ static sph2d_status add_hand(game *g, sph2d_picture *picture)
         id[count] = next;
         liquid[count] = SPH2D_OUTLINE_LIQUID_BOTH;
     }
-    for (size_t k = 0; k < h->corner_count; ++k, ++count) {
-        x[count] = h->corners[k].x;
-        y[count] = h->corners[k].y;
-        id[count] = next + 1;
-        liquid[count] = SPH2D_OUTLINE_LIQUID_BOTH;
+    const drawn_line line = h->corner_count > 1 ? live_divide(&g->live, h->corners, h->corner_count) : (drawn_line){0};
+    for (size_t k = 0; k < line.pieces; ++k) {
+        sph2d_vec2 corners[2 * DRAWN_MOST_CORNERS];
+        const size_t all = drawn_solid(&line, k, thickness, 0, corners), shown = thickness > 0 ? all : all / 2;
+        for (size_t i = 0; i < shown; ++i, ++count) {
+            x[count] = corners[i].x;
+            y[count] = corners[i].y;
+            id[count] = next + 1 + k;
+            liquid[count] = thickness > 0 ? SPH2D_OUTLINE_LIQUID_OUTSIDE : SPH2D_OUTLINE_LIQUID_BOTH;
+        }
     }
     picture->outline_count = count;
     picture->outline_x = x;

@@ -43,6 +43,8 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
 {
     const double begun = clock_wall(), passed = fmin(since, LONGEST_TURN), from = sph2d_sim_time(g->live.sim);
     const bool visible = input->width >= 16 && input->height >= 16;
+    g->hand.down &= input->left; /* a key finds the buttons as they are */
+    g->hand.pushes &= input->right;
     for (int k = 0; k < input->key_count; ++k)
         game_key(g, input->keys[k]);
     if (visible)

@@ -39,9 +39,9 @@ static int key_of(int key)
 static void on_key(GLFWwindow *handle, int key, int scancode, int action, int modifiers)
 {
     (void)scancode;
-    (void)modifiers;
     play_window *w = glfwGetWindowUserPointer(handle);
-    const int pressed = action == GLFW_PRESS ? key_of(key) : 0;
+    const bool undo = key == GLFW_KEY_Z && (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER));
+    const int pressed = action != GLFW_PRESS ? 0 : undo ? 'U' : key_of(key);
     if (pressed != 0 && w->input.key_count < PLAY_MOST_KEYS)
         w->input.keys[w->input.key_count++] = pressed;
 }
@@ -88,6 +88,7 @@ sph2d_status play_window_open(unsigned width, unsigned height, const char *title
     glfwMakeContextCurrent(w->handle);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(w->handle, w);
+    glfwSetInputMode(w->handle, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE); /* clicks shorter than a turn */
     glfwSetKeyCallback(w->handle, on_key);
     glfwSetScrollCallback(w->handle, on_scroll);
     *window = w;

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "../json.h"
-#include "../play/turn.h"
 #include "../play/scenes.h"
+#include "../play/turn.h"
 #include "gl_functions.h"
 
 static game the_game;
@@ -124,10 +124,11 @@ EMSCRIPTEN_KEEPALIVE const char *page_check(const char *text, const char *name)
 /** The scene that is played, as text, with the changes since. */
 EMSCRIPTEN_KEEPALIVE const char *page_text(void)
 {
-    const size_t size = sph2d_scene_text(&the_game.live.scene, NULL, 0) + 1;
+    const sph2d_scene scene = live_scene(&the_game.live);
+    const size_t size = sph2d_scene_text(&scene, NULL, 0) + 1;
     char *text = malloc(size);
     if (text)
-        sph2d_scene_text(&the_game.live.scene, text, size);
+        sph2d_scene_text(&scene, text, size);
     return answer_with(text);
 }
 
@@ -180,10 +181,11 @@ EMSCRIPTEN_KEEPALIVE void page_set(int quantity, double value)
 
 /** Numbers that tell how play goes: simulated time [s], particles, pictures a second, the pace against the clock, the time
  *  of a turn's steps and of its picture [s], steps so far, whether it is paused and whether it stopped; gravity,
- *  viscosity, surface tension, compression and rate as game_get() has them, and the tool. */
+ *  viscosity, surface tension, compression and rate as game_get() has them, the tool, and the
+ *  particles that left through open sides. */
 EMSCRIPTEN_KEEPALIVE const double *page_numbers(void)
 {
-    enum { NUMBERS = 15 };
+    enum { NUMBERS = 16 };
     static double numbers[NUMBERS];
     if (!open_once)
         return numbers;
@@ -202,7 +204,8 @@ EMSCRIPTEN_KEEPALIVE const double *page_numbers(void)
                                  game_get(&the_game, GAME_TENSION),
                                  game_get(&the_game, GAME_COMPRESSION),
                                  game_get(&the_game, GAME_RATE),
-                                 the_game.hand.tool};
+                                 the_game.hand.tool,
+                                 (double)live_left(l)};
     memcpy(numbers, all, sizeof numbers);
     return numbers;
 }

@@ -1,6 +1,6 @@
 // Pointers, keys and sliders.
 const canvas = document.getElementById('canvas');
-const pointer = {x: 0, y: 0, buttons: 0, scroll: 0};
+const pointer = {x: 0, y: 0, buttons: 0, clicked: 0, scroll: 0};
 
 function moveTo(event) {
     const box = canvas.getBoundingClientRect(), scale = canvas.width / box.width;
@@ -17,6 +17,7 @@ function startPointer() {
         touches.add(event.pointerId);
         moveTo(event);
         pointer.buttons = touches.size > 1 || event.button === 2 || event.shiftKey ? 2 : 1;
+        pointer.clicked = pointer.buttons; // until a turn has seen it
         event.preventDefault();
     });
     canvas.addEventListener('pointermove', moveTo);
@@ -37,9 +38,10 @@ const ARROWS = {ArrowLeft: 256, ArrowRight: 257, ArrowDown: 258, ArrowUp: 259}; 
 
 function startKeys(special) {
     window.addEventListener('keydown', (event) => {
-        const typing = /^(TEXTAREA|SELECT|INPUT)$/.test(event.target.tagName);
-        if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-        const name = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+        const typing = /^(TEXTAREA|SELECT|INPUT)$/.test(event.target.tagName), control = event.ctrlKey || event.metaKey;
+        const undo = control && event.key.toUpperCase() === 'Z';
+        if (typing || (control && !undo) || event.altKey) return;
+        const name = undo ? 'U' : event.key.length === 1 ? event.key.toUpperCase() : event.key;
         if (special[name]) special[name]();
         else if (ARROWS[name]) sph2d._page_key(ARROWS[name]);
         else if (name.length === 1 && name !== 'Q') key(name);

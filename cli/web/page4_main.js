@@ -92,7 +92,7 @@ function fitCanvas() {
 
 function showState() {
     const now = numbers();
-    element('numbers').textContent = `t = ${now.time.toFixed(2)} s   ${now.particles} particles   ` +
+    element('numbers').textContent = `t = ${now.time.toFixed(2)} s   ${now.particles} particles${now.left ? `, ${now.left} left` : ''}   ` +
         `${now.stopped ? 'stopped' : now.paused ? 'paused' : `${now.pace.toFixed(2)} x the clock`}   ` +
         `${now.pictures.toFixed(0)} pictures/s   ${(1000 * now.stepping).toFixed(1)} ms steps, ` +
         `${(1000 * now.drawing).toFixed(1)} ms drawing`;
@@ -109,11 +109,12 @@ function turn(time) {
     const seconds = last > 0 ? (time - last) / 1000 : 0;
     last = time;
     fitCanvas();
-    if (!sph2d._page_turn(seconds, canvas.width, canvas.height, pointer.x, pointer.y, pointer.buttons, pointer.scroll)) {
+    const buttons = pointer.buttons || pointer.clicked;
+    if (!sph2d._page_turn(seconds, canvas.width, canvas.height, pointer.x, pointer.y, buttons, pointer.scroll)) {
         element('trouble').textContent = ask('page_told');
         return;
     }
-    pointer.scroll = 0;
+    pointer.scroll = pointer.clicked = 0;
     showState();
     requestAnimationFrame(turn);
 }

@@ -97,6 +97,93 @@ wiped=$(sed -n 's/.*; \([0-9]*\) particles$/\1/p' err)
 [ "$wiped" -lt "$first" ] || fail "$wiped particles after wiping, $first before"
 says 'simulated 0[0-9.]* s'
 
+# A wall is drawn where the liquid is now, not where it was at first: it may turn sharply, cross itself, stand where a block
+# was and in scenes whose walls and bodies move, and be drawn without gravity. A click of the right button takes it away.
+cat >column.yaml <<END
+name: column
+domain: {min: [0, 0], max: [1.2, 0.9]}
+spacing: 0.03
+blocks:
+  - box: {min: [0, 0], max: [0.4, 0.6]}
+obstacles:
+  - {box: {min: [1, 0.5], max: [1.1, 0.6]}, motion: {amplitude: [0.05, 0], frequency: 1}}
+bodies:
+  - {box: {min: [0.7, 0.7], max: [0.8, 0.8]}, density: 300}
+END
+draw() { # X Y...: a wall through places of the window
+    xdotool key w mousemove --window "$window" "$1" "$2" mousedown 1
+    shift 2
+    while [ $# -gt 0 ]; do
+        sleep 0.2
+        xdotool mousemove --window "$window" "$1" "$2"
+        shift 2
+    done
+    sleep 0.2
+    xdotool mouseup 1
+    sleep 0.2
+}
+walls() { # how many the saved scene has
+    until_there "$1"/snapshot_000000.h5
+    grep -c polyline "$1"/scene.yaml || :
+}
+play column.yaml
+sleep 2
+draw 60 60 120 120 60 120 120 60 120 160
+xdotool key 0
+draw 60 180 120 180
+xdotool key s
+[ "$(walls played_001)" -ge 3 ] || fail 'no wall was drawn where a block was'
+expect 0 "$SPH2D" check played_001/scene.yaml -q
+xdotool mousemove --window "$window" 90 180 click 3
+sleep 0.3
+xdotool key s
+drawn=$(walls played_001)
+[ "$(walls played_002)" = $((drawn - 1)) ] || fail 'the wall was not taken away'
+# Each is undone: the wall that was taken away, the walls, and gravity between them; then there is nothing.
+xdotool key u
+sleep 0.2
+xdotool key s
+[ "$(walls played_003)" = "$drawn" ] || fail 'the wall that was taken away did not come back'
+xdotool key u u ctrl+z u
+sleep 0.2
+xdotool key s
+[ "$(walls played_004)" = 0 ] || fail 'walls after they were undone'
+! grep -q 'gravity: \[0, 0\]' played_004/scene.yaml || fail 'no gravity after that was undone'
+quit
+
+# Liquid that leaves a tank is told, and comes back: by undo, or from the start.
+play pool.yaml
+xdotool key Up
+sleep 3
+xdotool key u
+sleep 0.5
+quit
+grep -q "; $first particles$" err || fail "not $first particles after undo"
+play pool.yaml
+xdotool key Up
+sleep 3
+quit
+left=$(sed -n 's/.* \([0-9]*\) particles, \([0-9]*\) left through open sides$/\1 + \2/p' err)
+[ "$((left))" = "$first" ] || fail "not $first particles in all: $left"
+play pool.yaml
+xdotool key Up
+sleep 3
+xdotool key r
+sleep 1
+quit
+grep -q "; $first particles$" err || fail "not $first particles after a new start, with the scene's gravity"
+
+# Ten acts at most.
+play pool.yaml
+xdotool key v v v v v v v v v v v v s
+until_there played_005/snapshot_000000.h5
+xdotool key u u u u u u u u u u u u u u s
+until_there played_006/snapshot_000000.h5
+quit
+viscosity() { sed -n 's/.*dynamic_viscosity: *\([0-9.e-]*\).*/\1/p' "$1"/scene.yaml; }
+awk "BEGIN { exit !($(viscosity played_005) / $(viscosity played_006) == 1024) }" ||
+    fail "$(viscosity played_005) Pa s, $(viscosity played_006) after ten acts were undone"
+
 # The example draws into a window of its own.
 example=$SPH2D_ROOT/build/examples/window
 if [ -x "$example" ]; then

@@ -166,6 +166,38 @@ const tests = {
         await browser.press('p');
     },
 
+    'walls stand where liquid is now; acts are undone; what leaves is told': async (browser) => {
+        const walls = async () => ((await browser.value('ask("page_text")')).match(/polyline/g) || []).length;
+        await open(browser, text('1_dam_break.yaml'));
+        await browser.until('numbers().time > 0.8', 90); // the column has fallen
+        await browser.press('w');
+        await browser.until('numbers().tool === 3');
+        await drag(browser, await Promise.all([[0.1, 0.2], [0.25, 0.35], [0.1, 0.5], [0.25, 0.2]].map(([x, y]) => at(browser, x, y))));
+        await browser.until('ask("page_text").includes("polyline")');
+        const drawn = await walls();
+        assert(drawn > 1, 'a wall that turns sharply is several pieces');
+        const place = await at(browser, 0.11, 0.21);
+        await browser.mouse('mousePressed', ...place, {button: 'right', buttons: 2}); // shorter than a turn
+        await browser.mouse('mouseReleased', ...place, {button: 'right'});
+        await browser.until('!ask("page_text").includes("polyline")');
+        await browser.value('document.querySelector("button[data-key=U]").click()');
+        await browser.until('ask("page_text").includes("polyline")');
+        assert.strictEqual(await walls(), drawn);
+        const all = (({particles, left}) => particles + left)(await numbers(browser));
+        await browser.press('p');
+        await browser.press('ArrowUp');
+        await browser.until('numbers().left > numbers().particles', 90);
+        assert.strictEqual((({particles, left}) => particles + left)(await numbers(browser)), all);
+        assert.match(await browser.value('element("numbers").textContent'), /particles, \d+ left/);
+        await browser.value(`window.dispatchEvent(new KeyboardEvent('keydown', {key: 'z', ctrlKey: true}))`);
+        await browser.until(`numbers().particles > ${all - 100}`);
+        await browser.press('ArrowUp');
+        await browser.until('numbers().left > numbers().particles', 90);
+        await browser.press('r');
+        await browser.until('numbers().left < 100 && numbers().steps < 100');
+        assert.match(await browser.value('ask("page_text")'), /^(?!.*gravity: \[-?[\d.e-]+, 9)/s, "the scene's gravity");
+    },
+
     'mouse: a body is held, a wheel is turned': async (browser) => {
         const body = (index) => browser.value(`Array.from(sph2d.HEAPF64.subarray(sph2d._page_body(${index}) / 8).slice(0, 3))`);
         // A place of the scene on the canvas: the picture fits the domain into it.
