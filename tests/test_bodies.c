@@ -359,6 +359,38 @@ START_TEST(threads_and_resuming_change_no_bit)
 }
 END_TEST
 
+/** A body that has left its place has its boundary particles and its motion, whatever is built where it started. */
+START_TEST(a_wall_is_built_where_a_body_started)
+{
+    start_alone();
+    sph2d_sim *sim = test_create(&pool.scene, NULL), *walled = NULL;
+    while (sph2d_sim_body(sim, 0).center.y > 3)
+        test_steps(sim, 1);
+    sph2d_array arrays[200];
+    const sph2d_state whole = sph2d_sim_state(sim);
+    sph2d_state state = {whole.version, arrays, 0};
+    for (size_t i = 0; i < whole.array_count; ++i)
+        if (whole.arrays[i].group != SPH2D_GROUP_WALL)
+            arrays[state.array_count++] = whole.arrays[i];
+    sph2d_obstacle wall = sph2d_obstacle_default();
+    wall.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1.5, 4.1}, {1.9, 4.4}}};
+    pool.scene.obstacles = &wall;
+    pool.scene.obstacle_count = 1;
+    sph2d_report report = {0};
+    ck_assert_msg(sph2d_sim_restore(&pool.scene, NULL, &state, &walled, &report) == SPH2D_OK, "%s",
+                  test_report_text(&report));
+    test_steps(sim, 5);
+    test_steps(walled, 5);
+    const sph2d_body_state a = sph2d_sim_body(sim, 0), b = sph2d_sim_body(walled, 0);
+    ck_assert_double_eq_tol(a.center.x, b.center.x, 1e-9);
+    ck_assert_double_eq_tol(a.center.y, b.center.y, 1e-9);
+    sph2d_sim_destroy(walled);
+    sph2d_sim_destroy(sim);
+    ck_assert_int_eq(sph2d_sim_create(&pool.scene, NULL, &sim, &report),
+                     SPH2D_SCENE); /* from the start it is refused */
+}
+END_TEST
+
 /** Coriolis' force on boundary particles counts with the velocities of the last evaluation, which are not those at the
  *  end of the step; a sample of dissipation, as after 80 steps, evaluates once more. */
 START_TEST(resuming_in_a_tank_that_turns_changes_no_bit)
@@ -705,6 +737,7 @@ Suite *suite_bodies(void)
     tcase_add_loop_test(tests, a_solver_for_contacts_changes_velocities_and_takes_energy, 0, 2);
     tcase_add_loop_test(tests, a_body_on_a_floor_has_half_a_kick_and_stays, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_test(tests, blows_are_energy_that_is_fed);
+    tcase_add_test(tests, a_wall_is_built_where_a_body_started);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 12);
     tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);
     tcase_add_test(tests, mass_and_springs_far_from_their_body_are_told);

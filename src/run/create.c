@@ -11,6 +11,7 @@
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/bodies.h"
+#include "scene/checker.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
@@ -285,7 +286,7 @@ static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *op
     options = options ? options : &defaults;
     sph2d_status status = check_options(options, report);
     if (status == SPH2D_OK)
-        status = sph2d_scene_check(scene, report);
+        status = sph2d__scene_check(scene, state, report);
     if (status != SPH2D_OK)
         return status;
     sph2d__memory memory = sph2d__memory_from(options->allocator);

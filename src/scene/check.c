@@ -312,9 +312,12 @@ static void check_consistency(checker *c)
 
 sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
 {
-    checker c = {.scene = scene, .report = report};
-    if (!scene)
-        return sph2d__null(report, __func__, "scene");
+    return scene ? sph2d__scene_check(scene, false, report) : sph2d__null(report, __func__, "scene");
+}
+
+sph2d_status sph2d__scene_check(const sph2d_scene *scene, bool started, sph2d_report *report)
+{
+    checker c = {.scene = scene, .report = report, .started = started};
     if (scene->struct_size != sizeof *scene) {
         sph2d__check_fault(&c, SPH2D_CODE_GENERAL, NULL,
                            "the scene was not made by sph2d_scene_default() of this version");

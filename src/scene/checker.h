@@ -12,7 +12,11 @@ typedef struct sph2d__checker {
     sph2d_report *report;
     size_t errors; /**< counted here too, since the report may be NULL */
     bool broken;   /**< a list that cannot be read */
+    bool started;  /**< the scene goes on from a state: where bodies start is past */
 } sph2d__checker;
+
+/** As sph2d_scene_check, of a scene that is not NULL; `started`: one that goes on from a state. */
+sph2d_status sph2d__scene_check(const sph2d_scene *scene, bool started, sph2d_report *report);
 
 /** Size of a key path. */
 enum { SPH2D__PATH_SIZE = 256 };

@@ -244,8 +244,9 @@ sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obsta
                                      sph2d_report *report)
 {
     contour c = contour_of(sim, obstacle);
-    sph2d__near earlier;
-    if (((!c.closed || c.hollow) && !add_back(sim, &c, barrier)) || !sph2d__layers_find_earlier(sim, &earlier))
+    sph2d__near earlier = {0}; /* none for a body: it starts clear of the others, or where a wall was built meanwhile */
+    if (((!c.closed || c.hollow) && !add_back(sim, &c, barrier)) ||
+        (!obstacle->body && !sph2d__layers_find_earlier(sim, &earlier)))
         return SPH2D_NOMEM;
     sph2d_status status = SPH2D_OK;
     for (int k = 0; status == SPH2D_OK && k < sph2d__layer_count(sim); ++k)
