@@ -4,7 +4,6 @@
 #include "drawn.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,8 +29,7 @@ static double side(const sph2d_vec2 *line, sph2d_vec2 p)
     return (line[1].x - line[0].x) * (p.y - line[0].y) - (line[1].y - line[0].y) * (p.x - line[0].x);
 }
 
-/* Whether two segments come nearer than a distance to each other. */
-static bool are_near(const sph2d_vec2 *s, const sph2d_vec2 *t, double reach)
+bool drawn_near(const sph2d_vec2 *s, const sph2d_vec2 *t, double reach)
 {
     const bool cross = side(s, t[0]) * side(s, t[1]) < 0 && side(t, s[0]) * side(t, s[1]) < 0;
     return cross || distance(s, t[0]) < reach || distance(s, t[1]) < reach || distance(t, s[0]) < reach ||
@@ -45,7 +43,7 @@ drawn_line drawn_divide(const sph2d_vec2 *corners, size_t count, double thicknes
         const sph2d_vec2 from = direction(corners, k - 1), to = direction(corners, k);
         bool ends = from.x * to.x + from.y * to.y < SHARP;
         for (size_t j = line.start[line.pieces]; j + 1 < k && !ends; ++j)
-            ends = are_near(corners + j, corners + k, 1.5 * thickness);
+            ends = drawn_near(corners + j, corners + k, 1.5 * thickness);
         if (ends)
             line.start[++line.pieces] = k;
     }

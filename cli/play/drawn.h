@@ -5,6 +5,8 @@
 #ifndef SPH2D_CLI_PLAY_DRAWN_H
 #define SPH2D_CLI_PLAY_DRAWN_H
 
+#include <stdbool.h>
+
 #include <sph2d/scene.h>
 
 enum { DRAWN_MOST_CORNERS = 64 };
@@ -17,6 +19,9 @@ typedef struct drawn_line {
 
 /** Divides a line for solids of a thickness [m]. */
 drawn_line drawn_divide(const sph2d_vec2 *corners, size_t count, double thickness);
+
+/** Whether two segments, of two corners each, come nearer than a distance to each other [m]. */
+bool drawn_near(const sph2d_vec2 *s, const sph2d_vec2 *t, double reach);
 
 /** The corners of piece k as a solid of a thickness, longer at both ends by `more` [m]: along its left, then back along
  *  its right. Returns their number, 2 DRAWN_MOST_CORNERS at most. */

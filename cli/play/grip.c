@@ -30,24 +30,55 @@ static bool is_inside(const double *x, const double *y, size_t count, sph2d_vec2
     return inside;
 }
 
-grip grip_take(const live *l, sph2d_vec2 at)
+/* The outline of a body where it is now: corners from `from` up to `to`. */
+typedef struct body_outline {
+    const double *x, *y;
+    size_t from, to, body;
+} body_outline;
+
+/* The next outline of a body after one, which starts with {0}; false after the last. */
+static bool next_outline(const live *l, body_outline *o)
 {
     const sph2d_array places = outline_field(l->sim, "Coordinates"), walls = outline_field(l->sim, "WallIDs");
-    if (!places.name || !walls.name)
-        return (grip){0};
-    const double *x = places.data[0], *y = places.data[1];
     const uint64_t *wall = walls.data[0];
-    const size_t first = l->scene.obstacle_count;
-    for (size_t from = 0, to = 0; from < places.count; from = to) {
-        while (to < places.count && wall[to] == wall[from])
-            ++to;
-        if (wall[from] == UINT64_MAX || wall[from] < first || !is_inside(x + from, y + from, to - from, at))
-            continue;
-        const size_t body = (size_t)wall[from] - first;
-        const sph2d_body_state now = sph2d_sim_body(l->sim, body);
-        return (grip){true, body, {at.x - now.center.x, at.y - now.center.y}, now.angle};
+    o->x = places.data[0];
+    o->y = places.data[1];
+    while (places.name && walls.name && o->to < places.count) {
+        o->from = o->to;
+        while (o->to < places.count && wall[o->to] == wall[o->from])
+            ++o->to;
+        o->body = (size_t)wall[o->from] - l->scene.obstacle_count;
+        if (wall[o->from] != UINT64_MAX && wall[o->from] >= l->scene.obstacle_count)
+            return true;
     }
+    return false;
+}
+
+grip grip_take(const live *l, sph2d_vec2 at)
+{
+    body_outline o = {0};
+    while (next_outline(l, &o))
+        if (is_inside(o.x + o.from, o.y + o.from, o.to - o.from, at)) {
+            const sph2d_body_state now = sph2d_sim_body(l->sim, o.body);
+            return (grip){true, o.body, {at.x - now.center.x, at.y - now.center.y}, now.angle};
+        }
     return (grip){0};
+}
+
+size_t grip_in_way(const live *l, const sph2d_vec2 *corners, size_t count, double thickness)
+{
+    body_outline o = {0};
+    while (next_outline(l, &o)) {
+        bool hit = is_inside(o.x + o.from, o.y + o.from, o.to - o.from, corners[0]);
+        for (size_t k = o.from, j = o.to - 1; k < o.to && !hit; j = k++) {
+            const sph2d_vec2 side[2] = {{o.x[j], o.y[j]}, {o.x[k], o.y[k]}};
+            for (size_t i = 0; i + 1 < count && !hit; ++i)
+                hit = drawn_near(side, corners + i, thickness / 2);
+        }
+        if (hit)
+            return o.body;
+    }
+    return SIZE_MAX;
 }
 
 sph2d_status grip_pull(const grip *g, live *l, sph2d_vec2 at)

@@ -72,6 +72,12 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
     h->corner_count = 0;
     if (count < 2)
         return SPH2D_OK;
+    const size_t body = grip_in_way(l, h->corners, count, live_wall_thickness(l));
+    if (body != SIZE_MAX) {
+        const char *name = l->scene.bodies[body].name;
+        snprintf(h->note, sizeof h->note, "no wall: it would go through %.40s", name ? name : "a body");
+        return SPH2D_OK;
+    }
     live_remember(l, "wall");
     const sph2d_status status = live_add_wall(l, h->corners, count, &removed, report);
     if (status != SPH2D_OK)

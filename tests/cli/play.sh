@@ -108,7 +108,7 @@ blocks:
 obstacles:
   - {box: {min: [1, 0.5], max: [1.1, 0.6]}, motion: {amplitude: [0.05, 0], frequency: 1}}
 bodies:
-  - {box: {min: [0.7, 0.7], max: [0.8, 0.8]}, density: 300}
+  - {box: {min: [0.7, 0.7], max: [0.8, 0.8]}, density: 5000}
 END
 draw() { # X Y...: a wall through places of the window
     xdotool key w mousemove --window "$window" "$1" "$2" mousedown 1
@@ -131,9 +131,10 @@ sleep 2
 draw 60 60 120 120 60 120 120 60 120 160
 xdotool key 0
 draw 60 180 120 180
+draw 150 60 230 60 # where the body was
 xdotool key s
-[ "$(walls played_001)" -ge 3 ] || fail 'no wall was drawn where a block was'
-expect 0 "$SPH2D" check played_001/scene.yaml -q
+[ "$(walls played_001)" -ge 6 ] || fail 'no wall was drawn where a block was'
+expect 0 "$SPH2D" resume played_001 -q --no-frames -s run.until=0
 xdotool mousemove --window "$window" 90 180 click 3
 sleep 0.3
 xdotool key s
@@ -144,7 +145,7 @@ xdotool key u
 sleep 0.2
 xdotool key s
 [ "$(walls played_003)" = "$drawn" ] || fail 'the wall that was taken away did not come back'
-xdotool key u u ctrl+z u
+xdotool key u u u ctrl+z u
 sleep 0.2
 xdotool key s
 [ "$(walls played_004)" = 0 ] || fail 'walls after they were undone'
