@@ -180,11 +180,21 @@ sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report)
     return status == SPH2D_OK ? remove_checkpoint(o, report) : status;
 }
 
+/* Whether all of a run left no file: its only result is then its last moment. */
+static bool left_nothing(const cli_outputs *o)
+{
+    return o->series_count == 0 && !o->writer && !(sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0);
+}
+
 sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report)
 {
     sph2d_status status = outputs_settle(o, report);
     if (status != SPH2D_OK)
         return status;
+    if (!stopped && left_nothing(o)) {
+        o->last_only = true;
+        return write_snapshot(o, report);
+    }
     bool is_saved = o->saved_step == sph2d_sim_steps(o->sim);
     bool needed = stopped || sph2d_rate_interval(scene_of(o)->run.snapshots.rate) > 0;
     if (is_saved && o->saved == SAVED_IN_CHECKPOINT && needed)

@@ -25,6 +25,7 @@ typedef struct cli_outputs {
     frame_times frames;    /**< times of frames */
     sph2d_series **series; /**< one per probe */
     size_t series_count;
+    bool last_only;      /**< a snapshot of the end was written, as there was nothing else */
     uint64_t saved_step; /**< the last saved step ... */
     saved_in saved;      /**< ... and its file */
 } cli_outputs;
@@ -54,7 +55,8 @@ sph2d_status outputs_write_due(cli_outputs *o, sph2d_report *report);
 /** Writes the state in which a guard fired, and removes a checkpoint from before it. */
 sph2d_status outputs_write_guard(cli_outputs *o, sph2d_report *report);
 
-/** Writes a checkpoint if needed, and removes an obsolete one. `stopped`: the run was stopped before its end. */
+/** Writes a checkpoint if needed, and removes an obsolete one. At the end of a run without any outputs writes a snapshot,
+ *  and sets `last_only`. `stopped`: the run was stopped before its end. */
 sph2d_status outputs_finish(cli_outputs *o, bool stopped, sph2d_report *report);
 
 /** Closes the probes' files and frees everything. */

@@ -63,6 +63,21 @@ expect 0 "$SPH2D" run "$TINY" -o none --no-frames -q --set run.snapshots.per_sec
 expect 0 "$SPH2D" run "$TINY" -o zero --no-frames -q --set run.until=0 && present zero/snapshot_000000.h5
 absent zero/snapshot_000001.h5
 
+# A run that would leave nothing keeps its end, and one that goes on the next.
+cat >bare.yaml <<'END'
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.05
+blocks: [{box: {min: [0, 0], max: [0.5, 0.5]}}]
+run: {until: 0.05}
+END
+expect 0 "$SPH2D" run bare.yaml -o kept --progress never && says "the last moment is in 'kept/snapshot_000000.h5'"
+[ "$(ls kept)" = snapshot_000000.h5 ] || fail 'more than one file'
+expect 0 "$SPH2D" resume kept -s run.until=0.1 --progress never && says "the last moment is in 'kept/snapshot_000001.h5'"
+expect 0 "$SPH2D" run bare.yaml -o again -q && silent && cmp again/snapshot_000000.h5 kept/snapshot_000000.h5 >&2
+expect 0 "$SPH2D" run bare.yaml -o undrawn -s 'run.frames={every: 0.05}' --no-frames -q && present undrawn/snapshot_000000.h5
+expect 75 "$SPH2D" run bare.yaml -o stopped --max-wall 0.000001s -q && expect 0 "$SPH2D" resume stopped -q
+same again stopped
+
 # --verbose says where the number of threads comes from
 set -- run "$TINY" --no-frames -v --set run.until=0
 if "$SPH2D" --version | grep -q '^OpenMP *yes'; then
