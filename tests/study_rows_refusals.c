@@ -51,6 +51,8 @@ static const struct fault {
     {SCENE "target: -0.1\n", SPH2D_CODE_OUT_OF_RANGE, "target", 2, 9, "a number above 0", ""},
     {SCENE "target: .nan\n", SPH2D_CODE_OUT_OF_RANGE, "target", 2, 9, "a number above 0", ""},
     {SCENE "target: 1 per cent\n", SPH2D_CODE_OUT_OF_RANGE, "target", 2, 9, "a number above 0", ""},
+    {SERIES "    expect: 1\n    relative: true\ntarget: 5\n", SPH2D_CODE_OUT_OF_RANGE, "target", 8, 9, "500 %",
+     "5% or 0.05"},
     {SCENE "along: spacign\n", SPH2D_CODE_WRONG_TYPE, "along", 2, 8, "no row sets that key", "'vary' or 'set'"},
     {SCENE "repeat: 0\n", SPH2D_CODE_OUT_OF_RANGE, "repeat", 2, 9,
      "0 is out of range: must be at least 1 and at most 100", "least"},

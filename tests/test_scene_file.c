@@ -61,6 +61,8 @@ static const struct fault {
     {DOMAIN "spacing:\n  a: 1\n" BLOCKS, SPH2D_CODE_WRONG_TYPE, "spacing", 2, 1, "got a mapping", ""},
     {SOUND "gravity: [0, -9.81, 0]\n", SPH2D_CODE_WRONG_TYPE, "gravity", 6, 10, "two numbers [x, y], got a list of 3",
      "m/s^2"},
+    {SOUND "method: {max_compression: 2%}\n", SPH2D_CODE_WRONG_TYPE, "method.max_compression", 6, 27,
+     "expected a number, got '2%'", "write 0.02"},
     {SOUND "gravity: [0, down]\n", SPH2D_CODE_WRONG_TYPE, "gravity", 6, 14, "expected a number, got 'down'", ""},
     {"domain: 3\n" SPACING BLOCKS, SPH2D_CODE_WRONG_TYPE, "domain", 1, 9, "expected a mapping, got '3'", ""},
     {DOMAIN SPACING "blocks: {}\n", SPH2D_CODE_WRONG_TYPE, "blocks", 3, 9, "expected a list, got a mapping", ""},

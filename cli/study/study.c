@@ -27,6 +27,17 @@ static int refuse_varied(const cli_study *s)
     return CLI_EXIT_SUCCESS;
 }
 
+/* A relative error is a fraction, so that 5 would be 500 %: hardly what is meant. */
+static int refuse_target(const cli_study *s, bool relative)
+{
+    const double target = s->options->target;
+    if (!relative || s->options->percent || target < 1)
+        return CLI_EXIT_SUCCESS;
+    message_usage("study", "--target: %g of a relative error is %g %%: write %g%% or %g", target, 100 * target, target,
+                  target / 100);
+    return CLI_EXIT_USAGE;
+}
+
 /* Everything that may be refused comes before the first run and before the folder is touched. */
 static int prepare(cli_study *s)
 {
@@ -47,7 +58,8 @@ static int prepare(cli_study *s)
     s->target = options->target > 0 ? options->target : s->study->target;
     s->percent = (options->target > 0 ? options->percent : s->study->percent) || relative;
     s->repeat = options->repeat > 0 ? (uint64_t)options->repeat : s->study->repeat;
-    return study_open_folder(s);
+    code = refuse_target(s, relative);
+    return code == CLI_EXIT_SUCCESS ? study_open_folder(s) : code;
 }
 
 /* ---- the rows ---------------------------------------------------------------------------------------------------- */

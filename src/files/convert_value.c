@@ -16,6 +16,18 @@ typedef struct value {
     const char *path;
 } value;
 
+/** The value of a percentage, "5%": 0.05; 0 for any other text. */
+static double fraction_of(const sph2d__node *node)
+{
+    char digits[32];
+    const size_t length = node->kind == SPH2D__NODE_SCALAR ? strlen(node->text) : 0;
+    double number = 0;
+    if (length < 2 || length > sizeof digits || node->text[length - 1] != '%')
+        return 0;
+    snprintf(digits, sizeof digits, "%.*s", (int)(length - 1), node->text);
+    return sph2d__number_real(digits, &number) == SPH2D__NUMBER_OK ? number / 100 : 0;
+}
+
 static void hint_key(sph2d_diagnostic *diagnostic, const sph2d_key *key)
 {
     sph2d_diagnostic_hint(diagnostic, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
@@ -30,7 +42,10 @@ void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key
     char got[80];
     sph2d_diagnostic *d = sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path,
                                        "expected %s, got %s", expected, sph2d__node_describe(node, got, sizeof got));
-    hint_key(d, key);
+    if (key->kind == SPH2D_KEY_NUMBER && key->unit[0] == '\0' && fraction_of(node) != 0)
+        sph2d_diagnostic_hint(d, "write %g: %s is a fraction of 1", fraction_of(node), key->name);
+    else
+        hint_key(d, key);
 }
 
 /** Reports a value that is not a number, or one that cannot be stored. */

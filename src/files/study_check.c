@@ -178,11 +178,28 @@ void sph2d__study_target(sph2d_study *study)
         study->target /= 100;
 }
 
+/** Whether the error that is weighed is a fraction: that of the measure `judge`, else of the first that has one. */
+static bool judges_fraction(const sph2d_study *study)
+{
+    for (size_t i = 0; i < study->measure_count; ++i) {
+        const sph2d_study_measure *m = &study->measures[i];
+        bool named = !study->judge || (m->name && strcmp(m->name, study->judge) == 0);
+        if (named && m->expectation != SPH2D_EXPECT_NOTHING)
+            return m->relative;
+    }
+    return false;
+}
+
 static void check_target(checker *c, const sph2d_study *study)
 {
-    if (isnan(study->target) && is_sound(c, "target"))
+    double target = study->target;
+    if (isnan(target) && is_sound(c, "target"))
         sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, "target", "a target must be a number above 0"),
                               "such as 0.01 or 1%%");
+    else if (target >= 1 && !study->percent && judges_fraction(study))
+        sph2d_diagnostic_hint(fault(c, SPH2D_CODE_OUT_OF_RANGE, "target",
+                                    "a target of %g is %g %%, as the error is relative", target, 100 * target),
+                              "%g%% or %g; or, if that is meant, %g%%", target, target / 100, 100 * target);
 }
 
 static void check_judge(checker *c, const sph2d_study *study)

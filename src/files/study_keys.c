@@ -152,7 +152,7 @@ static const sph2d_key study_items[] = {
     {"along", SPH2D_KEY_TEXT, false, AT(sph2d_study, along), .unit = "", .default_text = "spacing",
      .text = "the key on the axis of the plot; rows that differ in nothing else belong together"},
     {"target", SPH2D_KEY_TEXT, false, AT(sph2d_study, target_text), .unit = "", .default_text = "0.01",
-     .text = "the error that the cheapest row is named for, 0.01 or 1%"},
+     .text = "the error that the cheapest row is named for, 0.01 or 1%; of a relative error 1 and more need the %"},
     {"repeat", SPH2D_KEY_COUNT, false, AT(sph2d_study, repeat), .min = 1, .max = 100, .unit = "", .default_text = "1",
      .text = "how often a row of less than 10 s is run; the least time counts"},
 };

@@ -163,6 +163,9 @@ prints '^No row has an error of 0.0001 % or less (energy, against the finest row
 absent vary/cheapest.yaml
 expect 64 "$SPH2D" study vary.yaml --set spacing=0.1 && says 'the study varies that key'
 for target in 0 -1% x 1%% ''; do expect 64 "$SPH2D" study vary.yaml --target "$target" && says 'is not an error'; done
+# Of a relative error 5 would be 500 %. An absolute one has the unit of its column.
+expect 64 "$SPH2D" study scene.yaml --target 5 && says '500 %: write 5% or 0.05$'
+expect 64 "$SPH2D" study scene.yaml --target 1 && says '100 %: write 1% or 0.01$'
 expect 0 "$SPH2D" study study.yaml --repeat 3 --json -q && prints '"repeats": 3'
 expect 64 "$SPH2D" study vary.yaml --repeat 0 && says 'from 1 to 100'
 expect 64 "$SPH2D" study vary.yaml -J 0 && says 'from 1 to 1024'
