@@ -16,7 +16,7 @@ typedef struct distances {
     size_t paired;      /**< number of distances below half a spacing */
 } distances;
 
-/** Distance from particle `i` to its nearest neighbour [m], at largest the support radius. */
+/** Distance from particle `i` to its nearest neighbour [m], at most the support radius. */
 static double nearest(const sph2d_sim *sim, size_t i)
 {
     const sph2d__store *f = &sim->system.fluid;

@@ -19,7 +19,7 @@
 enum { QUADRATIC = 6, LINEAR = 3, CONSTANT = 1, TERMS = QUADRATIC, FIELDS = 4 };
 
 /* A term is not determined by the neighbours if its pivot is below this fraction of its diagonal element. Inside liquid
- * it is at least a tenth; from a hundredth on, noise is amplified tenfold at largest. */
+ * it is at least a tenth; from a hundredth on, noise is amplified tenfold at most. */
 static const double MIN_PIVOT = 0.01;
 
 /** The particles around a point. */

@@ -209,7 +209,7 @@ static void check_fitted_support(sph2d__checker *c)
     defaults.support_ratio = 0;
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio",
                                              "with fitted operators this support gains energy in a flow of this speed");
-    sph2d_diagnostic_hint(d, "use %g or less, or leave it out for %g; or a viscosity of at smallest %.3g Pa s",
+    sph2d_diagnostic_hint(d, "use %g or less, or leave it out for %g; or a viscosity of %.3g Pa s or more",
                           MAX_FITTED_SUPPORT, sph2d__method_resolve(defaults).support_ratio, cell / MAX_CELL_REYNOLDS);
 }
 
@@ -372,7 +372,7 @@ static void check_pair(sph2d__checker *c, sph2d_side a, sph2d_side b, const char
         return;
     sph2d_diagnostic *d = sph2d__check_fault(
         c, SPH2D_CODE_OUT_OF_RANGE, path, "the period is shorter than three times the interaction range of particles");
-    sph2d_diagnostic_hint(d, "make the domain at smallest %g m long here, or the spacing smaller", 3.001 * reach);
+    sph2d_diagnostic_hint(d, "make the domain at least %g m long here, or the spacing smaller", 3.001 * reach);
 }
 
 void sph2d__check_method(sph2d__checker *c)
