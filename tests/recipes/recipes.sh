@@ -113,13 +113,18 @@ if command -v gnuplot >/dev/null; then
 else
     skip plots 'no gnuplot: apt install gnuplot-nox'
 fi
-commands 'A film' | sed -n '/^ffmpeg/{s/$/ -loglevel error -y/p;q}' >commands.sh
 if [ ! -d out/frames ]; then
-    skip film 'this build draws no frames'
-elif ! command -v ffmpeg >/dev/null; then
-    skip film 'no ffmpeg: apt install ffmpeg'
+    skip 'pictures and film' 'this build draws no frames'
 else
-    files film film.mp4
+    commands 'Pictures for slides and papers' >commands.sh
+    files pictures slide/frame_000000.png paper/frame_000000.png flow/frame_000010.png eddies/frame_000010.png
+    # The animations in the README come last, from other scenes.
+    commands 'A film' | sed '/ffmpeg/{s/$/ -loglevel error/;q}' >commands.sh
+    if command -v ffmpeg >/dev/null; then
+        files film film.mp4 film.gif speed.mp4 png/frame_000010.png frames.mp4
+    else
+        skip film 'no ffmpeg: apt install ffmpeg'
+    fi
 fi
 
 [ $failed = 0 ] || { echo "$failed of the recipes failed" >&2 && exit 1; }
