@@ -103,6 +103,7 @@ sph2d_status frame_find_view(const particle_source *source, const frame_style *s
 {
     const sph2d_box *view = &style->frames.view;
     const bool given = view->min.x < view->max.x && view->min.y < view->max.y;
-    picture->view = given ? *view : whole(style);
+    picture->inside = whole(style);
+    picture->view = given ? *view : picture->inside;
     return style->frames.follow ? follow(source, style->frames.follow, picture, &picture->view, report) : SPH2D_OK;
 }

@@ -127,8 +127,8 @@ typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_ve
     sph2d_frames frames; } sph2d_snapshot_info;
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
     sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
-typedef struct sph2d_picture { sph2d_box view; double radius; size_t count; const double *x, *y; const double *values;
-    double value_min, value_max; bool diverging; const char *value_label; double spacing; const double *vx, *vy;
+typedef struct sph2d_picture { sph2d_box view; sph2d_box inside; double radius; size_t count; const double *x, *y;
+    const double *values;    double value_min, value_max; bool diverging; const char *value_label; double spacing; const double *vx, *vy;
     double arrow_spacing; double arrow_speed; const double *stream_vx, *stream_vy; double streamline_spacing;
     const double *level_values; double level_step; const char *level_label; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
@@ -1461,8 +1461,9 @@ class Renderer(_Owner):
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
         (left, bottom), (right, top) = space.domain
         thick = max(space.spacing, 0.008 * max(right - left, top - bottom))  # as in frames of the command
-        all_of_it = (left - thick, bottom - thick), (right + thick, top + thick)
-        low, high = _numbers("view", all_of_it if view is None else view, (2, 2))
+        whole = (left - thick, bottom - thick), (right + thick, top + thick)
+        picture.inside.min, picture.inside.max = _vec2("inside", whole[0]), _vec2("inside", whole[1])
+        low, high = _numbers("view", whole if view is None else view, (2, 2))
         picture.view.min, picture.view.max = _vec2("view", low), _vec2("view", high)
         picture.radius = self._default_radius * space.spacing if radius is None else _number("radius", radius)
         picture.wall_thickness, picture.spacing = thick, space.spacing

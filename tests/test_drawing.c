@@ -38,6 +38,37 @@ START_TEST(nothing_is_background)
 }
 END_TEST
 
+/* What is lighter is the domain, whatever part of the plane is seen; the strip below never is. */
+START_TEST(background_is_that_of_the_domain)
+{
+    static const struct {
+        sph2d_box view, inside;
+        int from, to; /* lighter columns */
+    } cases[] = {
+        {{{0.0, 0.0}, {1.0, 1.0}}, {{-9.0, -9.0}, {9.0, 9.0}}, 0, 90}, /* of another shape than the picture */
+        {{{0.0, 0.0}, {2.25, 1.0}}, {{0.0, -9.0}, {0.75, 9.0}}, 0, 30},
+        {{{0.0, 0.0}, {2.25, 1.0}}, {{3.0, -9.0}, {4.0, 9.0}}, 90, 90},
+        {{{0.0, 0.0}, {2.25, 1.0}}, {{0.0, 0.0}, {0.0, 0.0}}, 0, 90}, /* none is told: the view */
+    };
+    sph2d_renderer *renderer = make_renderer(NULL, 90, 40, SPH2D_STYLE_POINTS);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        const sph2d_picture picture = {.view = cases[k].view, .inside = cases[k].inside};
+        const unsigned char *pixels = draw(renderer, &picture);
+        for (int i = 0; i < 90 * 40; ++i) {
+            const bool lighter = i % 90 >= cases[k].from && i % 90 < cases[k].to;
+            ck_assert_msg((pixels[4 * i] > 240) == lighter, "case %zu, column %d", k, i % 90);
+        }
+    }
+    sph2d_renderer_destroy(renderer);
+    renderer = make_renderer(NULL, 640, 360, SPH2D_STYLE_POINTS);
+    const sph2d_picture picture = {
+        .view = {{0.0, 0.0}, {1.0, 1.0}}, .inside = {{-9.0, -9.0}, {9.0, 9.0}}, .caption = "-"};
+    const unsigned char *pixels = draw(renderer, &picture);
+    ck_assert(pixels[0] > 240 && pixels[4 * (640 * 360 - 1)] < 240);
+    sph2d_renderer_destroy(renderer);
+}
+END_TEST
+
 /* A lone ball is seen where r^4 - r^2 + 1/4 > T in units of R, with sqrt T = 1/2 - 1/(4 pi): up to R/(2 sqrt pi). At R
  * of two spacings that circle is as large as the square of a particle. */
 START_TEST(lone_ball_has_its_radius)
@@ -305,6 +336,7 @@ Suite *suite_drawing(void)
     Suite *suite = suite_create("drawing");
     TCase *drawing = tcase_create("drawing");
     tcase_add_test(drawing, nothing_is_background);
+    tcase_add_test(drawing, background_is_that_of_the_domain);
     tcase_add_test(drawing, lone_ball_has_its_radius);
     tcase_add_test(drawing, water_covers_its_area);
     tcase_add_test(drawing, points_show_values);

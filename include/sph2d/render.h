@@ -87,6 +87,9 @@ typedef struct sph2d_picture {
     /** The part of the plane to show [m]; fitted into the image with its aspect kept. */
     sph2d_box view;
 
+    /** The part whose background is lighter: the domain [m]. Empty, its corners the same: the view. */
+    sph2d_box inside;
+
     /** Radius of a metaball (R, where its field would rise again; it ends at R/sqrt 2) or of a point [m]. */
     double radius;
 

@@ -135,13 +135,19 @@ static int glyph_width(const char *glyph)
     return widest;
 }
 
+/* Lays a color over a pixel, whose colours are not multiplied by its alpha. */
 static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, double cover)
 {
+    static const sph2d__ink light = {250, 251, 252, 1.0};
     unsigned char *pixel = canvas->pixels + 4 * ((size_t)y * (size_t)canvas->width + (size_t)x);
+    if (canvas->halo > 0.0)
+        ink = light;
     const unsigned char color[3] = {ink.red, ink.green, ink.blue};
+    const double over = ink.opacity * cover, alpha = pixel[3] + (255 - pixel[3]) * over;
+    const double part = pixel[3] == 255 ? over : alpha > 0.0 ? 255.0 * over / alpha : 0.0;
     for (int c = 0; c < 3; ++c)
-        pixel[c] = (unsigned char)lrint(pixel[c] + (color[c] - pixel[c]) * ink.opacity * cover);
-    pixel[3] = (unsigned char)lrint(pixel[3] + (255 - pixel[3]) * ink.opacity * cover);
+        pixel[c] = (unsigned char)lrint(pixel[c] + (color[c] - pixel[c]) * part);
+    pixel[3] = (unsigned char)lrint(alpha);
 }
 
 double sph2d__canvas_unit(int width, int height)
@@ -151,6 +157,11 @@ double sph2d__canvas_unit(int width, int height)
 
 void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, int height, sph2d__ink ink)
 {
+    const int wider = (int)lrint(canvas->halo);
+    x -= wider;
+    y -= wider;
+    width += 2 * wider;
+    height += 2 * wider;
     for (int row = y > 0 ? y : 0; row < y + height && row < canvas->height; ++row)
         for (int column = x > 0 ? x : 0; column < x + width && column < canvas->width; ++column)
             blend(canvas, column, row, ink, 1.0);
@@ -169,6 +180,7 @@ static double segment_square(double x, double y, const double from[2], const dou
 void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const double to[2], double half,
                         sph2d__ink ink)
 {
+    half += canvas->halo;
     const double reach = half + 1.0;
     const int left = (int)fmax(floor(fmin(from[0], to[0]) - reach), 0.0);
     const int right = (int)fmin(ceil(fmax(from[0], to[0]) + reach), canvas->width);
@@ -206,12 +218,13 @@ static double glyph_distance(const char *glyph, double x, double y)
 /* Draws a glyph whose grid's origin is at (x, y) [px]. */
 static void draw_glyph(const sph2d__canvas *canvas, double x, double y, double unit, const char *glyph, sph2d__ink ink)
 {
-    const int left = (int)floor(x - unit) - 1, right = (int)ceil(x + 5.0 * unit) + 1;
-    const int top = (int)floor(y - 10.0 * unit) - 1, bottom = (int)ceil(y + unit) + 1;
+    const int wider = 1 + (int)ceil(canvas->halo);
+    const int left = (int)floor(x - unit) - wider, right = (int)ceil(x + 5.0 * unit) + wider;
+    const int top = (int)floor(y - 10.0 * unit) - wider, bottom = (int)ceil(y + unit) + wider;
     for (int row = top > 0 ? top : 0; row < bottom && row < canvas->height; ++row)
         for (int column = left > 0 ? left : 0; column < right && column < canvas->width; ++column) {
             const double distance = glyph_distance(glyph, (column + 0.5 - x) / unit, (y - row - 0.5) / unit);
-            const double cover = (half_line - distance) * unit + 0.5;
+            const double cover = (half_line - distance) * unit + 0.5 + canvas->halo;
             if (cover > 0.0)
                 blend(canvas, column, row, ink, fmin(cover, 1.0));
         }

@@ -98,12 +98,6 @@ int sph2d__colorbar_width(int width, int height, const char *label)
     return arrange(width, height, label).width;
 }
 
-int sph2d__colorbar_height(int width, int height)
-{
-    const layout at = arrange(width, height, NULL);
-    return at.width > 0 ? at.bar_y + at.bar_height + (int)lrint(PAD * at.unit) : 0;
-}
-
 static void draw_bar(const sph2d__canvas *canvas, const layout *at, bool diverging)
 {
     static const sph2d__ink frame = {70, 78, 88, 1.0};

@@ -17,9 +17,6 @@ void sph2d__color_range(const double *values, size_t count, bool symmetric, doub
  *  frames of a sequence. 0 where an image is too small for a legend. */
 int sph2d__colorbar_width(int width, int height, const char *label);
 
-/** Height of what is drawn there, from the upper edge of the image on [px]; 0 where nothing is. */
-int sph2d__colorbar_height(int width, int height);
-
 /** Draws a bar from `min` to `max` > `min` with round numbers beside it and a label (or NULL) above into those columns,
  *  in the colours of sph2d__colormap(). */
 void sph2d__colorbar_draw(const sph2d__canvas *canvas, double min, double max, bool diverging, const char *label);

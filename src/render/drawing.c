@@ -12,7 +12,7 @@
 #include "render/points.h"
 #include "render/shader.h"
 
-/* Colours of the background, inside the view and outside; of paper for ink. */
+/* Colours of the background, inside the domain and outside; of paper for ink. */
 static const unsigned char inside[3] = {246, 249, 251}, outside[3] = {231, 235, 239}, paper[3] = {255, 255, 255};
 
 static bool on_paper(const sph2d__drawing *self)
@@ -94,9 +94,21 @@ static void fill_box(const sph2d__drawing *self, sph2d__pixel_box box, const uns
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/* A light background, slightly darker outside the view: the larger part is cleared with all of the image, which takes
+/* The part of the image with a lighter background: no number stands on it. */
+static sph2d__pixel_box find_inside(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at)
+{
+    const sph2d_box *box = &picture->inside;
+    const bool given = box->min.x < box->max.x && box->min.y < box->max.y;
+    sph2d__pixel_box seen = sph2d__view_cover(&at->view, given ? *box : picture->view);
+    const int columns = self->width - at->right - seen.x, rows = self->height - at->below - seen.y;
+    seen.width = seen.width < columns ? seen.width : columns;
+    seen.height = seen.height < rows ? seen.height : rows;
+    return seen;
+}
+
+/* A light background, slightly darker outside the domain: the larger part is cleared with all of the image, which takes
  * little in a software renderer. */
-static void draw_background(const sph2d__drawing *self, const sph2d__view *view, sph2d_box box)
+static void draw_background(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at)
 {
     const sph2d__gl *gl = &self->gl;
     sph2d__target_bind(gl, &self->target);
@@ -105,7 +117,7 @@ static void draw_background(const sph2d__drawing *self, const sph2d__view *view,
         gl->Clear(GL_COLOR_BUFFER_BIT);
         return;
     }
-    const sph2d__pixel_box seen = sph2d__view_cover(view, box);
+    const sph2d__pixel_box seen = find_inside(self, picture, at);
     const int right = seen.x + seen.width, below = seen.y + seen.height;
     gl->Enable(GL_SCISSOR_TEST);
     fill_box(self, (sph2d__pixel_box){0, 0, self->width, self->height}, on_paper(self) ? paper : inside);
@@ -145,7 +157,7 @@ sph2d_status sph2d__drawing_paint(sph2d__drawing *self, const sph2d_picture *pic
         if (summed != SPH2D_OK)
             return summed;
     }
-    draw_background(self, &at->view, picture->view);
+    draw_background(self, picture, at);
     gl->Enable(GL_SCISSOR_TEST); /* no wall behind the numbers */
     gl->Scissor(0, 0, self->width - at->right, self->height - at->below);
     if (balls)
@@ -177,9 +189,7 @@ static sph2d__pixel_box box_of(const sph2d__drawing *self, const sph2d_picture *
 {
     switch (part) {
     case LEGEND:
-        return (sph2d__pixel_box){self->width - at->right, 0, at->right,
-                                  self->transparent ? sph2d__colorbar_height(self->width, self->height)
-                                                    : self->height - at->below};
+        return (sph2d__pixel_box){self->width - at->right, 0, at->right, self->height - at->below};
     case STRIP:
         return (sph2d__pixel_box){0, self->height - at->below, self->width, at->below};
     default:
@@ -203,24 +213,27 @@ static void write_part(const sph2d__drawing *self, const sph2d__canvas *canvas, 
         sph2d__notes_draw(canvas, picture->notes);
 }
 
-/* What text stands on. */
-static void fill_ground(const sph2d__drawing *self, const sph2d__canvas *canvas, sph2d__pixel_box box)
+/* Part of a unit of text by which a halo is wider than the lines. */
+static const double halo = 1.2;
+
+/* The same on nothing: text is dark, and has a light halo, so that it can be read on any colour. */
+static void write_on_nothing(const sph2d__drawing *self, const sph2d__canvas *canvas, const sph2d_picture *picture,
+                             const sph2d__layout *at, int part)
 {
-    const unsigned char *ground = on_paper(self) ? paper : outside;
-    sph2d__canvas_fill(canvas, box.x, box.y, box.width, box.height, (sph2d__ink){ground[0], ground[1], ground[2], 1.0});
+    sph2d__canvas below = *canvas;
+    below.halo = halo * sph2d__canvas_unit(self->width, self->height);
+    if (part != NOTES) /* which have a box */
+        write_part(self, &below, picture, at, part);
+    write_part(self, canvas, picture, at, part);
 }
 
 void sph2d__drawing_write(const sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at,
                           unsigned char *pixels)
 {
-    const sph2d__canvas canvas = {pixels, self->width, self->height};
-    for (int part = 0; part < PARTS; ++part) {
-        if (!has_part(picture, at, part))
-            continue;
-        if (self->transparent) /* text is dark */
-            fill_ground(self, &canvas, box_of(self, picture, at, part));
-        write_part(self, &canvas, picture, at, part);
-    }
+    const sph2d__canvas canvas = {.pixels = pixels, .width = self->width, .height = self->height};
+    for (int part = 0; part < PARTS; ++part)
+        if (has_part(picture, at, part))
+            (self->transparent ? write_on_nothing : write_part)(self, &canvas, picture, at, part);
 }
 
 /* ---- texts on what is shown -------------------------------------------------------------------------------------- */
@@ -245,14 +258,38 @@ static uint64_t mark_of(const sph2d__drawing *self, const sph2d_picture *picture
     return part == STRIP ? sph2d__hash(mark, label, strlen(label)) : mark;
 }
 
+/* What text stands on: the colour outside the domain, or nothing. */
+static void fill_ground(const sph2d__drawing *self, sph2d__pixel_box box, unsigned char *pixels)
+{
+    const unsigned char *color = on_paper(self) ? paper : outside;
+    for (int row = box.y; row < box.y + box.height; ++row)
+        for (int column = box.x; column < box.x + box.width; ++column) {
+            unsigned char *pixel = pixels + 4 * ((size_t)row * (size_t)self->width + (size_t)column);
+            memcpy(pixel, color, 3);
+            pixel[3] = self->transparent ? 0 : 255;
+        }
+}
+
+static void multiply_by_alpha(const sph2d__drawing *self, sph2d__pixel_box box, unsigned char *pixels)
+{
+    for (int row = box.y; row < box.y + box.height; ++row)
+        for (int k = 4 * box.x; k < 4 * (box.x + box.width); ++k) {
+            unsigned char *byte = pixels + (size_t)4 * (size_t)row * (size_t)self->width + (size_t)k;
+            if (k % 4 != 3)
+                *byte = (unsigned char)((*byte * byte[3 - k % 4] + 127) / 255);
+        }
+}
+
 /* Writes a part on the scratch pad, and uploads it to its place in the patch. */
 static void renew_part(sph2d__drawing *self, const sph2d_picture *picture, const sph2d__layout *at, int part,
                        sph2d__pixel_box box, unsigned char *pixels)
 {
     const sph2d__gl *gl = &self->gl;
-    const sph2d__canvas canvas = {pixels, self->width, self->height};
-    fill_ground(self, &canvas, box);
-    write_part(self, &canvas, picture, at, part);
+    const sph2d__canvas canvas = {.pixels = pixels, .width = self->width, .height = self->height};
+    fill_ground(self, box, pixels);
+    (self->transparent ? write_on_nothing : write_part)(self, &canvas, picture, at, part);
+    if (self->transparent)
+        multiply_by_alpha(self, box, pixels);
     gl->BindTexture(GL_TEXTURE_2D, self->patch.texture);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, self->width);

@@ -491,7 +491,7 @@ static const sph2d_key frames_items[] = {
     {"look", SPH2D_KEY_WORD, false, AT(sph2d_frames, look), .words = look_words, .unit = "", .default_text = "water",
      .text = "of metaballs: lit water, one flat colour, translucent glass, or ink on white paper"},
     {"background", SPH2D_KEY_WORD, false, AT(sph2d_frames, background), .words = background_words, .unit = "",
-     .default_text = "opaque", .text = "of the images; transparent: their pixels have alpha, captions a panel"},
+     .default_text = "opaque", .text = "of the images; transparent: their pixels have alpha, texts a light halo"},
     {"view", SPH2D_KEY_GROUP, false, AT(sph2d_frames, view), .keys = &box_keys, .unit = "",
      .default_text = "the domain and its walls", .text = "the part of the plane that is shown"},
     {"follow", SPH2D_KEY_TEXT, false, AT(sph2d_frames, follow), .unit = "", .default_text = "none",
