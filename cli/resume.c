@@ -62,7 +62,7 @@ static int continue_run(cli_session *s, saved_in saved)
         remove_obsolete(s, saved);
         loop_result nothing = {.end = LOOP_FINISHED};
         if (s->options->json)
-            summary_print(s->sim, &nothing, "complete", &s->threads, s->options);
+            summary_print(s->sim, &nothing, "complete", &s->threads, s->options, &s->folder);
         return CLI_EXIT_SUCCESS;
     }
     int code = session_create_frame_writer(s);

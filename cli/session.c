@@ -142,7 +142,7 @@ int session_run(cli_session *s, saved_in saved)
             message_note("there were no outputs to write, so the last moment is in '%s/snapshot_%06" PRIu64 ".h5'; "
                          "`run: {snapshots: {per_second: 60}}` in the scene writes all the others",
                          s->folder.path, sph2d_sim_output_count(s->sim, SPH2D_OUTPUT_SNAPSHOT) - 1);
-        summary_print(s->sim, &result, end_name(&result), &s->threads, s->options);
+        summary_print(s->sim, &result, end_name(&result), &s->threads, s->options, &s->folder);
         code = end_code(&result);
     }
     sph2d_status closed = outputs_close(&outputs, &s->report);

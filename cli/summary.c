@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "gauge_noise.h"
 #include "json.h"
 #include "text.h"
 
@@ -96,6 +97,29 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     text_row("largest speed", "%.4g m/s", s->speed_max);
 }
 
+/* ---- gauges ------------------------------------------------------------------------------------------------------ */
+
+/* Whether a probe is a gauge whose noise is known. */
+static bool find_noise(const sph2d_probe *probe, cli_folder *folder, gauge_noise *noise)
+{
+    const char *path = probe->kind == SPH2D_PROBE_PRESSURE ? folder_file(folder, "%s.csv", probe->name) : NULL;
+    return path && gauge_noise_read(path, noise);
+}
+
+static void print_gauges(const sph2d_scene *scene, cli_folder *folder)
+{
+    const char *row = "noise of gauges";
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        const sph2d_probe *probe = &scene->probes[i];
+        gauge_noise n;
+        if (!find_noise(probe, folder, &n))
+            continue;
+        text_row(row, "%s: %.3g Pa, %.3g %% of the mean, %.4g Pa, in the last quarter; rise time %.3g s", probe->name,
+                 n.deviation, 100 * ratio(n.deviation, fabs(n.mean)), n.mean, probe->rise_time);
+        row = "";
+    }
+}
+
 static void print_particles(const sph2d_summary *s, const sph2d_scene *scene)
 {
     text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
@@ -149,12 +173,13 @@ static void print_profile(const sph2d_sim *sim, const loop_result *result)
 }
 
 static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                        const thread_choice *threads)
+                        const thread_choice *threads, cli_folder *folder)
 {
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
     print_speed(sim, result, threads);
     print_errors(sim, scene, s);
+    print_gauges(scene, folder);
     print_particles(s, scene);
     print_steps(s);
     print_profile(sim, result);
@@ -226,6 +251,22 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_close_object(line);
 }
 
+static void add_gauges(cli_json *line, const sph2d_scene *scene, cli_folder *folder)
+{
+    json_open_object(line, "gauges");
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        gauge_noise n;
+        if (!find_noise(&scene->probes[i], folder, &n))
+            continue;
+        json_open_object(line, scene->probes[i].name);
+        json_number(line, "mean", n.mean);
+        json_number(line, "noise", n.deviation);
+        json_number(line, "rise_time", scene->probes[i].rise_time);
+        json_close_object(line);
+    }
+    json_close_object(line);
+}
+
 static void add_particles(cli_json *line, const sph2d_summary *s)
 {
     json_open_object(line, "particles");
@@ -275,7 +316,7 @@ static void add_profile(cli_json *line, const sph2d_sim *sim)
 }
 
 static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                         const thread_choice *threads, const cli_options *options)
+                         const thread_choice *threads, const cli_options *options, cli_folder *folder)
 {
     const sph2d_scene *scene = sph2d_sim_scene(sim);
     cli_json line = json_begin(stdout);
@@ -285,6 +326,7 @@ static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loo
     json_number(&line, "until", scene->run.until);
     add_speed(&line, sim, result, threads);
     add_errors(&line, sim, s);
+    add_gauges(&line, scene, folder);
     add_particles(&line, s);
     add_steps(&line, s);
     if (options->profile)
@@ -293,11 +335,11 @@ static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loo
 }
 
 void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
-                   const cli_options *options)
+                   const cli_options *options, cli_folder *folder)
 {
     sph2d_summary s = sph2d_sim_summary(sim);
     if (options->json)
-        print_object(sim, &s, result, reason, threads, options);
+        print_object(sim, &s, result, reason, threads, options, folder);
     else if (!options->quiet)
-        print_table(sim, &s, result, reason, threads);
+        print_table(sim, &s, result, reason, threads, folder);
 }

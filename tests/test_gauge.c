@@ -235,6 +235,42 @@ START_TEST(what_is_no_gauge_is_refused)
 }
 END_TEST
 
+/** The rise time that a probe of a scene with this gravity gets where none is given. */
+static double rise_time_of(double gravity, double sound_speed, double given)
+{
+    sph2d_scene scene = test_scene(0.1, 0, 0, 2, 2);
+    sph2d_block block = test_block(0, 0, 1, 1.5);
+    scene.blocks = &block;
+    scene.block_count = 1;
+    scene.gravity.y = -gravity;
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    scene.method.sound_speed = sound_speed;
+    sph2d_probe probes[2] = {sph2d_probe_default(), sph2d_probe_default()};
+    probes[0].name = "gauge";
+    probes[0].kind = SPH2D_PROBE_PRESSURE;
+    probes[1].name = "energy";
+    probes[0].rate.every = probes[1].rate.every = 0.1;
+    probes[0].rise_time = given;
+    scene.probes = probes;
+    scene.probe_count = 2;
+    sph2d_sim *sim = NULL;
+    ck_assert_int_eq(sph2d_sim_create(&scene, NULL, &sim, NULL), SPH2D_OK);
+    const double rise_time = sph2d_sim_scene(sim)->probes[0].rise_time;
+    sph2d_sim_destroy(sim);
+    return rise_time;
+}
+
+/** The slowest sound in 1.5 m of liquid has a wave of four times that; what does not fall has no such height. */
+START_TEST(a_gauge_is_slower_than_the_sound_of_the_liquid)
+{
+    ck_assert_double_eq_tol(rise_time_of(9.81, 0, NAN), 4 * 1.5 / sqrt(2 * 9.81 * 1.5 / 0.01), 1e-12);
+    ck_assert_double_eq_tol(rise_time_of(9.81, 100, NAN), 4 * 1.5 / 100, 1e-12);
+    ck_assert_double_eq(rise_time_of(0, 100, NAN), 0);
+    ck_assert_double_eq(rise_time_of(9.81, 0, 0), 0);
+    ck_assert_double_eq(rise_time_of(9.81, 0, 0.25), 0.25);
+}
+END_TEST
+
 Suite *suite_gauge(void)
 {
     Suite *suite = suite_create("gauge");
@@ -246,6 +282,7 @@ Suite *suite_gauge(void)
     tcase_add_test(tests, a_ramp_is_followed_exactly_by_any_steps);
     tcase_add_test(tests, what_a_gauge_shows_goes_on_after_a_resume_and_on_any_threads);
     tcase_add_test(tests, what_is_no_gauge_is_refused);
+    tcase_add_test(tests, a_gauge_is_slower_than_the_sound_of_the_liquid);
     suite_add_tcase(suite, tests);
     return suite;
 }

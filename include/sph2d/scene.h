@@ -823,7 +823,9 @@ typedef struct sph2d_probe {
     /** pressure: direction of the face, of any length > 0; default (0, 1), vertical. */
     sph2d_vec2 along;
 
-    /** pressure: 10 to 90 % rise time of the gauge, a first-order low-pass filter [s], >= 0; default 0: no filter. */
+    /** pressure: 10 to 90 % rise time of the gauge, a first-order low-pass filter [s], >= 0; 0: no filter. Default NaN:
+     *  4 h/c0, h the height from which the liquid can fall, the period of its slowest standing sound wave; 0 without
+     *  gravity. */
     double rise_time;
 
     /** When it is sampled; must be given. */

@@ -364,8 +364,8 @@ typedef enum sph2d_arrangement {
  *             momentum; speed of the fastest particle; energy of compression; energy_error: error of the energy
  *             balance, over the scene's energy scale (sph2d_summary): positive for energy from nothing
  *  speed      of the liquid at a point, by sph2d_sim_sample(); neighbours: particles within the support radius
- *  pressure   at a point, by sph2d_sim_sample(). With `size` or `rise_time` the reading of a gauge of that kind, 0 in
- *             air
+ *  pressure   the reading of a gauge at a point, 0 in air: sph2d_sim_sample(), averaged over its `size` and delayed by
+ *             its `rise_time`, which has a default. With rise_time 0 and size 0 the sample itself, NaN in air
  *  elevation  y of the highest free surface on the vertical line through at.x, where liquid fills half of the kernel's
  *             area: from H/dx = 2.2 on, no isolated particle does. Liquid up to a closed top has the top's y
  *  extent     of the particles' positions

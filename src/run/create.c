@@ -215,6 +215,22 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     return status;
 }
 
+/** Gives gauges without a rise time their default. */
+static sph2d_status resolve_gauges(sph2d_sim *sim)
+{
+    sph2d_scene *scene = &sim->scene;
+    sph2d_probe *probes = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count + 1, sizeof *probes);
+    if (!probes)
+        return SPH2D_NOMEM;
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        probes[i] = scene->probes[i];
+        if (probes[i].kind == SPH2D_PROBE_PRESSURE && isnan(probes[i].rise_time))
+            probes[i].rise_time = sph2d__gauge_rise_time(scene);
+    }
+    scene->probes = probes;
+    return SPH2D_OK;
+}
+
 /** Copies the scene, resolves its defaults and sets the system, before anything is placed. */
 static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options)
 {
@@ -233,6 +249,8 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
     sim->scene.run.frames = sph2d__frames_resolve(&sim->scene);
     status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
+    if (status == SPH2D_OK)
+        status = resolve_gauges(sim);
     if (status != SPH2D_OK)
         return status;
     sim->given = sim->scene;

@@ -45,7 +45,7 @@ static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
 {
     char path[PATH_SIZE];
     if (probe->kind != SPH2D_PROBE_PRESSURE) {
-        if (probe->size != 0 || probe->rise_time != 0)
+        if (probe->size != 0 || (probe->rise_time != 0 && !isnan(probe->rise_time)))
             sph2d__check_fault(c, SPH2D_CODE_CONFLICT,
                                sph2d__check_path(path, "probes", i, probe->size != 0 ? ".size" : ".rise_time"),
                                "is for probes of kind pressure");

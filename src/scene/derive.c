@@ -195,6 +195,20 @@ double sph2d__regularisation(const sph2d_scene *scene)
     return head > 0 ? SLOWER * fmin(width, height) / sqrt(2 * head) : 1;
 }
 
+/* Sound between a floor and a free surface at a distance h has the period 4 h/c0 at most (a quarter of a wave stands
+ * there), and liquid that is slightly compressible rings with it and its overtones after every impact, as water of its
+ * sound speed would. What is shorter says nothing of the liquid meant, whose sound is far faster. */
+double sph2d__gauge_rise_time(const sph2d_scene *scene)
+{
+    const sph2d__derived d = sph2d__scene_derive(scene);
+    if (!(d.gravity > 0 && d.sound_speed > 0))
+        return 0;
+    /* What liquid a file has, a resumed run does not know: its height is the one that the sound speed is for. */
+    const double head = d.soft_compression * d.sound_speed * d.sound_speed / OVERSHOOT;
+    const bool from_file = scene->particles.file || sph2d__starts_from_snapshot(scene);
+    return 4 * (from_file ? head / d.gravity : d.height) / d.sound_speed;
+}
+
 /* The largest value of a quantity that the scene's head suggests; 0 for others. */
 static double largest_expected(const sph2d_scene *scene, const char *name)
 {

@@ -46,6 +46,9 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
  *  near a tenth of these. */
 sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene);
 
+/** The rise time of gauges that have none of their own [s]. */
+double sph2d__gauge_rise_time(const sph2d_scene *scene);
+
 /** The regularisation of the liquid: the scene's, or by default 100 L/sqrt(2 E), L the smaller side of the domain and E
  *  the head, and 1 s where that is 0; 0 for liquids without one [s]. */
 double sph2d__regularisation(const sph2d_scene *scene);

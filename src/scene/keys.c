@@ -469,8 +469,9 @@ static const sph2d_key probe_items[] = {
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",
      .text = "pressure: direction of that face"},
-    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .unit = "s", .default_text = "0",
-     .text = "pressure: rise time of the gauge from 10 to 90 % of a step"},
+    {"rise_time", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, rise_time), FROM_0, .nan_is_unset = true, .unit = "s",
+     .default_text = "4 h/c0, h the height of the liquid",
+     .text = "pressure: rise time of the gauge from 10 to 90 % of a step; 0: what the particles have"},
     RATE(sph2d_probe, rate),
 };
 KEYS(probe, sph2d_probe, probe_set);

@@ -63,6 +63,40 @@ expect 0 "$SPH2D" run "$TINY" -o none --no-frames -q --set run.snapshots.per_sec
 expect 0 "$SPH2D" run "$TINY" -o zero --no-frames -q --set run.until=0 && present zero/snapshot_000000.h5
 absent zero/snapshot_000001.h5
 
+# The summary tells how noisy gauges are, from all of their series, and that of a default one far less than that of one
+# without a rise time.
+cat >gauges.yaml <<'END'
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.04
+blocks: [{box: {min: [0, 0], max: [0.4, 0.6]}}]
+probes:
+  - {name: usual, kind: pressure, at: [1, 0.05], every: 0.005}
+  - {name: raw, kind: pressure, at: [0, 0.05], rise_time: 0, every: 0.005}
+  - {name: short, kind: pressure, at: [0, 0.05], every: 0.1}
+run: {until: 1}
+END
+expect 0 "$SPH2D" run gauges.yaml -o gauges --progress never
+prints '^noise of gauges  *usual: [0-9.e+]* Pa, [0-9.]* % of the mean, [0-9.]* Pa, in the last quarter; rise time 0.0699 s$'
+prints '^  *raw: .*rise time 0 s$' && ! grep -q 'short: ' out || fail 'the noise of three samples'
+awk '/usual: / { usual = $5 } /raw: / { raw = $2 } END { exit !(raw > 3 * usual && usual > 0) }' out || fail 'another noise'
+grep 'usual: \|raw: ' out >noise
+# The same by the definition: a running mean, centred, over a quarter of the last quarter.
+awk -F, 'NR > 1 { t[++n] = $1; p[n] = $2 }
+    END {
+        for (first = n; first > 1 && t[first - 1] >= t[n] - (t[n] - t[1]) / 4; --first);
+        half = int(int((n - first + 1) / 4) / 2)
+        for (i = first + half; i <= n - half; ++i) {
+            mean = 0
+            for (k = i - half; k <= i + half; ++k) mean += p[k] / (2 * half + 1)
+            sum += (p[i] - mean) ^ 2; ++count
+        }
+        printf "%.3g\n", sqrt(sum / count)
+    }' gauges/raw.csv >defined
+[ "$(awk '/raw: / { print $2 }' noise)" = "$(cat defined)" ] || fail "the noise is $(cat defined) by its definition"
+expect 75 "$SPH2D" run gauges.yaml -o parts --max-wall 0.1s -q && expect 0 "$SPH2D" resume parts --progress never
+grep 'usual: \|raw: ' out | diff noise - >&2 || fail 'another noise of a run in parts'
+expect 0 "$SPH2D" run gauges.yaml -o gauges -f --json --progress never && prints '"gauges": {"usual": {"mean": [0-9.]*, "noise": [0-9.]*, "rise_time": 0.069'
+
 # A run that would leave nothing keeps its end, and one that goes on the next.
 cat >bare.yaml <<'END'
 domain: {min: [0, 0], max: [1, 1]}
