@@ -413,6 +413,7 @@ include cli/web/web.mk
 
 # ---- demo and tests --------------------------------------------------------------------------------------------------
 demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing packages)
+	@$(BUILD)/sph2d check examples/dam_break/scene.yaml | sed -n 's/^time */The dam break of 16,384 particles takes /p'
 	$(hush)$(BUILD)/sph2d run examples/dam_break/scene.yaml -o $(BUILD)/demo --force
 	@echo "The pictures are in $(BUILD)/demo/frames: $$(ls $(BUILD)/demo/frames | wc -l) files."
 
