@@ -12,13 +12,13 @@
 
 frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
-    return (frame_style){scene->run.frames, scene->name, scene->domain, scene->boundary, scene->spacing};
+    return (frame_style){scene->run.frames, scene->name, scene->domain, scene->boundary, scene->spacing, false};
 }
 
 frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 {
     sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
-    return (frame_style){info.frames, info.scene_name, info.domain, info.boundary, info.spacing};
+    return (frame_style){info.frames, info.scene_name, info.domain, info.boundary, info.spacing, false};
 }
 
 static sph2d_status check_field(const char *name, const char *path, sph2d_report *report)
@@ -42,7 +42,7 @@ sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 /* ---- arrays ------------------------------------------------------------------------------------------------------ */
 
 /* The arrays of a picture, one after the other in a block of all particles each. */
-enum { X, Y, VX, VY, VALUES, LEVELS, ARRAYS };
+enum { X, Y, VX, VY, VALUES, LEVELS, SORTED, ARRAYS };
 
 static double *array_of(const frame_buffers *buffers, int which, size_t count)
 {
@@ -61,20 +61,6 @@ static bool reserve(frame_buffers *buffers, size_t count)
     return true;
 }
 
-/* What nearly all values are below in size: three times their root of the mean square, or the largest. A few at a splash
- * would else leave all others grey. */
-static double usual_size(const double *values, size_t count)
-{
-    double squares = 0, largest = 0, known = 0;
-    for (size_t i = 0; i < count; ++i)
-        if (isfinite(values[i])) {
-            squares += values[i] * values[i];
-            largest = fmax(largest, fabs(values[i]));
-            ++known;
-        }
-    return known > 0 ? fmin(3 * sqrt(squares / known), largest) : 0;
-}
-
 /* Sets the values that colour the particles, and the label of the colour bar. */
 static sph2d_status set_values(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_picture *picture, sph2d_report *report)
@@ -85,13 +71,42 @@ static sph2d_status set_values(const particle_source *source, const frame_style 
     picture->value_max = style->frames.color_range.y;
     picture->value_label = buffers->label;
     picture->diverging = frame_diverging(style->frames.color);
-    const sph2d_status status = frame_values(source, style->frames.color, picture->count, values, buffers->label,
-                                             sizeof buffers->label, report);
-    if (status == SPH2D_OK && picture->diverging && picture->value_min == 0 && picture->value_max == 0) {
-        picture->value_max = usual_size(values, picture->count);
-        picture->value_min = 0 - picture->value_max;
-    }
-    return status;
+    return frame_values(source, style->frames.color, picture->count, values, buffers->label, sizeof buffers->label,
+                        report);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+static bool is_in_view(const sph2d_picture *picture, size_t i)
+{
+    const sph2d_box *v = &picture->view;
+    const double x = picture->x[i], y = picture->y[i];
+    return x >= v->min.x && x <= v->max.x && y >= v->min.y && y <= v->max.y;
+}
+
+/* Part of the values in view that are beyond either end of their colours: a few at a splash would else leave all others
+ * one colour. */
+static const double beyond = 0.01;
+
+/* The range of the values in view, of either sign symmetric about 0; `sorted` has room for them. */
+static sph2d_vec2 range_in_view(const sph2d_picture *picture, bool full, double *sorted)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < picture->count; ++i)
+        if (isfinite(picture->values[i]) && is_in_view(picture, i))
+            sorted[count++] = picture->diverging ? fabs(picture->values[i]) : picture->values[i];
+    if (count == 0)
+        return (sph2d_vec2){INFINITY, -INFINITY};
+    qsort(sorted, count, sizeof *sorted, compare);
+    const size_t last = count - 1, out = full ? 0 : (size_t)(beyond * (double)last + 0.5);
+    sph2d_vec2 range = {sorted[out], sorted[last - out]};
+    if (!(range.x < range.y)) /* nearly all are the same */
+        range = (sph2d_vec2){sorted[0], sorted[last]};
+    return picture->diverging ? (sph2d_vec2){0 - range.y, range.y} : range;
 }
 
 /* Sets the velocities for arrows and streamlines. */
@@ -211,9 +226,18 @@ static sph2d_status set_arrays(const particle_source *source, const frame_style 
         status = set_velocities(source, style, buffers, picture, report);
     if (status == SPH2D_OK && style->frames.isolines)
         status = set_isolines(source, style, buffers, picture, report);
-    if (status == SPH2D_OK)
-        cut_reservoirs(style, buffers, picture);
-    return status;
+    if (status != SPH2D_OK)
+        return status;
+    double *sorted = array_of(buffers, SORTED, picture->count);
+    cut_reservoirs(style, buffers, picture);
+    if (picture->values && picture->value_min == 0 && picture->value_max == 0) {
+        buffers->range = range_in_view(picture, style->full_range, sorted);
+        if (buffers->range.x < buffers->range.y) { /* else the renderer chooses one about the value that all have */
+            picture->value_min = buffers->range.x;
+            picture->value_max = buffers->range.y;
+        }
+    }
+    return SPH2D_OK;
 }
 
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
@@ -243,17 +267,13 @@ sph2d_status frame_widen_range(const particle_source *source, const frame_style 
                                sph2d_vec2 *range, sph2d_report *report)
 {
     sph2d_picture picture;
-    sph2d_status status = frame_make(source, style, buffers, &picture, report);
-    if (status == SPH2D_OK && picture.diverging) { /* a few may be beyond it */
-        range->x = fmin(range->x, picture.value_min);
-        range->y = fmax(range->y, picture.value_max);
-        return SPH2D_OK;
-    }
-    for (size_t i = 0; status == SPH2D_OK && picture.values && i < picture.count; ++i) {
-        range->x = fmin(range->x, picture.values[i]); /* NaN is left out */
-        range->y = fmax(range->y, picture.values[i]);
-    }
-    return status;
+    buffers->range = (sph2d_vec2){INFINITY, -INFINITY};
+    const sph2d_status status = frame_make(source, style, buffers, &picture, report);
+    if (status != SPH2D_OK)
+        return status;
+    range->x = fmin(range->x, buffers->range.x);
+    range->y = fmax(range->y, buffers->range.y);
+    return SPH2D_OK;
 }
 
 void frame_free(frame_buffers *buffers)

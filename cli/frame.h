@@ -15,7 +15,9 @@ typedef struct frame_style {
     const char *name; /**< borrowed; NULL: none */
     sph2d_box domain; /**< [m] */
     sph2d_boundary boundary;
-    double spacing; /**< [m] */
+    double spacing;  /**< [m] */
+    bool full_range; /**< colours that have no range go from the smallest value to the largest, not from the 1st to the
+                          99th percentile */
 } frame_style;
 
 frame_style frame_style_of_scene(const sph2d_scene *scene);
@@ -28,6 +30,7 @@ sph2d_status frame_style_check(const frame_style *style, sph2d_report *report);
 typedef struct frame_buffers {
     double *block; /**< arrays of the particles, one after the other */
     size_t capacity;
+    sph2d_vec2 range; /**< of the values in the view, where the style has none; (INFINITY, -INFINITY) without values */
     char label[96], level_label[96], caption[160];
 } frame_buffers;
 
@@ -35,7 +38,8 @@ typedef struct frame_buffers {
  *  follow that the scene has not, SPH2D_NOMEM. */
 sph2d_status frame_make(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                         sph2d_picture *picture, sph2d_report *report);
-/** Widens a range by the values that colour the particles; (INFINITY, -INFINITY) is empty. Errors: as frame_make. */
+/** Widens a range by that of the values in view, for one range of several frames; (INFINITY, -INFINITY) is empty. Errors:
+ *  as frame_make. */
 sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_vec2 *range, sph2d_report *report);
 void frame_free(frame_buffers *buffers);

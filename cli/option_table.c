@@ -57,7 +57,7 @@ static const option_row rows[] = {
     {OPTION_ISOLINES, "isolines", "FIELD", CLI_RENDER, "draw lines of equal values: speed, vorticity, Pressures"},
     {OPTION_RADIUS, "radius", "M", CLI_RENDER, "radius of a metaball or point in metres"},
     {OPTION_COLOR, "color", "FIELD", CLI_RENDER | CLI_PLAY, "colour by a field: speed, vorticity, Pressures"},
-    {OPTION_RANGE, "range", "MIN,MAX", CLI_RENDER, "values at the ends of the colour bar"},
+    {OPTION_RANGE, "range", "RANGE", CLI_RENDER, "colour bar: LOW..HIGH, full, or percentiles (1st to 99th)"},
     {OPTION_FILM, "film", "FILE", CLI_RENDER, "make a film in place of PNG files, by ffmpeg: .mp4, .gif, .png, .apng"},
     {OPTION_FPS, "fps", "N", CLI_RENDER, "snapshots for each second of the film; else it has the scene's pace"},
     {OPTION_PREVIEW, "preview", "FILE", CLI_CHECK, "draw the first frame into a PNG file"},

@@ -134,6 +134,15 @@ static bool set_radius(cli_options *options, const char *name, const char *value
     return true;
 }
 
+static bool set_range(cli_options *options, const char *name, const char *value)
+{
+    options->range_kind = strcmp(value, "full") == 0          ? RANGE_FULL
+                          : strcmp(value, "percentiles") == 0 ? RANGE_PERCENTILES
+                                                              : RANGE_FIXED;
+    return options->range_kind != RANGE_FIXED || parse_range(value, &options->range[0], &options->range[1]) ||
+           bad_value(name, "range", value, "LOW..HIGH with LOW below HIGH, full or percentiles");
+}
+
 /* Sets an option without an argument; false for other options. */
 static bool set_flag(cli_options *options, int id)
 {
@@ -253,8 +262,7 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
         return parse_size(value, &options->width, &options->height) ||
                bad_value(name, "size", value, "WIDTHxHEIGHT, each from 16 to 16384");
     case OPTION_RANGE:
-        return parse_range(value, &options->range[0], &options->range[1]) ||
-               bad_value(name, "range", value, "MIN,MAX with MIN below MAX");
+        return set_range(options, name, value);
     default:
         return false;
     }

@@ -10,6 +10,10 @@
 #include <sph2d/io.h>
 #include <sph2d/sim.h>
 
+/** What the colour bar of `render` shows: the range of the scene, else as percentiles; LOW..HIGH; the smallest to the
+ *  largest value; the 1st to the 99th percentile. */
+typedef enum range_kind { RANGE_DEFAULT, RANGE_FIXED, RANGE_FULL, RANGE_PERCENTILES } range_kind;
+
 typedef enum progress_mode { PROGRESS_AUTO, PROGRESS_ALWAYS, PROGRESS_NEVER } progress_mode;
 
 /** The parsed command line. Zero means not given. Strings are borrowed from argv. */
@@ -49,7 +53,8 @@ typedef struct cli_options {
     bool arrows, streamlines;
     const char *follow, *isolines;
     const char *color;
-    double range[2]; /**< equal: not given */
+    range_kind range_kind;
+    double range[2]; /**< of RANGE_FIXED */
 } cli_options;
 
 /** Parses argv[1] and on for the command `name`, whose bit is `command`; argv[0] is the command's own name. False after

@@ -133,8 +133,12 @@ bool parse_box(const char *text, double corners[4])
 
 bool parse_range(const char *text, double *min, double *max)
 {
-    const char *comma;
-    if (!leading_number(text, min, &comma) || *comma != ',')
+    char first[64];
+    const char *dots = strstr(text, ".."), *comma = strchr(text, ','), *end = dots ? dots : comma;
+    const size_t length = end ? (size_t)(end - text) : 0;
+    if (length == 0 || length >= sizeof first)
         return false;
-    return parse_number(comma + 1, max) && *min < *max;
+    memcpy(first, text, length);
+    first[length] = '\0';
+    return parse_number(first, min) && parse_number(end + (dots ? 2 : 1), max) && *min < *max;
 }

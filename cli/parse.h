@@ -20,7 +20,7 @@ bool parse_duration(const char *text, double *seconds);
 bool parse_size(const char *text, unsigned *width, unsigned *height);
 /** Four numbers with commas between them, the corners of a box: the first pair below the second. */
 bool parse_box(const char *text, double corners[4]);
-/** Two numbers with a comma between them, the first below the second. */
+/** Two numbers with .. or a comma between them, the first below the second. */
 bool parse_range(const char *text, double *min, double *max);
 
 #endif

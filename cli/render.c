@@ -54,9 +54,10 @@ static frame_style style_of(const sph2d_snapshot *snapshot, const cli_options *o
         frames->color_range = (sph2d_vec2){0, 0}; /* that of another field does not apply */
     if (options->color)
         frames->color = options->color;
-    if (options->range[0] < options->range[1])
+    style.full_range = options->range_kind == RANGE_FULL;
+    if (options->range_kind == RANGE_FIXED)
         frames->color_range = (sph2d_vec2){options->range[0], options->range[1]};
-    else if (frames->color_range.x == 0 && frames->color_range.y == 0)
+    else if (options->range_kind != RANGE_DEFAULT || (frames->color_range.x == 0 && frames->color_range.y == 0))
         frames->color_range = range;
     return style;
 }
@@ -206,7 +207,7 @@ static void find_range(sequence *s)
     const cli_options *options = s->options;
     frame_buffers buffers = {0};
     sph2d_vec2 range = {INFINITY, -INFINITY};
-    bool wanted = s->inputs.count > 1 && !(options->range[0] < options->range[1]);
+    bool wanted = s->inputs.count > 1 && options->range_kind != RANGE_FIXED;
     for (size_t i = 0; wanted && i < s->inputs.count && signals_caught() == 0; ++i) {
         sph2d_report report = {0};
         sph2d_snapshot *snapshot = NULL;

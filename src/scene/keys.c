@@ -502,7 +502,8 @@ static const sph2d_key frames_items[] = {
     {"color", SPH2D_KEY_TEXT, false, AT(sph2d_frames, color), .unit = "", .default_text = "one colour",
      .text = "the field to colour by: speed, vorticity, Pressures, Densities"},
     {"color_range", SPH2D_KEY_POINT, false, AT(sph2d_frames, color_range), ANY, .unit = "",
-     .default_text = "from the scene's height for speed, vorticity and Pressures, else each frame's",
+     .default_text = "from the scene's height for speed, vorticity and Pressures, else the 1st and 99th "
+                     "percentile of what each frame shows",
      .text = "values at the two ends of the colour bar"},
     {"arrows", SPH2D_KEY_WORD, false, AT(sph2d_frames, arrows), .words = switch_words, .unit = "",
      .default_text = "off", .text = "arrows of the velocity on a square lattice"},

@@ -24,6 +24,42 @@ for option in --size=200x100 --style=metaballs --radius=0.1 --background=transpa
     expect 0 "$SPH2D" render $snapshot -o "with$option" -q "$option"
     cmp -s "with$option/frame_000000.png" points/frames/frame_000005.png && fail "$option changes nothing"
 done
+# One range for all frames: the widest of the percentiles of each, of what is in view; all of it; or what is told. With a
+# range of its own a frame alone looks different.
+several=$(echo points/snapshot_00000[0-5].h5)
+# shellcheck disable=SC2086
+for range in percentiles full 0..1500 0,1500; do
+    expect 0 "$SPH2D" render $several -o range_$range -q --color Pressures --range $range
+done
+# shellcheck disable=SC2086
+expect 0 "$SPH2D" render $several -o range_default -q --color Pressures && same range_default range_percentiles
+same range_0..1500 range_0,1500
+for range in full 0..1500; do
+    cmp -s range_$range/frame_000005.png range_percentiles/frame_000005.png && fail "$range is as percentiles"
+done
+expect 0 "$SPH2D" render points/snapshot_000002.h5 -o range_alone -q --color Pressures
+cmp -s range_alone/frame_000000.png range_default/frame_000002.png && fail 'a range for each frame'
+# percentiles LEFT RIGHT: LOW..HIGH of the pressures between two places, by the definition.
+"$SPH2D" export $snapshot -q >particles.csv
+percentiles() {
+    awk -F, -v left="$1" -v right="$2" 'NR == 1 { for (i = 1; i <= NF; i++) at[substr($i, 1, index($i " ", " ") - 1)] = i; next }
+        $at["x"] >= left && $at["x"] <= right { print $at["pressure"] }' particles.csv | sort -g |
+        awk '{ p[NR - 1] = $1 } END { out = int(0.01 * (NR - 1) + 0.5); print p[out] ".." p[NR - 1 - out] }'
+}
+for part in 0,1 0,0.3; do
+    expect 0 "$SPH2D" render $snapshot -o "part_$part" -q --color Pressures --view "${part%,*},-1,${part#*,},2"
+    expect 0 "$SPH2D" render $snapshot -o "told_$part" -q --color Pressures --view "${part%,*},-1,${part#*,},2" \
+        --range="$(percentiles "${part%,*}" "${part#*,}")"
+    same "part_$part" "told_$part"
+done
+for range in 1..1 2..1 1.. ..1 1 fulll 1..x; do
+    expect 64 "$SPH2D" render $snapshot -o x --range $range && says "'$range' is not LOW..HIGH"
+done
+# A field without a range from the scene: the same from memory and from a snapshot alone.
+expect 0 "$SPH2D" run "$TINY" -o densities -q -s run.frames.color=Densities
+expect 0 "$SPH2D" render densities/snapshot_000005.h5 -o density -q
+same density/frame_000000.png densities/frames/frame_000005.png
+
 for look in flat glass ink; do
     expect 0 "$SPH2D" render metaballs/snapshot_000005.h5 -o look_$look -q --look $look
     expect 0 "$SPH2D" run "$TINY" -o with_$look -q -s run.frames.look=$look -s run.frames.color=speed
