@@ -208,7 +208,7 @@ static void set_caption(const particle_source *source, const frame_style *style,
         speed = sph2d_sim_plan(source->sim)->sound_speed;
     }
     double digits = speed > 0 ? ceil(-log10(10 * style->spacing / speed)) : 3;
-    snprintf(buffers->caption, sizeof buffers->caption, "%.80s%st = %.*f s", style->name ? style->name : "",
+    snprintf(buffers->caption, sizeof buffers->caption, "%.120s%st = %.*f s", style->name ? style->name : "",
              style->name ? "   " : "", (int)fmin(fmax(digits, 0), 9), time);
     picture->caption = buffers->caption;
 }

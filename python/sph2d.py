@@ -128,9 +128,9 @@ typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_ve
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
     sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
 typedef struct sph2d_picture { sph2d_box view; sph2d_box inside; double radius; size_t count; const double *x, *y;
-    const double *values;    double value_min, value_max; bool diverging; const char *value_label; double spacing; const double *vx, *vy;
-    double arrow_spacing; double arrow_speed; const double *stream_vx, *stream_vy; double streamline_spacing;
-    const double *level_values; double level_step; const char *level_label; size_t outline_count;
+    const double *values; double value_min, value_max; bool diverging; const char *value_label; double spacing;
+    const double *vx, *vy; double arrow_spacing; double arrow_speed; const double *stream_vx, *stream_vy;
+    double streamline_spacing; const double *level_values; double level_step; const char *level_label; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
     const char *caption; const char *notes; } sph2d_picture;
 """
@@ -581,7 +581,7 @@ def _text(name, value):
     """A text for C, where a zero byte would end it; None for none."""
     if value is not None and (not isinstance(value, str) or "\0" in value):
         raise TypeError(f"{name} must be a text without zero bytes, not {_shown(value)}")
-    return None if value is None else value.encode("ascii", "replace")
+    return None if value is None else value.encode("utf-8", "replace")
 
 
 def _path_bytes(name, path, what="the name of a file"):
@@ -1437,7 +1437,7 @@ class Renderer(_Owner):
         text at their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and
         largest. view: corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its
         walls. radius: of a metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a
-        line of ASCII text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
+        line of text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
         box; default None. arrows: whether arrows show the velocity, as long as two squares of their lattice for the
         largest speed; default False. levels: numbers to draw isolines of, one for each of source.fluid, at multiples of
         level_step, default 0: a round number; level_label: what the strip calls them. diverging: colours for values of

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "render/glyphs.h"
 #include "sph2d/render.h"
 #include "splash.h"
 
@@ -66,6 +67,46 @@ START_TEST(background_is_that_of_the_domain)
     const unsigned char *pixels = draw(renderer, &picture);
     ck_assert(pixels[0] > 240 && pixels[4 * (640 * 360 - 1)] < 240);
     sph2d_renderer_destroy(renderer);
+}
+END_TEST
+
+/* What is written of a text: whether each of its characters has strokes of its own. */
+START_TEST(letters_of_europe_are_no_boxes)
+{
+    const char *at = "\xE2\x98\x83"; /* a snowman */
+    const char *box = sph2d__glyph_next(&at).strokes;
+    static const char known[] = "ABCabc19~ÀéîÕüßæŒøÅçşğİıŁódźžščőűțąěř"
+                                "АБВГДЕЁЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдеёжзийклмнопрстуфхцчшщъыьэюяїієґўљњђћџѓќ"
+                                "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρσςτυφχψωάΈήίόύώϊΐ°±²×–“”";
+    for (at = known; *at != '\0';) {
+        const char *before = at;
+        const sph2d__glyph glyph = sph2d__glyph_next(&at);
+        ck_assert_msg(glyph.strokes && glyph.strokes != box, "%s", before);
+        ck_assert(glyph.width >= 0 && glyph.width < 7);
+        for (const char *s = glyph.strokes; *s != '\0'; ++s) /* pairs of digits, and spaces */
+            ck_assert((*s >= '0' && *s <= '9') || *s == ' ');
+    }
+    ck_assert_ptr_eq(at, known + sizeof known - 1);
+    /* What is cut off is nothing, bytes of other encodings are boxes, and neither is read beyond its end. */
+    static const char *const cut[] = {"\xC3", "\xE2\x98", "\xF0\x9F\x98"};
+    for (int k = 0; k < 3; ++k) {
+        at = cut[k];
+        ck_assert_ptr_null(sph2d__glyph_next(&at).strokes);
+        ck_assert_int_eq(*at, '\0');
+    }
+    static const char *const wrong[] = {"\x80", "\xFF", "\xC0"};
+    for (int k = 0; k < 3; ++k) {
+        at = wrong[k];
+        ck_assert_str_eq(sph2d__glyph_next(&at).strokes, box);
+        ck_assert_int_eq(*at, '\0');
+    }
+    at = "\xC3x"; /* what follows is seen */
+    ck_assert_ptr_null(sph2d__glyph_next(&at).strokes);
+    ck_assert_int_eq(*at, 'x');
+    /* An accent stands over its letter, higher over a capital. */
+    at = "\xC3\xA9\xC3\x89";
+    const sph2d__glyph small = sph2d__glyph_next(&at), capital = sph2d__glyph_next(&at);
+    ck_assert(small.mark && small.mark == capital.mark && capital.mark_y > small.mark_y);
 }
 END_TEST
 
@@ -337,6 +378,7 @@ Suite *suite_drawing(void)
     TCase *drawing = tcase_create("drawing");
     tcase_add_test(drawing, nothing_is_background);
     tcase_add_test(drawing, background_is_that_of_the_domain);
+    tcase_add_test(drawing, letters_of_europe_are_no_boxes);
     tcase_add_test(drawing, lone_ball_has_its_radius);
     tcase_add_test(drawing, water_covers_its_area);
     tcase_add_test(drawing, points_show_values);

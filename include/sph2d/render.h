@@ -157,10 +157,11 @@ typedef struct sph2d_picture {
     /** Thickness with which lines and sides are drawn, at least two pixels [m]; >= 0. */
     double wall_thickness;
 
-    /** A line of ASCII text below the picture, beside a scale bar; NULL: no strip. */
+    /** A line of UTF-8 text below the picture, beside a scale bar; NULL: no strip. */
     const char *caption;
 
-    /** Lines of ASCII text in a box on the picture, in the upper left corner; NULL: no box. */
+    /** Lines of UTF-8 text in a box on the picture, in the upper left corner; NULL: no box. Texts have Latin, Greek and
+     *  Cyrillic letters; what else there is becomes a box. */
     const char *notes;
 } sph2d_picture;
 

@@ -1,139 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /** @file canvas.c
- *  A stroke font: every glyph is a few polylines on a small grid, drawn as lines with round ends and smooth edges, so
- *  that one table serves every size. */
+ *  Draws the strokes of glyphs as lines with round ends and smooth edges. */
 #include "render/canvas.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
-/* The strokes of each character from '!' to '~', separated by spaces; a point is two digits, x from 0 to 4 and y from
- * 0 to 9, with the baseline at 2, the x-height at 6 and the cap height at 8. */
-static const char *const glyphs[] = {
-    "0804 0202",                        /* ! */
-    "0806 1816",                        /* " */
-    "1218 3238 0444 0646",              /* # */
-    "473818070615354443321203 2129",    /* $ */
-    "0248 0808 4242",                   /* % */
-    "4216172837360403122244",           /* & */
-    "0806",                             /* ' */
-    "18060412",                         /* ( */
-    "08161402",                         /* ) */
-    "2327 0446 0644",                   /* * */
-    "0545 2327",                        /* + */
-    "1201",                             /* , */
-    "0535",                             /* - */
-    "0202",                             /* . */
-    "0149",                             /* / */
-    "120307183847433212",               /* 0 */
-    "062822 0242",                      /* 1 */
-    "07183847460242",                   /* 2 */
-    "0718384746354443321203 3515",      /* 3 */
-    "32380444",                         /* 4 */
-    "480805354443321203",               /* 5 */
-    "4738180703123243443505",           /* 6 */
-    "084812",                           /* 7 */
-    "15354443321203041506071838474635", /* 8 */
-    "0312324347381807061545",           /* 9 */
-    "0202 0505",                        /* : */
-    "1515 1201",                        /* ; */
-    "380532",                           /* < */
-    "0444 0646",                        /* = */
-    "083502",                           /* > */
-    "07183847462524 2222",              /* ? */
-    "120307183847433212 2525",          /* @ */
-    "022842 1434",                      /* A */
-    "02083847463505 3544433202",        /* B */
-    "4738180703123243",                 /* C */
-    "02082846442202",                   /* D */
-    "48080242 0535",                    /* E */
-    "480802 0535",                      /* F */
-    "47381807031232434525",             /* G */
-    "0208 4248 0545",                   /* H */
-    "0208",                             /* I */
-    "4843321203",                       /* J */
-    "0208 4804 1542",                   /* K */
-    "080242",                           /* L */
-    "0208254842",                       /* M */
-    "02084248",                         /* N */
-    "120307183847433212",               /* O */
-    "02083847463505",                   /* P */
-    "120307183847433212 2442",          /* Q */
-    "02083847463505 2542",              /* R */
-    "473818070615354443321203",         /* S */
-    "0848 2228",                        /* T */
-    "080312324348",                     /* U */
-    "082248",                           /* V */
-    "0812253248",                       /* W */
-    "0248 0842",                        /* X */
-    "082548 2522",                      /* Y */
-    "08480242",                         /* Z */
-    "18080212",                         /* [ */
-    "0941",                             /* backslash */
-    "08181202",                         /* ] */
-    "062846",                           /* ^ */
-    "0141",                             /* _ */
-    "0817",                             /* ` */
-    "3526160503122233 3632",            /* a */
-    "0208 0516263533221203",            /* b */
-    "3526160503122233",                 /* c */
-    "3832 3526160503122233",            /* d */
-    "04343526160503122233",             /* e */
-    "281712 0626",                      /* f */
-    "3526160503122233 3631201001",      /* g */
-    "0208 0516263532",                  /* h */
-    "0206 0808",                        /* i */
-    "161100 1818",                      /* j */
-    "0208 3603 1432",                   /* k */
-    "080312",                           /* l */
-    "0206 05162522 25364542",           /* m */
-    "0206 0516263532",                  /* n */
-    "120305162635332212",               /* o */
-    "0006 0516263533221203",            /* p */
-    "3630 3526160503122233",            /* q */
-    "0206 051626",                      /* r */
-    "3616051424332202",                 /* s */
-    "181322 0626",                      /* t */
-    "0603122233 3632",                  /* u */
-    "062246",                           /* v */
-    "0612253246",                       /* w */
-    "0632 0236",                        /* x */
-    "0622 4610",                        /* y */
-    "06360232",                         /* z */
-    "2817160514131222",                 /* { */
-    "0109",                             /* | */
-    "0817162514131202",                 /* } */
-    "05163445",                         /* ~ */
-};
-
-static const char unknown_glyph[] = "0208484202";
+#include "render/glyphs.h"
 
 enum { BASELINE = 2, GAP = 2, SPACE = 3 }; /* grid units */
 static const double half_line = 0.42;      /* half the width of a line, grid units */
-
-static const char *glyph_of(char character)
-{
-    const size_t index = (size_t)((unsigned char)character - '!');
-    return index < sizeof glyphs / sizeof glyphs[0] ? glyphs[index] : unknown_glyph;
-}
-
-/* Width of a glyph, grid units. */
-static int glyph_width(const char *glyph)
-{
-    int widest = 0;
-    while (*glyph != '\0') {
-        if (*glyph == ' ') {
-            ++glyph;
-            continue;
-        }
-        if (glyph[0] - '0' > widest)
-            widest = glyph[0] - '0';
-        glyph += 2;
-    }
-    return widest;
-}
 
 /* Lays a color over a pixel, whose colours are not multiplied by its alpha. */
 static void blend(const sph2d__canvas *canvas, int x, int y, sph2d__ink ink, double cover)
@@ -198,10 +75,10 @@ void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const
 static double glyph_distance(const char *glyph, double x, double y)
 {
     double nearest = HUGE_VAL, last[2] = {0};
-    bool pen_down = false;
+    int pen_down = 0;
     while (*glyph != '\0') {
         if (*glyph == ' ') {
-            pen_down = false;
+            pen_down = 0;
             ++glyph;
             continue;
         }
@@ -209,49 +86,62 @@ static double glyph_distance(const char *glyph, double x, double y)
         const double square = segment_square(x, y, pen_down ? last : point, point);
         nearest = square < nearest ? square : nearest;
         memcpy(last, point, sizeof last);
-        pen_down = true;
+        pen_down = 1;
         glyph += 2;
     }
     return sqrt(nearest);
 }
 
-/* Draws a glyph whose grid's origin is at (x, y) [px]. */
-static void draw_glyph(const sph2d__canvas *canvas, double x, double y, double unit, const char *glyph, sph2d__ink ink)
+/* Draws strokes whose grid's origin is at (x, y) [px]. */
+static void draw_strokes(const sph2d__canvas *canvas, double x, double y, double unit, const char *strokes,
+                         sph2d__ink ink)
 {
     const int wider = 1 + (int)ceil(canvas->halo);
-    const int left = (int)floor(x - unit) - wider, right = (int)ceil(x + 5.0 * unit) + wider;
+    const int left = (int)floor(x - unit) - wider, right = (int)ceil(x + 6.0 * unit) + wider;
     const int top = (int)floor(y - 10.0 * unit) - wider, bottom = (int)ceil(y + unit) + wider;
     for (int row = top > 0 ? top : 0; row < bottom && row < canvas->height; ++row)
         for (int column = left > 0 ? left : 0; column < right && column < canvas->width; ++column) {
-            const double distance = glyph_distance(glyph, (column + 0.5 - x) / unit, (y - row - 0.5) / unit);
+            const double distance = glyph_distance(strokes, (column + 0.5 - x) / unit, (y - row - 0.5) / unit);
             const double cover = (half_line - distance) * unit + 0.5 + canvas->halo;
             if (cover > 0.0)
                 blend(canvas, column, row, ink, fmin(cover, 1.0));
         }
 }
 
-static double advance(const char *glyph)
+static double advance(const sph2d__glyph *glyph)
 {
-    return glyph_width(glyph) + GAP;
+    return glyph->strokes ? glyph->width + GAP : 0.0;
 }
 
 void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text, sph2d__ink ink)
 {
-    for (; *text != '\0'; ++text) {
+    y += BASELINE * unit;
+    while (*text != '\0') {
         if (*text == ' ') {
             x += SPACE * unit;
+            ++text;
             continue;
         }
-        const char *glyph = glyph_of(*text);
-        draw_glyph(canvas, x, y + BASELINE * unit, unit, glyph, ink);
-        x += advance(glyph) * unit;
+        const sph2d__glyph glyph = sph2d__glyph_next(&text);
+        if (glyph.strokes)
+            draw_strokes(canvas, x + glyph.x * unit, y, unit, glyph.strokes, ink);
+        if (glyph.mark)
+            draw_strokes(canvas, x + glyph.mark_x * unit, y - glyph.mark_y * unit, unit, glyph.mark, ink);
+        x += advance(&glyph) * unit;
     }
 }
 
 double sph2d__canvas_text_width(double unit, const char *text)
 {
     double width = 0.0;
-    for (; *text != '\0'; ++text)
-        width += *text == ' ' ? SPACE : advance(glyph_of(*text));
+    while (*text != '\0') {
+        if (*text == ' ') {
+            width += SPACE;
+            ++text;
+            continue;
+        }
+        const sph2d__glyph glyph = sph2d__glyph_next(&text);
+        width += advance(&glyph);
+    }
     return width > GAP ? (width - GAP) * unit : 0.0;
 }

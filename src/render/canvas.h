@@ -26,8 +26,8 @@ void sph2d__canvas_fill(const sph2d__canvas *canvas, int x, int y, int width, in
 void sph2d__canvas_line(const sph2d__canvas *canvas, const double from[2], const double to[2], double half,
                         sph2d__ink ink);
 
-/** Writes ASCII text (other characters become boxes) with its baseline's left end at (x, y) [px]; `unit` is a sixth of
- *  the height of a capital letter [px]. */
+/** Writes UTF-8 text (characters that glyphs.h lacks become boxes) with its baseline's left end at (x, y) [px]; `unit` is a
+ *  sixth of the height of a capital letter [px]. A character whose end is cut off is left out. */
 void sph2d__canvas_text(const sph2d__canvas *canvas, double x, double y, double unit, const char *text, sph2d__ink ink);
 
 /** Width of a text [px]. */
