@@ -7,8 +7,7 @@
 typedef struct sph2d__canvas {
     unsigned char *pixels; /**< 4 bytes a pixel, top row first; borrowed */
     int width, height;
-    double
-        halo; /**< above 0: all is drawn that much wider on each side [px], in light: below what is written on nothing */
+    double halo; /**< above 0: all is drawn that much wider on each side [px], in light: below text on nothing */
 } sph2d__canvas;
 
 typedef struct sph2d__ink {
