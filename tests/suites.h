@@ -6,6 +6,8 @@
 
 #include <check.h>
 
+/* Else it makes paragraphs of long lists. */
+// clang-format off
 #ifdef SPH2D_NO_RENDER
 #define RENDER_SUITES(X)
 #else
@@ -120,6 +122,7 @@
     X(study_results)                                                                                                   \
     X(report)                                                                                                          \
     RENDER_SUITES(X)
+// clang-format on
 
 #define DECLARE_SUITE(name) Suite *suite_##name(void);
 SUITES(DECLARE_SUITE)
