@@ -15,6 +15,7 @@
 #include "scene/copy.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
+#include "scene/method_table.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
 #include "sim/stages.h"
@@ -182,6 +183,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     sph2d__sim_sum_energy(sim, &start);
     sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic + start.bodies;
     sim->record.energy_elastic = start.elastic;
+    sim->record.energy_held = sph2d__method_row_of(&sim->system.method)->summed_density ? start.elastic : 0;
     sph2d__sim_start_gauges(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }

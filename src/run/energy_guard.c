@@ -9,8 +9,8 @@
  *      (m n + mass of bodies) (g h + U^2/2 + pull)/2,
  *
  *  the potential energy of a column as high as liquid can fall (sph2d__system.head), with n all particles that ever
- *  existed and U but for what springs of bodies give, plus the energy of these springs at the start and the surface energy
- *  of a round drop of the liquid. The error is
+ *  existed and U but for what springs of bodies give, plus the energy of these springs at the start, the elastic energy
+ *  of liquid that starts pressed together, and the surface energy of a round drop of the liquid. The error is
  *
  *      kinetic + potential + elastic - start - added + dissipated.
  *
@@ -45,10 +45,8 @@ sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
                            rise > 0 ? rise : row->energy_rise};
 }
 
-/* Liquid that starting compressed, by particles too near to each other or to walls, expands in so many steps. With
- * methods that sum density the elastic energy of that start is not fully known; the rise is counted only after these
- * steps. */
-enum { START_STEPS = 32 };
+/* Steps between two sums of the energy, of methods without a projection, and with surface tension. */
+enum { LOOK_STEPS = 4, LOOK_STEPS_TENSION = 8 };
 
 /** Adds the energy that the pressure projection dissipated since the last sample: negative work that is not stored as
  *  elastic energy. A positive difference remains in the error. */
@@ -60,23 +58,33 @@ static void book_projection(sph2d__record *r, double elastic)
     r->energy_elastic = elastic;
 }
 
+/** Whether the energy is summed in this step, for the rise alone: a sum over the particles is cheap beside the solver of
+ *  a projection, and beside some steps of other methods; the energy of surface tension takes pairs. */
+static bool looks(const sph2d_sim *sim)
+{
+    uint64_t every = sim->system.surface_tension > 0 ? LOOK_STEPS_TENSION : sim->method->project ? 1 : LOOK_STEPS;
+    return sim->record.steps % every == 0 && sph2d__sim_external_work_is_booked(sim);
+}
+
 sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
+    bool books = sph2d__sim_samples_energy(sim, r->steps);
     sph2d__sim_book_external_work(sim);
-    if (!sph2d__sim_samples_energy(sim, r->steps))
+    if (!books && !looks(sim))
         return SPH2D_OK;
-    if (sph2d__sim_book_dissipation(sim) != SPH2D_OK)
+    if (books && sph2d__sim_book_dissipation(sim) != SPH2D_OK)
         return SPH2D_NOMEM;
     sph2d_summary now;
     sph2d__sim_sum_energy(sim, &now);
-    if (sim->method->project)
-        book_projection(r, now.elastic);
     double energy =
         now.kinetic + now.potential + now.elastic + now.bodies - r->energy_fed - r->energy_walls - r->energy_forces;
-    bool starting = sph2d__method_row_of(&sim->scene.method)->summed_density && r->steps <= START_STEPS;
-    r->energy_low = starting ? energy : fmin(r->energy_low, energy);
+    r->energy_low = fmin(r->energy_low, energy);
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
+    if (!books)
+        return SPH2D_OK;
+    if (sim->method->project)
+        book_projection(r, now.elastic);
     r->energy_error = energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped +
                       r->energy_pressed + r->energy_contacts;
     r->error_low = fmin(r->error_low, r->energy_error);

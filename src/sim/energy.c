@@ -84,7 +84,8 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
     for (size_t k = 0; k < sim->bodies.count; ++k)
         bodies += sim->bodies.items[k].mass;
     double head = s->head - s->spring_head;
-    return (s->mass * n + bodies) * head / 2 + s->spring_energy + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
+    return (s->mass * n + bodies) * head / 2 + s->spring_energy + r->energy_held +
+           s->surface_tension * 2 * sqrt(SPH2D__PI * area);
 }
 
 /* Quanta in a particle's share of the energy scale. */

@@ -47,6 +47,7 @@
     X(power_diffusion, "PowerDiffusion", 1, 1, -3, "power of density diffusion at the last sample, per metre")         \
     X(power_dissipated, "PowerDissipated", 1, 1, -3, "power of both at the last sample, per metre")                    \
     X(booked_time, "BookedTime", 0, 0, 1, "time of the last sample of dissipation")                                    \
+    X(energy_held, "EnergyHeld", 1, 1, -2, "elastic energy at the start, of methods that sum density, per metre")      \
     X(energy_low, "EnergyLow", 1, 1, -2, "smallest energy so far, less energy and work added, per metre")              \
     X(energy_rise, "EnergyRise", 1, 1, -2,                                                                             \
       "largest rise of energy above an earlier time, less energy and work added, per metre")                           \

@@ -113,15 +113,21 @@ sph2d_vec2 sph2d__sim_driving_acceleration(const sph2d_sim *sim, double x, doubl
     return (sph2d_vec2){ax, ay};
 }
 
-/** Power of interactions, of a tank that moves, and of gravity along periods. */
-static double power_of_forces(const sph2d_sim *sim)
+/** Whether interactions, a tank that moves, or gravity along periods drive the liquid. */
+static bool is_driven(const sph2d_sim *sim)
 {
     const sph2d__body *b = &sim->system.body;
-    const sph2d__store *f = &sim->system.fluid;
     const sph2d__period *p = &sim->system.fluid_cells.period;
-    bool along = (p->length_x > 0 && b->gravity_x != 0) || (p->length_y > 0 && b->gravity_y != 0);
+    return b->point_count > 0 || b->frame.moves || (p->length_x > 0 && b->gravity_x != 0) ||
+           (p->length_y > 0 && b->gravity_y != 0);
+}
+
+/** The power of these, and of forces on bodies. */
+static double power_of_forces(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
     double power = 0, bodies = sph2d__bodies_power(sim);
-    if (b->point_count == 0 && !along && !b->frame.moves)
+    if (!is_driven(sim))
         return bodies;
     for (size_t i = 0; i < f->count; ++i) {
         sph2d_vec2 a = sph2d__sim_driving_acceleration(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
@@ -143,6 +149,12 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
     wall_powers power = powers_of_walls(sim);
     r->energy_walls += integrate(&r->power_walls, power.all, span);
     r->energy_viscous += integrate(&r->power_friction, power.friction, span);
+}
+
+bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim)
+{
+    bool none = sim->method->project && sim->bodies.count == 0 && !is_driven(sim);
+    return none || sim->record.drives_time == sim->record.time;
 }
 
 /* ---- viscosity --------------------------------------------------------------------------------------------------- */
