@@ -24,7 +24,7 @@ WEB_SLOW := src/methods/fitted/fitted_walls.c src/methods/methods.c src/methods/
     src/particles/store.c
 WEB_FAST := $(filter-out $(WEB_SLOW),$(filter src/particles/% src/methods/%,$(WEB_SRC)))
 web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Oz)
-WEB_LINK := -O3 -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
+WEB_LINK := -Os -sMALLOC=emmalloc -sMODULARIZE=1 -sEXPORT_NAME=makeModule -sENVIRONMENT=web -sFILESYSTEM=0 \
     -sALLOW_MEMORY_GROWTH=1 -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sSUPPORT_LONGJMP=0 -sTOTAL_STACK=1MB \
     -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free
 
