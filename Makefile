@@ -518,7 +518,7 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved
 	$(hush)tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --renew
 
-test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the same bits (40 minutes)
+test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the same bits (20 minutes)
 	$(hush)tests/golden/threads.sh $(BUILD)/tests/golden $(BUILD)/same-bits "$$(nproc)"
 
 test-package: ## the source archive, and its Debian packages built, checked and used in fresh systems (15 minutes, as root)

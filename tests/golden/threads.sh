@@ -2,11 +2,11 @@
 # Does any number of threads give the same bits? threads.sh GOLDEN OUT JOBS [STEPS [PARTICLES]]
 #
 # Runs every scene of examples by every method, precision and instruction set by 1, 2, 3, 5 and 8 threads, and compares
-# hashes of all particles: after 500 steps of about 1200 particles, enough slabs for loops to be shared. The lines of
+# hashes of all particles: after 100 steps of about 1200 particles, enough slabs for loops to be shared. The lines of
 # all runs are in OUT/lines.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-golden=$1 out=$2 jobs=$3 steps=${4-500} particles=${5-1200}
+golden=$1 out=$2 jobs=$3 steps=${4-100} particles=${5-1200}
 export OMP_WAIT_POLICY=passive # as there are more threads than processors
 rm -rf "$out" && mkdir -p "$out/lines"
 code=0
