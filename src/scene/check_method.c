@@ -213,6 +213,23 @@ static void check_fitted_support(sph2d__checker *c)
                           MAX_FITTED_SUPPORT, sph2d__method_resolve(defaults).support_ratio, cell / MAX_CELL_REYNOLDS);
 }
 
+/* Methods with a projection solve for the pressure of a step where the particles are at its start. A fast one moves cfl
+ * H/dx spacings in it: beyond one, past those that the pressure was to keep it off. */
+static void check_projected_step(sph2d__checker *c)
+{
+    sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
+    if (!sph2d__method_row_of(&m)->cfl_by_spacing || !(m.cfl * m.support_ratio > 1))
+        return;
+    char message[160];
+    snprintf(message, sizeof message,
+             "with this support radius fast particles move %.3g spacings in a step, past others",
+             m.cfl * m.support_ratio);
+    defaults.cfl = 0;
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method.cfl", message);
+    sph2d_diagnostic_hint(d, "use %.3g or less, or leave it out for %.3g", floor(1000 / m.support_ratio) / 1000,
+                          sph2d__method_resolve(defaults).cfl);
+}
+
 static void check_support(sph2d__checker *c)
 {
     sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
@@ -380,6 +397,7 @@ void sph2d__check_method(sph2d__checker *c)
     check_options(c);
     check_support(c);
     check_fitted_support(c);
+    check_projected_step(c);
     check_block_spacings(c);
     check_sound_speed(c);
     check_walls(c);
