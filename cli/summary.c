@@ -89,11 +89,18 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
         text_row("", "of bodies and their springs %.4g; lost to their contacts %.4g J/m", s->bodies,
                  s->energy_contacts);
     if (s->energy_scale > 0 && isfinite(s->energy_error))
-        text_row("energy error", "%+.3g %% of the scene's %.4g J/m unaccounted for",
-                 100 * s->energy_error / s->energy_scale, s->energy_scale);
+        text_row("energy error",
+                 "%+.3g %% of the scene's %.4g J/m, %+.3g %% of the largest kinetic %.4g J/m, unaccounted for",
+                 100 * s->energy_error / s->energy_scale, s->energy_scale, 100 * ratio(s->energy_error, s->kinetic_max),
+                 s->kinetic_max);
     if (s->energy_scale > 0 && isfinite(s->energy_rise))
-        text_row("", "at most %.3g %% came from nothing", 100 * s->energy_rise / s->energy_scale);
+        text_row("", "at most %.3g %%, %.3g %% of the kinetic, came from nothing",
+                 100 * s->energy_rise / s->energy_scale, 100 * ratio(s->energy_rise, s->kinetic_max));
     text_row("momentum", "%.4g, %.4g kg/s", s->momentum[0], s->momentum[1]);
+    if (isfinite(s->momentum_error_max))
+        text_row("", "%.3g, %.3g kg/s from nothing; at most %.3g, %.3g %% of the largest sum of sizes, %.4g kg/s",
+                 s->momentum_error[0], s->momentum_error[1], s->momentum_error_max,
+                 100 * ratio(s->momentum_error_max, s->momentum_moved), s->momentum_moved);
     text_row("largest speed", "%.4g m/s", s->speed_max);
 }
 
@@ -122,7 +129,8 @@ static void print_gauges(const sph2d_scene *scene, cli_folder *folder)
 
 static void print_particles(const sph2d_summary *s, const sph2d_scene *scene)
 {
-    text_row("particles", "%" PRIu64 "; %.3g neighbours on average", s->particles, s->neighbours);
+    text_row("particles", "%" PRIu64 "; %.3g neighbours on average; %" PRIu64 " nearer than 0.3 spacings to another",
+             s->particles, s->neighbours, s->paired);
     if (s->fed > 0 || s->blocked > 0)
         text_row("", "fed %" PRIu64 ", blocked %" PRIu64 "%s", s->fed, s->blocked,
                  s->blocked > 0 ? ", for which their nozzle had no room" : "");
@@ -246,7 +254,11 @@ static void add_errors(cli_json *line, const sph2d_sim *sim, const sph2d_summary
     json_number(line, "energy_pressed", s->energy_pressed);
     json_number(line, "energy_contacts", s->energy_contacts);
     json_number(line, "energy_scale", s->energy_scale);
+    json_number(line, "kinetic_max", s->kinetic_max);
     json_pair(line, "momentum", s->momentum[0], s->momentum[1]);
+    json_pair(line, "momentum_error", s->momentum_error[0], s->momentum_error[1]);
+    json_number(line, "momentum_error_max", s->momentum_error_max);
+    json_number(line, "momentum_moved", s->momentum_moved);
     json_number(line, "speed_max", s->speed_max);
     json_close_object(line);
 }
@@ -272,6 +284,7 @@ static void add_particles(cli_json *line, const sph2d_summary *s)
     json_open_object(line, "particles");
     json_count(line, "now", s->particles);
     json_number(line, "neighbours", s->neighbours);
+    json_count(line, "paired", s->paired);
     json_count(line, "fed", s->fed);
     json_count(line, "blocked", s->blocked);
     json_count(line, "drained", s->drained);

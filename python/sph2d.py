@@ -112,8 +112,9 @@ typedef struct sph2d_summary { double time; uint64_t steps; uint64_t particle_st
     double compression_p99; double compression_mean; double compression_max; double kinetic, potential; double elastic;
     double energy_start; double energy_rise; double energy_error; double energy_error_rise; double energy_walls;
     double energy_forces; double energy_viscous; double energy_diffused; double energy_stopped; double bodies;
-    double energy_contacts; double energy_pressed; double energy_scale; double density_apart; double energy_fed;
-    double momentum[2]; double speed_max; uint64_t fed, blocked; uint64_t drained; uint64_t let_in, let_out;
+    double energy_contacts; double energy_pressed; double energy_scale; double kinetic_max; double density_apart;
+    double energy_fed; double momentum[2]; double momentum_error[2], momentum_error_max; double momentum_moved;
+    double speed_max; uint64_t paired; uint64_t fed, blocked; uint64_t drained; uint64_t let_in, let_out;
     uint64_t left_open[4]; uint64_t backstop_hits; uint64_t reflections; uint64_t iterations; uint64_t unconverged;
     uint64_t limited_by[4]; double time_step_min, time_step_max; double neighbours; } sph2d_summary;
 typedef struct sph2d_densities { double reported; double counted; double covered; sph2d_status status; } sph2d_densities;

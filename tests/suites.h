@@ -92,6 +92,7 @@
     X(guards)                                                                                                          \
     X(ledger)                                                                                                          \
     X(ledger_pressure)                                                                                                 \
+    X(momentum)                                                                                                        \
     X(memory)                                                                                                          \
     X(shared)                                                                                                          \
     X(broken)                                                                                                          \

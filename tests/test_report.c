@@ -51,8 +51,8 @@ START_TEST(codes_keep_their_text)
         {SPH2D_CODE_FILE_WRITE, "F206"},      {SPH2D_CODE_FILE_EXISTS, "F207"},   {SPH2D_CODE_NOT_FINITE, "R301"},
         {SPH2D_CODE_ESCAPED, "R302"},         {SPH2D_CODE_STEP_COLLAPSE, "R303"}, {SPH2D_CODE_STEP_TOO_LARGE, "R304"},
         {SPH2D_CODE_NOT_CONVERGED, "R305"},   {SPH2D_CODE_DENSITY, "R306"},       {SPH2D_CODE_ENERGY, "R307"},
-        {SPH2D_CODE_SUPERSONIC, "R308"},      {SPH2D_CODE_GL_MISSING, "P401"},    {SPH2D_CODE_GL_SHADER, "P402"},
-        {SPH2D_CODE_GL_FAILED, "P403"},
+        {SPH2D_CODE_SUPERSONIC, "R308"},      {SPH2D_CODE_MOMENTUM, "R309"},      {SPH2D_CODE_GL_MISSING, "P401"},
+        {SPH2D_CODE_GL_SHADER, "P402"},       {SPH2D_CODE_GL_FAILED, "P403"},
     };
     ck_assert_uint_eq(sizeof expected / sizeof expected[0], SPH2D_CODE_COUNT);
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; ++i)

@@ -385,9 +385,14 @@ typedef struct sph2d_summary {
      *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */
     double energy_pressed;
 
-    /** Scale of rise and error: (n m + mass of the bodies) (g h + U^2/2 + pull)/2 of the scene, with U but for springs, plus
-     *  the energy of bodies' springs at the start and the surface energy of a round drop of its liquid [J/m]. */
+    /** Scale of rise and error: (n m + mass of the bodies) (g h + U^2/2 + pull)/2 of the scene, with U but for springs,
+     *  plus the energy of bodies' springs at the start, the elastic energy then of methods that sum density, and the
+     *  surface energy of a round drop of its liquid [J/m]. */
     double energy_scale;
+
+    /** Largest kinetic energy of the liquid so far [J/m]: errors that are small beside energy_scale may not be beside
+     *  this. */
+    double kinetic_max;
 
     /** Largest difference between the densities of sph2d_sim_densities(), sampled every 500th step; 0 if never defined.
      */
@@ -399,8 +404,20 @@ typedef struct sph2d_summary {
     /** Momentum of the liquid now [kg/s]. */
     double momentum[2];
 
+    /** Momentum that came from nothing, neither from walls or bodies nor from external forces, now, and its largest size
+     *  so far [kg/s], as seen in every step of methods pcisph and constraint, and in every 8th of others. NaN with
+     *  openings and with fitted operators, whose forces are not known. */
+    double momentum_error[2], momentum_error_max;
+
+    /** Largest sum of the sizes of the particles' momenta so far, to compare momentum_error_max with [kg/s]; 0 where
+     *  that is NaN. */
+    double momentum_moved;
+
     /** Speed of the fastest particle now [m/s]. */
     double speed_max;
+
+    /** Particles nearer than 0.3 spacings to another now: pairs that act as one particle. */
+    uint64_t paired;
 
     /** Particles emitted by sources, and those not emitted because their position was occupied. */
     uint64_t fed, blocked;

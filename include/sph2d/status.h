@@ -79,6 +79,7 @@ typedef enum sph2d_status {
     X(DENSITY, "R306", "guard: the density of a particle is none that a liquid has")                                   \
     X(ENERGY, "R307", "guard: energy came from nothing")                                                               \
     X(SUPERSONIC, "R308", "guard: a particle is faster than the liquid's sound")                                       \
+    X(MOMENTUM, "R309", "guard: momentum came from nothing")                                                           \
     X(GL_MISSING, "P401", "no OpenGL context of the wanted kind")                                                      \
     X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
     X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")

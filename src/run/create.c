@@ -176,6 +176,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     sph2d__openings_hold_velocity(sim, 0);
     if (!sim->method->project) { /* pressures of the others are those of a step */
         sph2d__bodies_start(sim);
+        sim->loads.watched = sph2d__sim_momentum_is_known(sim); /* in the first step */
         sph2d__loads_find(sim, 1);
     }
     sph2d_summary start;
@@ -183,6 +184,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     sph2d__sim_sum_energy(sim, &start);
     sim->record.energy_start = sim->record.energy_low = start.kinetic + start.potential + start.elastic + start.bodies;
     sim->record.energy_elastic = start.elastic;
+    sim->record.kinetic_max = start.kinetic;
     sim->record.energy_held = sph2d__method_row_of(&sim->system.method)->summed_density ? start.elastic : 0;
     sph2d__sim_start_gauges(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;

@@ -15,7 +15,7 @@
  *      kinetic + potential + elastic - start - added + dissipated.
  *
  *  The rise is how far kinetic + potential + elastic - added ever rose above an earlier value: it is above 0 only where
- *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise.
+ *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise, and a rise of the error.
  *
  *  A pressure projection dissipates energy where liquid meets liquid or a wall: 30 to 80 % at an impact. This is the
  *  work of its impulses with the mean velocity of each step (projected.c), less the work of moving walls and the
@@ -77,6 +77,7 @@ sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
         return SPH2D_NOMEM;
     sph2d_summary now;
     sph2d__sim_sum_energy(sim, &now);
+    r->kinetic_max = fmax(r->kinetic_max, now.kinetic);
     double energy =
         now.kinetic + now.potential + now.elastic + now.bodies - r->energy_fed - r->energy_walls - r->energy_forces;
     r->energy_low = fmin(r->energy_low, energy);
@@ -122,27 +123,44 @@ static void find_remedies(const sph2d_sim *sim, char *out, size_t size)
         snprintf(out, size, "shorter steps, by a method.time_step of %.2g s", r->last_step / 2);
 }
 
+/* Of all that was booked, this part may have come from nothing although the sum never rose: what appears while as much is
+ * booked as lost. Examples have 0.11 at most, at 400 particles: impacts by muller. */
+static const double UNBOOKED = 0.25;
+
+/** The scale, and all energy that came and went [J/m]. */
+static double all_booked(const sph2d_sim *sim)
+{
+    const sph2d__record *r = &sim->record;
+    return sph2d__sim_energy_scale(sim) + fabs(r->energy_fed) + fabs(r->energy_walls) + fabs(r->energy_forces) +
+           fabs(r->energy_viscous) + fabs(r->energy_diffused) + fabs(r->energy_stopped) + fabs(r->energy_pressed) +
+           fabs(r->energy_contacts);
+}
+
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__record *r = &sim->record;
     const sph2d__store *f = &sim->system.fluid;
     double scale = sph2d__sim_energy_scale(sim), largest = sph2d__sim_bounds(sim).rise;
-    if (!(scale > 0) || !(r->energy_rise > largest * scale) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
+    bool rises = r->energy_rise > largest * scale, unbooked = r->error_rise > fmax(UNBOOKED, largest) * all_booked(sim);
+    if (!(scale > 0) || !(rises || unbooked) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
         return true;
     size_t i = find_fastest(f);
-    char where[SPH2D__WHERE_SIZE];
+    double from_nothing = rises ? r->energy_rise : r->error_rise, part = rises ? scale : all_booked(sim);
+    char where[SPH2D__WHERE_SIZE], remedies[120];
     sph2d_diagnostic *d = sph2d_report_add(
         report, SPH2D_ERROR, SPH2D_CODE_ENERGY, NULL,
-        "energy came from nothing: %.3g J/m, %.3g %% of the scene's %.3g J/m, by step %llu, time %g s; the fastest "
+        "energy came from nothing: %.3g J/m, %.3g %% of the %s %.3g J/m, by step %llu, time %g s; the fastest "
         "particle %llu is at (%g, %g), %s, with velocity (%g, %g)",
-        r->energy_rise, 100 * r->energy_rise / scale, scale, (unsigned long long)r->steps, r->time,
-        (unsigned long long)f->id[i], f->x[i], f->y[i], sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where),
-        f->vx[i], f->vy[i]);
-    char remedies[120];
+        from_nothing, 100 * from_nothing / part, rises ? "scene's" : "balance's", part, (unsigned long long)r->steps,
+        r->time, (unsigned long long)f->id[i], f->x[i], f->y[i],
+        sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where), f->vx[i], f->vy[i]);
     find_remedies(sim, remedies, sizeof remedies);
-    sph2d_diagnostic_hint(d,
-                          "check the scene at that position; try %s, or a smaller spacing; run.max_energy_rise allows "
-                          "more than %g times the scale",
-                          remedies, largest);
+    if (rises)
+        sph2d_diagnostic_hint(d,
+                              "check the scene at that position; try %s, or a smaller spacing; run.max_energy_rise "
+                              "allows more than %g times the scale",
+                              remedies, largest);
+    else
+        sph2d_diagnostic_hint(d, "check the scene at that position; try %s, or a smaller spacing", remedies);
     return false;
 }

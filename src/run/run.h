@@ -33,6 +33,8 @@ sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim);
 
 /** False, with a report, when the rise of energy is above its bound. */
 bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report);
+/** The same for momentum that came from nothing. */
+bool sph2d__sim_guard_momentum(const sph2d_sim *sim, sph2d_report *report);
 
 /** Samples the compression every few steps. */
 void sph2d__sim_sample(sph2d_sim *sim);

@@ -67,9 +67,9 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
                            2 * sim->scene.probe_count, sim->gauges);
         memcpy(out[n++].array.unit, (signed char[3]){-1, 1, -2}, 3);
     }
-    if (sph2d__loads_wanted(sim))
-        out[n++] = run_array("WallLoads", "of each probe of kind force or work: forces, impulses, power, work",
-                             SPH2D_F64, SPH2D__LOAD_VALUES * sim->loads.count, sim->loads.states);
+    out[n++] =
+        run_array("WallLoads", "of each probe of kind force or work, then of all walls: forces, impulses, power, work",
+                  SPH2D_F64, SPH2D__LOAD_VALUES * (sim->loads.count + 1), sim->loads.states);
     if (sim->openings.count > 0)
         out[n++] = run_array("OpeningMeans",
                              "of each opening: velocity, pressure, slope, depth, fed width in the mean over a time; "

@@ -59,15 +59,17 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
     sim->system.step = dt;
     sim->system.speed = sim->record.speed;
     sph2d__profile_enter(profile, SPH2D_PHASE_MOVE);
+    sph2d__momentum_begin(sim);
     status = sim->method->step(sim, dt);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
     if (status == SPH2D_GUARD)
         sph2d__sim_measure(sim, report); /* reports the particle */
     if (status != SPH2D_OK)
         return halt(sim, status, report);
-    sph2d__sim_absorb(sim, dt);
     sph2d__bodies_close(sim, dt);
     sph2d__loads_close(sim, dt);
+    sph2d__momentum_end(sim, dt);
+    sph2d__sim_absorb(sim, dt);
     sph2d__outlines_move(sim);
     advance_clock(sim, dt);
     if (!sph2d__sim_measure(sim, report))
@@ -79,7 +81,7 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
         status = sph2d__sim_update_energy_balance(sim);
     if (status != SPH2D_OK)
         return halt(sim, status, report);
-    if (!sph2d__sim_guard_energy(sim, report))
+    if (!sph2d__sim_guard_energy(sim, report) || !sph2d__sim_guard_momentum(sim, report))
         return halt(sim, SPH2D_GUARD, report);
     sph2d__profile_enter(profile, SPH2D_PHASE_COUNT);
     return SPH2D_OK;

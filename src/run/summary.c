@@ -62,11 +62,15 @@ void sph2d__sim_sample(sph2d_sim *sim)
     r->sampled_time += span;
 }
 
-/** Mean number of neighbours within the support radius. */
-static double mean_neighbours(const sph2d__system *s)
+/* Particles nearer than this to another, in spacings, act as one: wherever the nearest of a lattice were, these fell
+ * together. */
+static const double PAIRED = 0.3;
+
+/** Sets the mean number of neighbours within the support radius, and the number of paired particles. */
+static void count_neighbours(const sph2d__system *s, sph2d_summary *out)
 {
     const sph2d__store *f = &s->fluid;
-    double support2 = s->support * s->support;
+    double support2 = s->support * s->support, near2 = pow(PAIRED * s->spacing, 2);
     size_t pairs = 0;
     for (size_t i = 0; i < f->count; ++i) {
         uint32_t cell = sph2d__cells_find(&s->fluid_cells, f->x[i], f->y[i]);
@@ -74,12 +78,15 @@ static double mean_neighbours(const sph2d__system *s)
             continue;
         sph2d__ranges ranges;
         sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
+        double nearest2 = INFINITY;
         SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
-            double dx = f->x[i] + ranges.x[r] - f->x[j], dy = f->y[i] + ranges.y[r] - f->y[j];
-            pairs += j != i && dx * dx + dy * dy < support2;
+            double dx = f->x[i] + ranges.x[r] - f->x[j], dy = f->y[i] + ranges.y[r] - f->y[j], r2 = dx * dx + dy * dy;
+            pairs += j != i && r2 < support2;
+            nearest2 = j != i ? fmin(nearest2, r2) : nearest2;
         }
+        out->paired += nearest2 < near2;
     }
-    return f->count > 0 ? (double)pairs / (double)f->count : 0;
+    out->neighbours = f->count > 0 ? (double)pairs / (double)f->count : 0;
 }
 
 sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
@@ -123,8 +130,16 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
         .limited_by = {r->limited_acoustic, r->limited_force, r->limited_viscous, r->limited_fixed},
         .time_step_min = r->step_min,
         .time_step_max = r->step_max,
-        .neighbours = sph2d__sim_is_broken(sim) ? NAN : mean_neighbours(&sim->system),
+        .kinetic_max = r->kinetic_max,
+        .momentum_error = {r->momentum_error_x, r->momentum_error_y},
+        .momentum_error_max = r->momentum_worst,
+        .momentum_moved = r->momentum_moved,
+        .neighbours = NAN,
     };
+    if (!sph2d__sim_momentum_is_known(sim))
+        out.momentum_error[0] = out.momentum_error[1] = out.momentum_error_max = NAN;
+    if (!sph2d__sim_is_broken(sim))
+        count_neighbours(&sim->system, &out);
     sph2d__sim_sum_energy(sim, &out);
     return out;
 }

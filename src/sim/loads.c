@@ -60,11 +60,9 @@ sph2d_status sph2d__loads_create(sph2d_sim *sim)
     size_t count = 0, walls = sim->system.walls.count;
     for (size_t i = 0; i < scene->probe_count; ++i)
         count += is_wanted(&scene->probes[i]);
-    if (count == 0)
-        return SPH2D_OK;
-    l->items = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *l->items);
-    l->states = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *l->states);
-    l->of_probe = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count, sizeof *l->of_probe);
+    l->items = sph2d__arena_alloc(&sim->arena, &sim->memory, count + 1, sizeof *l->items);
+    l->states = sph2d__arena_alloc(&sim->arena, &sim->memory, count + 1, sizeof *l->states);
+    l->of_probe = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count + 1, sizeof *l->of_probe);
     l->walls = sph2d__arena_alloc(&sim->arena, &sim->memory, walls + 1, sizeof *l->walls);
     l->forces = sph2d__arena_alloc(&sim->arena, &sim->memory, walls + 1, sizeof *l->forces);
     if (sim->system.surface_tension > 0)
@@ -81,12 +79,19 @@ sph2d_status sph2d__loads_create(sph2d_sim *sim)
         l->of_probe[i] = l->count;
         l->items[l->count++] = (sph2d__load){.wall = wall, .about = probe->at, .moving = moving_of(sim, wall)};
     }
+    l->items[l->count] = (sph2d__load){.wall = SPH2D__WALL_ALL};
     return SPH2D_OK;
+}
+
+/** The loads that count in this step. */
+static size_t counting(const sph2d__loads *l)
+{
+    return l->count + l->watched;
 }
 
 bool sph2d__loads_wanted(const sph2d_sim *sim)
 {
-    return sim->loads.count > 0;
+    return counting(&sim->loads) > 0;
 }
 
 /* ---- forces of boundary particles -------------------------------------------------------------------------------- */
@@ -119,7 +124,7 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
 /** Whether any load is on a wall. */
 static bool any_matches(const sph2d__loads *l, const int walls[2])
 {
-    for (size_t k = 0; k < l->count; ++k)
+    for (size_t k = 0; k < counting(l); ++k)
         if (matches(l->items[k].wall, walls[0]) || matches(l->items[k].wall, walls[1]))
             return true;
     return false;
@@ -192,7 +197,7 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
             continue;
         sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]), rubbed = rubbed_at(sim, b);
         const sph2d__wall_force *force = &l->forces[b];
-        double back = background_on(&sim->system, b);
+        double back = index < l->count ? background_on(&sim->system, b) : 0; /* which acts, though it is not reported */
         sph2d_vec2 press = {in_x * (kept * force->pressure.x - (back != 0 ? back * w->normal_x[b] : 0)),
                             in_y * (kept * force->pressure.y - (back != 0 ? back * w->normal_y[b] : 0))};
         if (l->tensions)
@@ -244,7 +249,7 @@ static void sum_sides(const sph2d_sim *sim, size_t index)
 void sph2d__loads_find(sph2d_sim *sim, double kept)
 {
     sph2d__loads *l = &sim->loads;
-    if (l->count == 0)
+    if (!sph2d__loads_wanted(sim))
         return;
     const sph2d__pull none = {0, 0, 0};
     size_t walls = sim->system.walls.count;
@@ -256,7 +261,7 @@ void sph2d__loads_find(sph2d_sim *sim, double kept)
         memset(l->tensions, 0, walls * sizeof *l->tensions);
         sph2d__tension_of_walls(&sim->system, l->tensions);
     }
-    for (size_t k = 0; k < l->count; ++k) {
+    for (size_t k = 0; k < counting(l); ++k) {
         l->items[k].before = l->states[k];
         l->states[k].pressure = l->states[k].friction = l->states[k].springs = none;
         l->states[k].power = 0;
@@ -311,7 +316,7 @@ static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph
     double m = sim->system.mass, unit;
     const sph2d__pull q = quanta(sim, &unit);
 #pragma omp critical(sph2d_contacts)
-    for (size_t k = 0; k < sim->loads.count; ++k) {
+    for (size_t k = 0; k < counting(&sim->loads); ++k) {
         sph2d__load *load = &sim->loads.items[k];
         double in_x = matches(load->wall, walls[0]), in_y = matches(load->wall, walls[1]);
         if (in_x + in_y == 0)
@@ -328,13 +333,13 @@ static void count_contact(sph2d_sim *sim, const int walls[2], sph2d_vec2 at, sph
 void sph2d__loads_contact(sph2d_sim *sim, int wall, sph2d_vec2 at, sph2d_vec2 change, double work)
 {
     const int walls[2] = {wall, wall};
-    if (sim->loads.count > 0)
+    if (sph2d__loads_wanted(sim))
         count_contact(sim, walls, at, change, work);
 }
 
 void sph2d__loads_reflect(sph2d_sim *sim, size_t b, sph2d_vec2 at, sph2d_vec2 change)
 {
-    if (sim->loads.count > 0)
+    if (sph2d__loads_wanted(sim))
         count_contact(sim, sim->loads.walls[sim->system.walls.id[b]], at, change, 0);
 }
 
@@ -364,7 +369,7 @@ static void add_half(sph2d__pull *to, double dt, const sph2d__load_state *at)
 
 void sph2d__loads_close(sph2d_sim *sim, double dt)
 {
-    for (size_t k = 0; k < sim->loads.count; ++k) {
+    for (size_t k = 0; k < counting(&sim->loads); ++k) {
         sph2d__load *load = &sim->loads.items[k];
         sph2d__load_state *now = &sim->loads.states[k];
         double unit;

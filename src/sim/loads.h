@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file loads.h
  *  Forces of the liquid on walls, and the work of walls on it and on bodies, as probes of kinds force and work measure
- *  them. A scene without such probes has no loads, and all of these functions return at once.
+ *  them; and, in steps that momentum.c watches, on all walls together. In other steps of scenes without such probes all
+ *  of these functions return at once.
  *
  *  The force on a wall is minus the sum of what it exerts on the particles, so that momentum is balanced: the pair
  *  forces of its boundary particles as in the method's last evaluation, less what a background pressure adds on
@@ -50,7 +51,8 @@ typedef struct sph2d__loads {
     sph2d__load *items;        /**< one for each probe of the scene ... */
     size_t *of_probe;          /**< ... of kind force or work: its load by the index of the probe */
     sph2d__load_state *states; /**< of each load */
-    size_t count;
+    size_t count;              /**< of these; behind them that on all walls ... */
+    bool watched;              /**< ... which counts in this step, or from its end on */
     int (*walls)[2];           /**< by id of a boundary particle: the wall of its forces along x, and y */
     sph2d__wall_force *forces; /**< by index of a boundary particle: on the liquid, by pressure and friction ... */
     sph2d_vec2 *tensions;      /**< ... and by surface tension; NULL: none */
@@ -59,7 +61,7 @@ typedef struct sph2d__loads {
 /** Makes the loads of the scene's probes; the walls are placed. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__loads_create(sph2d_sim *sim);
 
-/** Whether there are any. */
+/** Whether any count in this step. */
 bool sph2d__loads_wanted(const sph2d_sim *sim);
 
 /** Finds the forces right after the method's evaluation, or projection, of which velocities keep the fraction `kept`.

@@ -54,6 +54,14 @@
     X(energy_error, "EnergyError", 1, 1, -2, "error of the energy balance, per metre")                                 \
     X(error_low, "EnergyErrorLow", 1, 1, -2, "smallest error of the energy balance so far, per metre")                 \
     X(error_rise, "EnergyErrorRise", 1, 1, -2, "largest rise of the error above an earlier time, per metre")           \
+    X(kinetic_max, "KineticMax", 1, 1, -2, "largest kinetic energy of the liquid so far, per metre")                   \
+    X(momentum_error_x, "MomentumErrorX", 0, 1, -1, "momentum that came from nothing, per metre")                      \
+    X(momentum_error_y, "MomentumErrorY", 0, 1, -1, "momentum that came from nothing, per metre")                      \
+    X(momentum_rate_x, "MomentumRateX", 0, 1, -2, "rate of it at the last sample, per metre")                          \
+    X(momentum_rate_y, "MomentumRateY", 0, 1, -2, "rate of it at the last sample, per metre")                          \
+    X(momentum_time, "MomentumTime", 0, 0, 1, "time of the last sample of momentum")                                   \
+    X(momentum_moved, "MomentumMoved", 0, 1, -1, "largest sum of the sizes of particles' momenta, per metre")          \
+    X(momentum_worst, "MomentumWorst", 0, 1, -1, "largest momentum from nothing so far, per metre")                    \
     X(density_apart, "DensityApart", 0, 0, 0,                                                                          \
       "largest difference of reported and counted density inside the liquid, over rest density")                       \
     X(compression_max, "CompressionMax", 0, 0, 0, "largest compression so far")                                        \

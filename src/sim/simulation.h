@@ -41,18 +41,20 @@ struct sph2d_sim {
     sph2d__course tank;    /**< of the domain: scene/frame.h */
     sph2d__moving *moving; /**< capacity: every obstacle */
     size_t moving_count;
-    sph2d__ids *obstacle_ids;   /**< of each obstacle */
-    sph2d__loads loads;         /**< forces on walls that probes measure */
-    sph2d__bodies bodies;       /**< that the liquid moves */
-    sph2d__openings openings;   /**< through which liquid flows in and out */
-    sph2d__outlines outlines;   /**< of walls and bodies, as they are now */
-    sph2d__solids solids;       /**< the obstacles as they are when the liquid is placed */
-    sph2d__point_force *points; /**< capacity: every interaction and the pointer */
-    uint64_t *source_rows;      /**< rows that each source has emitted */
-    uint64_t *output_counts;    /**< outputs written: snapshots, frames, then each probe */
-    double *gauges;             /**< of each probe: the pressure on its face, and its reading [Pa] */
-    bool gauges_lag;            /**< whether a gauge has a rise time */
-    unsigned char *to_remove;   /**< flags of particles to remove */
+    sph2d__ids *obstacle_ids;                 /**< of each obstacle */
+    sph2d__loads loads;                       /**< forces on walls that probes measure */
+    sph2d_vec2 momentum_before, force_before; /**< at the start of the step ... */
+    bool momentum_watched;                    /**< ... whose momentum is balanced */
+    sph2d__bodies bodies;                     /**< that the liquid moves */
+    sph2d__openings openings;                 /**< through which liquid flows in and out */
+    sph2d__outlines outlines;                 /**< of walls and bodies, as they are now */
+    sph2d__solids solids;                     /**< the obstacles as they are when the liquid is placed */
+    sph2d__point_force *points;               /**< capacity: every interaction and the pointer */
+    uint64_t *source_rows;                    /**< rows that each source has emitted */
+    uint64_t *output_counts;                  /**< outputs written: snapshots, frames, then each probe */
+    double *gauges;                           /**< of each probe: the pressure on its face, and its reading [Pa] */
+    bool gauges_lag;                          /**< whether a gauge has a rise time */
+    unsigned char *to_remove;                 /**< flags of particles to remove */
     size_t to_remove_capacity;
 
     double weights[3]; /**< of the rates in the present step: adams_bashforth.c */
@@ -108,6 +110,11 @@ bool sph2d__sim_samples_energy(const sph2d_sim *sim, uint64_t steps);
  *  operators. */
 bool sph2d__sim_error_is_known(const sph2d_sim *sim);
 bool sph2d__sim_rise_is_known(const sph2d_sim *sim);
+/** Before the method's step, and after the loads' end of it: in some steps, adds the momentum that came from nothing to
+ *  the balance (momentum.c), which is known but with openings or fitted operators. */
+void sph2d__momentum_begin(sph2d_sim *sim);
+void sph2d__momentum_end(sph2d_sim *sim, double dt);
+bool sph2d__sim_momentum_is_known(const sph2d_sim *sim);
 /** Samples dissipation and adds that since the last sample to the energy balance (work.c). Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_book_dissipation(sph2d_sim *sim);
 /** Adds the work of moving walls and of forces, sampled every few steps. */

@@ -56,7 +56,7 @@ first=$(sed -n 's/.*"particles": \([0-9]*\),.*/\1/p' out)
 # Liquid is poured and a wall is drawn, the fluid changes, all is saved, and a film is made.
 play pool.yaml
 xdotool key o mousedown 1
-sleep 1
+sleep 3 # on a busy machine a step takes long
 xdotool mouseup 1 key w mousemove --window "$window" 60 100 mousedown 1
 for x in 110 160 210; do
     sleep 0.3

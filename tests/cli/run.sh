@@ -43,7 +43,7 @@ if can_draw; then
     prints '^  *11 frames, [0-9.]* ms each to draw, [0-9.]* to read back, [0-9.]* to encode$'
     expect 0 "$SPH2D" run "$TINY" -o drawn -f --json --progress never
     prints '"frames": {"count": 11, "draw_seconds": [0-9.e-]*, "read_seconds": [0-9.e-]*, "encode_seconds": [0-9.e-]*}'
-    grep -q '_seconds": 0[,}]' out && fail 'a frame that took no time'
+    grep -q '"frames": {[^}]*_seconds": 0[,}]' out && fail 'a frame that took no time'
 fi
 expect 0 "$SPH2D" run "$TINY" -o bare --no-frames --json --progress never && prints '"frames": {"count": 0, '
 
