@@ -73,7 +73,7 @@ void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
     out->speed_max = sqrt(speed2);
 }
 
-double sph2d__sim_energy_scale(const sph2d_sim *sim)
+double sph2d__sim_fall_energy(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__record *r = &sim->record;
@@ -84,8 +84,12 @@ double sph2d__sim_energy_scale(const sph2d_sim *sim)
     for (size_t k = 0; k < sim->bodies.count; ++k)
         bodies += sim->bodies.items[k].mass;
     double head = s->head - s->spring_head;
-    return (s->mass * n + bodies) * head / 2 + s->spring_energy + r->energy_held +
-           s->surface_tension * 2 * sqrt(SPH2D__PI * area);
+    return (s->mass * n + bodies) * head / 2 + s->spring_energy + s->surface_tension * 2 * sqrt(SPH2D__PI * area);
+}
+
+double sph2d__sim_energy_scale(const sph2d_sim *sim)
+{
+    return sph2d__sim_fall_energy(sim) + sim->record.energy_held;
 }
 
 /* Quanta in a particle's share of the energy scale. */

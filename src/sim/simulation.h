@@ -88,8 +88,10 @@ static inline bool sph2d__sim_is_broken(const sph2d_sim *sim)
 /** The scene's parameters that known flows use. */
 sph2d_flow_context sph2d__sim_flow_context(const sph2d_sim *sim);
 
-/** The energy scale of rises and errors: a column as high as the scene's liquid can fall [J/m]. */
+/** The energy scale of rises and errors: of a column as high as the liquid can fall, and what it starts with [J/m]. */
 double sph2d__sim_energy_scale(const sph2d_sim *sim);
+/** The same without the elastic energy of liquid that starts pressed together. */
+double sph2d__sim_fall_energy(const sph2d_sim *sim);
 
 /** The quantum in which energy lost at walls is counted by integers, so that the sum is the same for any number of
  *  threads [J/m]. */

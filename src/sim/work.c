@@ -357,7 +357,7 @@ static void schedule_sample(sph2d_sim *sim, double span)
 {
     sph2d__record *r = &sim->record;
     double power = r->power_viscous + r->power_diffusion, change = fabs(power - r->power_dissipated);
-    double allowed = SAMPLE_ERROR * sph2d__sim_energy_scale(sim), error = change * span / 2;
+    double allowed = SAMPLE_ERROR * sph2d__sim_fall_energy(sim), error = change * span / 2;
     double steps = error > 0 ? span / r->last_step * sqrt(allowed / error) : SAMPLE_STEPS;
     r->sample_step = r->steps + (uint64_t)fmin(fmax(steps, SAMPLE_STEPS_LEAST), SAMPLE_STEPS);
     r->power_dissipated = power;

@@ -121,7 +121,7 @@ static double limit_of(const sph2d_sim *sim, double weight)
 {
     bool overshoots = sph2d__method_row_of(&sim->system.method)->free_compression;
     double mean = sim->record.split_mean, brought = sim->record.energy_error - sim->record.error_low;
-    bool free = overshoots || weight >= 0 || brought > BROUGHT * sph2d__sim_energy_scale(sim);
+    bool free = overshoots || weight >= 0 || brought > BROUGHT * sph2d__sim_fall_energy(sim);
     return !free ? fmax(0, mean + MEAN_STEPS * (MEAN_MOST - mean)) : 1;
 }
 
