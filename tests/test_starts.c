@@ -462,6 +462,42 @@ END_TEST
 
 /* ---- refused ----------------------------------------------------------------------------------------------------- */
 
+/** Water 200 spacings deep sinks half a spacing by its weight, but not into a bar: there is as much of it as where it
+ *  starts without a pressure. By `body` the bar is one. */
+START_TEST(deep_still_water_surrounds_a_solid)
+{
+    size_t particles[2];
+    sph2d_obstacle bar = sph2d_obstacle_default();
+    sph2d_body body = sph2d_body_default();
+    set_up();
+    scene.spacing = 0.02;
+    scene.domain.max = (sph2d_vec2){0.6, 4.2};
+    scene.gravity.y = -9.81;
+    scene.method = sph2d_scene_default().method;
+    bar.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    bar.outline.circle = (sph2d_disc){{0.3, 3}, 0.14};
+    body.outline = bar.outline;
+    body.density = 1000;
+    scene.obstacles = &bar;
+    scene.bodies = &body;
+    scene.obstacle_count = _i == 0;
+    scene.body_count = _i == 1;
+    block = test_block(0, 0, 0.6, 4);
+    for (int still = 0; still < 2; ++still) {
+        block.start.flow.kind = still ? SPH2D_FLOW_STILL : SPH2D_FLOW_NONE;
+        block.start.flow.center[1] = 4;
+        sph2d_sim *sim = test_create(&scene, NULL);
+        sph2d_view f = sph2d_sim_fluid(sim);
+        particles[still] = f.count;
+        for (size_t i = 0; still && i < f.count; ++i)
+            ck_assert_double_eq_tol(f.pressure[i], 1000 * 9.81 * (4 - f.y[i]), 0.02 * 1000 * 9.81 * 4);
+        test_steps(sim, 3);
+        sph2d_sim_destroy(sim);
+    }
+    ck_assert_uint_eq(particles[0], particles[1]);
+}
+END_TEST
+
 START_TEST(a_start_is_of_one_thing)
 {
     fill_grid();
@@ -532,6 +568,7 @@ Suite *suite_starts(void)
     tcase_add_test(starts, blocks_and_obstacles_leave_no_room_for_a_snapshot);
     tcase_add_test(starts, beside_slopes_the_liquid_of_a_snapshot_is_packed);
     tcase_add_test(starts, particles_without_a_density_start_at_the_pressure_of_the_scene);
+    tcase_add_loop_test(starts, deep_still_water_surrounds_a_solid, 0, 2);
     tcase_add_test(starts, a_start_is_of_one_thing);
     tcase_add_test(starts, broken_values_are_refused);
     suite_add_tcase(suite, starts);

@@ -120,23 +120,28 @@ static size_t obstacle_of(const sph2d_sim *sim, uint64_t wall_id)
     return i;
 }
 
-/** The obstacle in whose layers, or within MIN_DISTANCE spacings of them, fluid particle i lies; the count for none. */
-static size_t layers_around(const sph2d_sim *sim, size_t i)
+/** The obstacle in whose layers, or within MIN_DISTANCE spacings of them, a position lies; the count for none. */
+static size_t layers_around(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    const sph2d__store *f = &sim->system.fluid, *w = &sim->system.walls;
+    const sph2d__store *w = &sim->system.walls;
     size_t count = sim->scene.obstacle_count, found = count;
-    uint32_t cell = sph2d__cells_find(&sim->system.wall_cells, f->x[i], f->y[i]);
+    uint32_t cell = w->count > 0 ? sph2d__cells_find(&sim->system.wall_cells, at.x, at.y) : UINT32_MAX;
     if (cell == UINT32_MAX)
         return count;
     sph2d__ranges ranges;
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
-        double x = f->x[i] + ranges.x[r] - w->x[j], y = f->y[i] + ranges.y[r] - w->y[j];
+        double x = at.x + ranges.x[r] - w->x[j], y = at.y + ranges.y[r] - w->y[j];
         size_t k = hypot(x, y) < sph2d__sim_clear_distance(sim, j) ? obstacle_of(sim, w->id[j]) : count;
         if (k < found && sph2d__obstacle_form(&sim->scene, &sim->scene.obstacles[k]) == SPH2D_WALL_GENERALISED)
             found = k;
     }
     return found;
+}
+
+bool sph2d__sim_is_in_layers(const sph2d_sim *sim, sph2d_vec2 at)
+{
+    return layers_around(sim, at) < sim->scene.obstacle_count;
 }
 
 /** "obstacles[2].line" */
@@ -175,10 +180,8 @@ sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report)
     const sph2d__store *f = &sim->system.fluid;
     size_t obstacles = sim->scene.obstacle_count, first = obstacles, count = 0;
     sph2d_vec2 at = {0, 0};
-    if (obstacles == 0 || sim->system.walls.count == 0)
-        return SPH2D_OK;
     for (size_t i = 0; i < f->count; ++i) {
-        size_t k = layers_around(sim, i);
+        size_t k = obstacles > 0 ? layers_around(sim, (sph2d_vec2){f->x[i], f->y[i]}) : 0;
         if (k < first) {
             first = k;
             count = 0;

@@ -48,6 +48,8 @@ sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p
 
 /** The distance from a boundary particle in layers within which no liquid may start [m]. */
 double sph2d__sim_clear_distance(const sph2d_sim *sim, size_t wall);
+/** Whether a position is nearer to one of an obstacle. */
+bool sph2d__sim_is_in_layers(const sph2d_sim *sim, sph2d_vec2 at);
 
 /** Adds the velocity that liquid has at the start, and sets its pressure, to the particles from `first` on; `key` is that
  *  of `start` in the scene. Those of a lattice, whose spacing is that at rest density, are moved to where their density is
