@@ -10,10 +10,12 @@
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
+#include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/start.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
@@ -87,36 +89,88 @@ typedef struct velocity_jump {
     double speed, time;
 } velocity_jump;
 
-static void note_jump(velocity_jump *largest, const sph2d__pose *before, const sph2d__pose *after, double radius,
+/** What jumps: an obstacle, or without one the tank. */
+typedef struct jumper {
+    const sph2d_scene *scene;
+    const sph2d_obstacle *obstacle;
+    const sph2d__course *course;
+    double radius; /**< of the tank, about which it turns [m] */
+} jumper;
+
+/** Whether liquid may be on a face of an obstacle: where it starts, and anywhere if it comes from elsewhere. */
+static bool is_wet(const jumper *j, const sph2d__segment *face)
+{
+    enum { SAMPLES = 16 };
+    const sph2d_scene *s = j->scene;
+    const double x = face->b.x - face->a.x, y = face->b.y - face->a.y, length = hypot(x, y);
+    const sph2d_vec2 off = {-s->spacing * y / length, s->spacing * x / length};
+    bool wet = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
+               sph2d__starts_from_snapshot(s);
+    for (int k = 0; k < 2 * SAMPLES && !wet; ++k) {
+        const double along = (k / 2 + 0.5) / SAMPLES, side = k % 2 ? 1 : -1;
+        const sph2d_vec2 p = {face->a.x + along * x + side * off.x, face->a.y + along * y + side * off.y};
+        wet = sph2d__in_block(s, p) && !sph2d__obstacle_fills(s, j->obstacle, p);
+    }
+    return wet;
+}
+
+/** The largest speed across faces that liquid touches, as the obstacle is drawn: a wall that slides along itself pushes
+ *  nothing. */
+static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
+{
+    const sph2d_outline *outline = &j->obstacle->outline;
+    const size_t faces = sph2d__outline_pieces(outline, j->scene->spacing);
+    double largest = 0;
+    for (size_t k = 0; k < faces; ++k) {
+        const sph2d__segment face = sph2d__outline_piece(outline, j->scene->spacing, k);
+        const double x = face.b.x - face.a.x, y = face.b.y - face.a.y, length = hypot(x, y);
+        if (!(length > 0))
+            continue;
+        double speed = 0;
+        for (int end = 0; end < 2; ++end) {
+            const sph2d_vec2 p = end ? face.b : face.a;
+            const double vx = change.x - turn * (p.y - j->course->center.y),
+                         vy = change.y + turn * (p.x - j->course->center.x);
+            speed = fmax(speed, fabs(vx * y - vy * x) / length);
+        }
+        if (speed > largest && is_wet(j, &face))
+            largest = speed;
+    }
+    return largest;
+}
+
+static void note_jump(velocity_jump *largest, const jumper *j, const sph2d__pose *before, const sph2d__pose *after,
                       double time)
 {
-    double speed = hypot(after->velocity.x - before->velocity.x, after->velocity.y - before->velocity.y) +
-                   fabs(after->omega - before->omega) * radius;
+    const double x = after->velocity.x - before->velocity.x, y = after->velocity.y - before->velocity.y,
+                 turn = after->omega - before->omega, c = cos(after->angle), s = sin(after->angle);
+    const double speed = j->obstacle ? speed_across(j, (sph2d_vec2){c * x + s * y, c * y - s * x}, turn)
+                                     : hypot(x, y) + fabs(turn) * j->radius;
     if (speed > largest->speed)
         *largest = (velocity_jump){speed, time};
 }
 
 /** The velocity that a motion has at once at its start. */
-static velocity_jump jump_at_start(const sph2d__course *course, double radius)
+static velocity_jump jump_at_start(const jumper *j)
 {
-    sph2d__pose rest = {.angle = 0}, start = sph2d__course_at(course, 0);
+    sph2d__pose rest = {.angle = 0}, start = sph2d__course_at(j->course, 0);
     velocity_jump jump = {0, 0};
-    note_jump(&jump, &rest, &start, radius, 0);
+    note_jump(&jump, j, &rest, &start, 0);
     return jump;
 }
 
 /** The largest velocity jump of a motion after its start and before an end: at a point of its path. */
-static velocity_jump largest_jump(const sph2d__course *course, double radius, double end)
+static velocity_jump largest_jump(const jumper *j, double end)
 {
     const double BEFORE = 1e-9; /* of the time between two points */
-    const sph2d_pose_path *path = &course->motion->path;
+    const sph2d_pose_path *path = &j->course->motion->path;
     velocity_jump largest = {0, 0};
     for (size_t k = 0; k < path->count; ++k) {
         double t = path->items[k].t, span = k > 0 ? t - path->items[k - 1].t : 1;
         if (!(t > 0 && t < end))
             continue;
-        sph2d__pose before = sph2d__course_at(course, t - BEFORE * span), after = sph2d__course_at(course, t);
-        note_jump(&largest, &before, &after, radius, t);
+        sph2d__pose before = sph2d__course_at(j->course, t - BEFORE * span), after = sph2d__course_at(j->course, t);
+        note_jump(&largest, j, &before, &after, t);
     }
     return largest;
 }
@@ -153,10 +207,8 @@ static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const c
  *  are 17; over 10 spacings/sqrt(2 head) of a constant acceleration it lost 1.4. */
 static void check_velocity_jump(checker *c, size_t i, const sph2d__course *course)
 {
-    double radius = sph2d__motion_turns(course->motion)
-                        ? sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center)
-                        : 0;
-    velocity_jump hit = largest_jump(course, radius, INFINITY), first = jump_at_start(course, radius);
+    const jumper wall = {c->scene, &c->scene->obstacles[i], course, 0};
+    velocity_jump hit = largest_jump(&wall, INFINITY), first = jump_at_start(&wall);
     if (first.speed >= hit.speed)
         hit = first;
     sph2d_method_options m = sph2d__method_resolve(c->scene->method);
@@ -297,7 +349,8 @@ static void check_tank(checker *c, sph2d__memory *memory)
     void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
     sph2d__course tank = sph2d__tank_course(scene, bends);
     double radius = hypot(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y) / 2;
-    velocity_jump start = jump_at_start(&tank, radius), later = largest_jump(&tank, radius, scene->run.until);
+    const jumper whole = {scene, NULL, &tank, radius};
+    velocity_jump start = jump_at_start(&whole), later = largest_jump(&whole, scene->run.until);
     double small = SMALL * sph2d__course_speed(&tank, radius);
     if (later.speed > small)
         refuse_jump(c, &later);
