@@ -32,7 +32,7 @@ void cloud_start(void)
 void cloud_stir(sph2d_sim *sim, double speed)
 {
     sph2d__store *f = &sim->system.fluid;
-    sim->record.energy_low = INFINITY; /* what comes in here comes from somewhere */
+    sim->record.energy_low = sim->record.error_low = INFINITY; /* what comes in here comes from somewhere */
     for (size_t i = 0; i < f->count; ++i) {
         uint64_t seed = f->id[i] * 977 + 5;
         f->vx[i] += test_random(&seed, -speed, speed);

@@ -103,7 +103,10 @@ static bool is_wet(const jumper *j, const sph2d__segment *face)
     enum { SAMPLES = 16 };
     const sph2d_scene *s = j->scene;
     const double x = face->b.x - face->a.x, y = face->b.y - face->a.y, length = hypot(x, y);
-    const sph2d_vec2 off = {-s->spacing * y / length, s->spacing * x / length};
+    const bool bends =
+        j->obstacle->outline.kind == SPH2D_OUTLINE_CIRCLE || j->obstacle->outline.kind == SPH2D_OUTLINE_ARC;
+    const double away = bends ? fmax(s->spacing, length / 8) : s->spacing; /* also from the arc of a chord */
+    const sph2d_vec2 off = {-away * y / length, away * x / length};
     bool wet = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
                sph2d__starts_from_snapshot(s);
     for (int k = 0; k < 2 * SAMPLES && !wet; ++k) {
@@ -119,10 +122,12 @@ static bool is_wet(const jumper *j, const sph2d__segment *face)
 static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
 {
     const sph2d_outline *outline = &j->obstacle->outline;
-    const size_t faces = sph2d__outline_pieces(outline, j->scene->spacing);
+    const double size =
+        fmax(j->scene->spacing, sph2d__outline_distance(outline, sph2d__outline_centroid(outline)) / 32);
+    const size_t faces = sph2d__outline_pieces(outline, size);
     double largest = 0;
     for (size_t k = 0; k < faces; ++k) {
-        const sph2d__segment face = sph2d__outline_piece(outline, j->scene->spacing, k);
+        const sph2d__segment face = sph2d__outline_piece(outline, size, k);
         const double x = face.b.x - face.a.x, y = face.b.y - face.a.y, length = hypot(x, y);
         if (!(length > 0))
             continue;
