@@ -15,7 +15,9 @@
  *      kinetic + potential + elastic - start - added + dissipated.
  *
  *  The rise is how far kinetic + potential + elastic - added ever rose above an earlier value: it is above 0 only where
- *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise, and a rise of the error.
+ *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise, by
+ *  the scale or the largest kinetic energy, which is twice that where a block starts with the speed U; and a rise of the
+ *  error.
  *
  *  A pressure projection dissipates energy where liquid meets liquid or a wall: 30 to 80 % at an impact. This is the
  *  work of its impulses with the mean velocity of each step (projected.c), less the work of moving walls and the
@@ -140,7 +142,7 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__record *r = &sim->record;
     const sph2d__store *f = &sim->system.fluid;
-    double scale = sph2d__sim_energy_scale(sim), largest = sph2d__sim_bounds(sim).rise;
+    double scale = fmax(sph2d__sim_energy_scale(sim), r->kinetic_max), largest = sph2d__sim_bounds(sim).rise;
     bool rises = r->energy_rise > largest * scale, unbooked = r->error_rise > fmax(UNBOOKED, largest) * all_booked(sim);
     if (!(scale > 0) || !(rises || unbooked) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
         return true;
