@@ -97,6 +97,19 @@ expect 75 "$SPH2D" run gauges.yaml -o parts --max-wall 0.1s -q && expect 0 "$SPH
 grep 'usual: \|raw: ' out | diff noise - >&2 || fail 'another noise of a run in parts'
 expect 0 "$SPH2D" run gauges.yaml -o gauges -f --json --progress never && prints '"gauges": {"usual": {"mean": [0-9.]*, "noise": [0-9.]*, "rise_time": 0.069'
 
+# Liquid that was pressed far together gets a word, other liquid none.
+cat >pressed.yaml <<'END'
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.05
+gravity: [0, 0]
+method: {name: muller, sound_speed: 10}
+blocks: [{box: {min: [0.4, 0.4], max: [0.6, 0.6]}, spacing: 0.035}]
+run: {until: 0.001}
+END
+expect 0 "$SPH2D" run pressed.yaml -o pressed --progress never && prints '^  *some liquid had 2[.]02 times its density'
+expect 0 "$SPH2D" run pressed.yaml -o pressed -f -s 'blocks[0].spacing=0.05' --progress never
+grep -q 'times its density' out && fail 'a word on liquid that was not pressed'
+
 # A run that would leave nothing keeps its end, and one that goes on the next.
 cat >bare.yaml <<'END'
 domain: {min: [0, 0], max: [1, 1]}
