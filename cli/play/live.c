@@ -14,6 +14,17 @@
 /* What a slow machine may be behind before time is left out [s of the clock]. */
 static const double MOST_BEHIND = 0.1;
 
+/* Counts the particles that left where their number has changed: a summary looks at all pairs. */
+static void count_left(live *l)
+{
+    const size_t now = sph2d_sim_fluid(l->sim).count;
+    if (now == l->counted)
+        return;
+    const sph2d_summary s = sph2d_sim_summary(l->sim);
+    l->counted = now;
+    l->left = s.left_open[0] + s.left_open[1] + s.left_open[2] + s.left_open[3];
+}
+
 /* Puts a simulation that was made, with its contacts, in place of the present one; or frees it. */
 static sph2d_status take(live *l, sph2d_sim *sim, sph2d_status made)
 {
@@ -24,6 +35,8 @@ static sph2d_status take(live *l, sph2d_sim *sim, sph2d_status made)
     }
     sph2d_sim_destroy(l->sim);
     l->sim = sim;
+    l->counted = SIZE_MAX;
+    count_left(l);
     return SPH2D_OK;
 }
 
@@ -85,6 +98,7 @@ sph2d_status live_step(live *l, sph2d_report *report)
     if (l->stopped != SPH2D_OK)
         return SPH2D_OK;
     l->stopped = sph2d_sim_step(l->sim, report);
+    count_left(l);
     l->due = fmax(l->due, sph2d_sim_time(l->sim));
     return l->stopped;
 }
@@ -104,6 +118,7 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
     l->due += seconds;
     l->deadline = begun + budget;
     l->stopped = sph2d_sim_run(l->sim, is_due, l, report);
+    count_left(l);
     const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1), spent = clock_wall() - begun;
     if (now > from && spent > 0)
         l->pace += (l->pace > 0 ? 0.1 : 1) * ((now - from) / spent - l->pace);
@@ -269,8 +284,7 @@ sph2d_status live_undo(live *l, const char **name, sph2d_report *report)
 
 uint64_t live_left(const live *l)
 {
-    const sph2d_summary s = sph2d_sim_summary(l->sim);
-    return s.left_open[0] + s.left_open[1] + s.left_open[2] + s.left_open[3];
+    return l->left;
 }
 
 sph2d_scene live_scene(const live *l)

@@ -22,6 +22,8 @@ typedef struct live {
     double deadline;      /**< on the wall clock, for the steps of a picture [s] */
     double ratio;         /**< simulated time over that of the clock, in the mean over about a second */
     double pace;          /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
+    uint64_t left;        /**< particles through open sides ... */
+    size_t counted;       /**< ... when there were so many */
     past past;
 } live;
 
