@@ -23,13 +23,8 @@ void game_tell(game *g, const char *format, ...)
 
 void game_tell_report(game *g, sph2d_status status, sph2d_report *report)
 {
-    size_t k = 0; /* warnings may stand before the error */
-    while (k + 1 < report->count && report->items[k].severity != SPH2D_ERROR)
-        ++k;
-    if (status != SPH2D_OK && report->count > 0)
-        game_tell(g, "%s", report->items[k].message);
-    else if (status != SPH2D_OK)
-        game_tell(g, "%s", sph2d_status_text(status));
+    if (status != SPH2D_OK)
+        game_tell(g, "%s", live_reason(status, report));
     sph2d_report_clear(report);
 }
 

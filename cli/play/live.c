@@ -5,6 +5,7 @@
 #include "live.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <sph2d/contacts.h>
@@ -40,6 +41,21 @@ static sph2d_status take(live *l, sph2d_sim *sim, sph2d_status made)
     return SPH2D_OK;
 }
 
+const char *live_reason(sph2d_status status, const sph2d_report *report)
+{
+    size_t k = 0; /* warnings may stand before the error */
+    while (k + 1 < report->count && report->items[k].severity != SPH2D_ERROR)
+        ++k;
+    return status == SPH2D_OK ? "" : report->count > 0 ? report->items[k].message : sph2d_status_text(status);
+}
+
+/* Notes whether steps can follow, or why not. */
+static void note_stop(live *l, sph2d_status status, const sph2d_report *report)
+{
+    l->stopped = status;
+    snprintf(l->why, sizeof l->why, "%s", live_reason(status, report));
+}
+
 static sph2d_status create(live *l, sph2d_report *report)
 {
     sph2d_sim *sim = NULL;
@@ -47,7 +63,7 @@ static sph2d_status create(live *l, sph2d_report *report)
     const sph2d_status status = take(l, sim, made);
     if (status == SPH2D_OK) {
         l->due = sph2d_sim_time(sim);
-        l->stopped = SPH2D_OK;
+        note_stop(l, SPH2D_OK, report);
         l->ratio = 1;
         l->pace = 0;
     }
@@ -97,7 +113,7 @@ sph2d_status live_step(live *l, sph2d_report *report)
 {
     if (l->stopped != SPH2D_OK)
         return SPH2D_OK;
-    l->stopped = sph2d_sim_step(l->sim, report);
+    note_stop(l, sph2d_sim_step(l->sim, report), report);
     count_left(l);
     l->due = fmax(l->due, sph2d_sim_time(l->sim));
     return l->stopped;
@@ -117,7 +133,7 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
     const double begun = clock_wall(), from = sph2d_sim_time(l->sim);
     l->due += seconds;
     l->deadline = begun + budget;
-    l->stopped = sph2d_sim_run(l->sim, is_due, l, report);
+    note_stop(l, sph2d_sim_run(l->sim, is_due, l, report), report);
     count_left(l);
     const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1), spent = clock_wall() - begun;
     if (now > from && spent > 0)
@@ -278,7 +294,7 @@ sph2d_status live_undo(live *l, const char **name, sph2d_report *report)
     *name = act->name;
     past_drop(&l->past);
     l->due = sph2d_sim_time(l->sim);
-    l->stopped = SPH2D_OK;
+    note_stop(l, SPH2D_OK, report);
     return SPH2D_OK;
 }
 

@@ -17,7 +17,8 @@ typedef struct live {
     sph2d_obstacle *obstacles; /**< its list: those of the file, then walls that were drawn */
     sph2d_sim_options options;
     sph2d_sim *sim;
-    sph2d_status stopped; /**< why it takes no more steps */
+    sph2d_status stopped; /**< why it takes no more steps ... */
+    char why[400];        /**< ... in a sentence */
     double due;           /**< simulated time that should be reached now [s] */
     double deadline;      /**< on the wall clock, for the steps of a picture [s] */
     double ratio;         /**< simulated time over that of the clock, in the mean over about a second */
@@ -38,6 +39,9 @@ sph2d_status live_restart(live *l, double spacing, sph2d_report *report);
 /** Steps until `seconds` more are simulated, or `budget` seconds of the clock have passed; what is not reached then is
  *  left out, but for a tenth of a second. Errors: as sph2d_sim_step, once; it stands still then. */
 sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *report);
+
+/** The sentence of a failure: its first error, or what its status means; empty without one. */
+const char *live_reason(sph2d_status status, const sph2d_report *report);
 
 /** One step, whatever the clock says. */
 sph2d_status live_step(live *l, sph2d_report *report);

@@ -56,6 +56,8 @@ static void tell_end(const loop *p, const game *g)
     const double seconds = clock_wall() - p->begun;
     const turning *t = &p->turning;
     char left[64] = "";
+    if (g->live.stopped != SPH2D_OK)
+        message_note("stopped at t = %.4g s: %s", sph2d_sim_time(g->live.sim), g->live.why);
     if (live_left(&g->live) > 0)
         snprintf(left, sizeof left, ", %" PRIu64 " left through open sides", live_left(&g->live));
     message_note("played %.3g s: %zu pictures, %.3g a second; simulated %.3g s of the %.3g s due; %zu particles%s",

@@ -109,9 +109,9 @@ void game_show(game *g, sph2d_renderer *renderer, double pictures)
     char caption[240], notes[1200];
     sph2d_status status = make_picture(g, &picture, &report);
     write_caption(g, pictures, caption, sizeof caption);
-    const bool news = !g->told_elsewhere && g->message[0] != '\0' && clock_wall() - g->told < message_time;
-    snprintf(notes, sizeof notes, "%s%s%s", news ? g->message : "", news && g->help ? "\n" : "",
-             g->help ? game_help : "");
+    const bool fresh = g->message[0] != '\0' && clock_wall() - g->told < message_time;
+    const char *const told = g->told_elsewhere ? "" : fresh ? g->message : g->live.why;
+    snprintf(notes, sizeof notes, "%s%s%s", told, told[0] != '\0' && g->help ? "\n" : "", g->help ? game_help : "");
     if (status == SPH2D_OK)
         status = add_hand(g, &picture);
     picture.caption = caption;

@@ -33,6 +33,7 @@ quit() {
     wait $pid || code=$?
     [ $code = 0 ] || fail "play ended with $code"
     says 'played [0-9.]* s: [0-9]* pictures, [0-9.]* a second; simulated'
+    ! grep 'stopped at t' err || fail 'a simulation stopped'
 }
 # Presses keys until a file is there.
 until_there() {
