@@ -9,8 +9,9 @@
  *
  *  as forces between particles are equal and opposite. What is left, over dt, is a force that comes from nothing,
  *  which is integrated over time by the trapezoidal rule. It is found in every step of methods with a projection, where
- *  the forces of all boundary particles take 0.5 % of a step, and in every 8th of others, where they take 3 %. Particles
- *  that openings hold have forces that are not known, and so have walls of fitted operators. */
+ *  the forces of all boundary particles take 0.5 % of a step, and in every 8th of others, where they take 3 %. A step
+ *  before which particles came or went is left out: its first forces are those of the liquid before. Particles that
+ *  openings hold have forces that are not known, and so have walls of fitted operators. */
 #include <math.h>
 
 #include "methods/common/body.h"
@@ -27,6 +28,15 @@ bool sph2d__sim_momentum_is_known(const sph2d_sim *sim)
 static bool is_watched(const sph2d_sim *sim, uint64_t step)
 {
     return (sim->method->project || step % WATCH_STEPS == 1) && sph2d__sim_momentum_is_known(sim);
+}
+
+/** Whether particles came or went since the step before. */
+static bool has_changed(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    const uint64_t changes = 2 * r->next_id - sim->system.fluid.count, before = r->momentum_changes;
+    r->momentum_changes = changes;
+    return changes != before && r->steps > 0;
 }
 
 /** Momentum of the liquid, the external force on it, and the sum of the sizes of momenta. */
@@ -58,8 +68,9 @@ static sums sum(const sph2d_sim *sim, double gravity_x, double gravity_y)
 void sph2d__momentum_begin(sph2d_sim *sim)
 {
     const uint64_t step = sim->record.steps + 1;
-    sim->momentum_watched = is_watched(sim, step);
-    sim->loads.watched = sim->momentum_watched || is_watched(sim, step + 1);
+    const bool changed = has_changed(sim);
+    sim->momentum_watched = is_watched(sim, step) && !changed;
+    sim->loads.watched = is_watched(sim, step) || is_watched(sim, step + 1);
     if (!sim->momentum_watched)
         return;
     const sums s = sum(sim, sim->acting.gravity_x, sim->acting.gravity_y);
