@@ -122,6 +122,30 @@ START_TEST(momentum_from_nothing_is_told_and_bounded)
 }
 END_TEST
 
+/** Particles that come before every step do not hide it. */
+START_TEST(momentum_from_nothing_is_seen_while_particles_come)
+{
+    start_box(1, BOX);
+    box.block = test_block(0, 0, 1, 0.4);
+    sph2d_sim *sim = test_create(&box.scene, NULL);
+    sph2d__method method = *sim->method;
+    honest = sim->method;
+    method.wall_force = more;
+    sim->method = &method;
+    excess = 0.5;
+    for (int k = 0; k < 64; ++k) {
+        const sph2d_particle drop = {0.1 + 0.1 * (k % 8), 0.5 + 0.05 * (k / 8), 0, 0, 0};
+        ck_assert_int_eq(sph2d_sim_add_particles(sim, &drop, 1, NULL), SPH2D_OK);
+        test_steps(sim, 1);
+    }
+    const sph2d_summary s = sph2d_sim_summary(sim);
+    const double borne = 9.81 * sim->system.mass * 250 * s.time;
+    ck_assert_double_gt(s.momentum_error_max, 0.5 * borne / 8 / 2);
+    sim->method = honest;
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(fitted_operators_have_no_balance_of_momentum)
 {
     start_box(1, BOX);
@@ -161,6 +185,7 @@ Suite *suite_momentum(void)
     tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, momentum_comes_from_walls_bodies_and_forces_alone, 0, METHODS * THINGS);
     tcase_add_test(tests, momentum_from_nothing_is_told_and_bounded);
+    tcase_add_test(tests, momentum_from_nothing_is_seen_while_particles_come);
     tcase_add_test(tests, fitted_operators_have_no_balance_of_momentum);
     tcase_add_test(tests, particles_in_one_place_are_counted);
     suite_add_tcase(suite, tests);

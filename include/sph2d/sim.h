@@ -405,8 +405,9 @@ typedef struct sph2d_summary {
     double momentum[2];
 
     /** Momentum that came from nothing, neither from walls or bodies nor from external forces, now, and its largest size
-     *  so far [kg/s], as seen in every step of methods pcisph and constraint, and in every 8th of others. NaN with
-     *  openings and with fitted operators, whose forces are not known. */
+     *  so far [kg/s], as seen in every step of methods pcisph and constraint, and in every 8th of others. What leaves it
+     *  where particles come or go counts for one step. NaN with openings and with fitted operators, whose forces are not
+     *  known. */
     double momentum_error[2], momentum_error_max;
 
     /** Largest sum of the sizes of the particles' momenta so far, to compare momentum_error_max with [kg/s]; 0 where

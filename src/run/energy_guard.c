@@ -15,9 +15,8 @@
  *      kinetic + potential + elastic - start - added + dissipated.
  *
  *  The rise is how far kinetic + potential + elastic - added ever rose above an earlier value: it is above 0 only where
- *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise, by
- *  the scale or the largest kinetic energy, which is twice that where a block starts with the speed U; and a rise of the
- *  error.
+ *  energy comes from nothing, however much is dissipated elsewhere. The guard limits the rise, by the scale or the largest
+ *  kinetic energy, which is twice that where a block starts with the speed U; and a rise of the error.
  *
  *  A pressure projection dissipates energy where liquid meets liquid or a wall: 30 to 80 % at an impact. This is the
  *  work of its impulses with the mean velocity of each step (projected.c), less the work of moving walls and the

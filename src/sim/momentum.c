@@ -9,9 +9,9 @@
  *
  *  as forces between particles are equal and opposite. What is left, over dt, is a force that comes from nothing,
  *  which is integrated over time by the trapezoidal rule. It is found in every step of methods with a projection, where
- *  the forces of all boundary particles take 0.5 % of a step, and in every 8th of others, where they take 3 %. A step
- *  before which particles came or went is left out: its first forces are those of the liquid before. Particles that
- *  openings hold have forces that are not known, and so have walls of fitted operators. */
+ *  the forces of all boundary particles take 0.5 % of a step, and in every 8th of others, where they take 3 %. Of a
+ *  step before which particles came or went, whose first forces are those of the liquid before, the error counts for that
+ *  step alone. Particles that openings hold have forces that are not known, and so have walls of fitted operators. */
 #include <math.h>
 
 #include "methods/common/body.h"
@@ -68,9 +68,9 @@ static sums sum(const sph2d_sim *sim, double gravity_x, double gravity_y)
 void sph2d__momentum_begin(sph2d_sim *sim)
 {
     const uint64_t step = sim->record.steps + 1;
-    const bool changed = has_changed(sim);
-    sim->momentum_watched = is_watched(sim, step) && !changed;
-    sim->loads.watched = is_watched(sim, step) || is_watched(sim, step + 1);
+    sim->momentum_changed = has_changed(sim);
+    sim->momentum_watched = is_watched(sim, step);
+    sim->loads.watched = sim->momentum_watched || is_watched(sim, step + 1);
     if (!sim->momentum_watched)
         return;
     const sums s = sum(sim, sim->acting.gravity_x, sim->acting.gravity_y);
@@ -96,9 +96,14 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
     const double now = r->time + dt, span = now - r->momentum_time, half = dt / 2;
     const double x = s.momentum.x - sim->momentum_before.x - half * (sim->force_before.x + s.force.x) + on_walls->x,
                  y = s.momentum.y - sim->momentum_before.y - half * (sim->force_before.y + s.force.y) + on_walls->y;
-    book(&r->momentum_error_x, &r->momentum_rate_x, x / dt, span);
-    book(&r->momentum_error_y, &r->momentum_rate_y, y / dt, span);
-    r->momentum_time = now;
+    if (sim->momentum_changed) {
+        r->momentum_error_x += x;
+        r->momentum_error_y += y;
+    } else {
+        book(&r->momentum_error_x, &r->momentum_rate_x, x / dt, span);
+        book(&r->momentum_error_y, &r->momentum_rate_y, y / dt, span);
+        r->momentum_time = now;
+    }
     r->momentum_moved = fmax(r->momentum_moved, s.moved);
     r->momentum_worst = fmax(r->momentum_worst, hypot(r->momentum_error_x, r->momentum_error_y));
 }

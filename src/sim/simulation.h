@@ -44,7 +44,8 @@ struct sph2d_sim {
     sph2d__ids *obstacle_ids;                 /**< of each obstacle */
     sph2d__loads loads;                       /**< forces on walls that probes measure */
     sph2d_vec2 momentum_before, force_before; /**< at the start of the step ... */
-    bool momentum_watched;                    /**< ... whose momentum is balanced */
+    bool momentum_watched;                    /**< ... whose momentum is balanced ... */
+    bool momentum_changed;                    /**< ... and before which particles came or went */
     sph2d__bodies bodies;                     /**< that the liquid moves */
     sph2d__openings openings;                 /**< through which liquid flows in and out */
     sph2d__outlines outlines;                 /**< of walls and bodies, as they are now */
