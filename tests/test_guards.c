@@ -114,7 +114,7 @@ START_TEST(a_step_beyond_the_support_is_refused_at_the_start)
 }
 END_TEST
 
-/** Methods with a projection may move particles by a spacing in a step, others by what sound has time for. */
+/** Methods with a projection may move particles by a spacing in a step, wcsph by what it is stable for. */
 START_TEST(a_step_past_the_neighbours_is_refused)
 {
     sph2d_block block;
@@ -129,6 +129,12 @@ START_TEST(a_step_past_the_neighbours_is_refused)
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), projected ? SPH2D_SCENE : SPH2D_OK);
     ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "method.cfl") == projected);
     ck_assert(!projected || strstr(report.items[report.count - 1].hint, "use 0.4 or less, or leave it out for 0.16"));
+    bool wcsph = _i == SPH2D_METHOD_WCSPH;
+    scene.method.cfl = 0.75;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), projected ? SPH2D_SCENE : SPH2D_OK);
+    scene.method.cfl = 0.76;
+    ck_assert_int_eq(sph2d_scene_check(&scene, &report), projected || wcsph ? SPH2D_SCENE : SPH2D_OK);
+    ck_assert(!wcsph || strstr(report.items[report.count - 1].hint, "use 0.75 or less, or leave it out for 0.3"));
 }
 END_TEST
 

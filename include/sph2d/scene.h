@@ -285,9 +285,9 @@ typedef struct sph2d_method_options {
      *  of the density. */
     double support_ratio;
 
-    /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9; default 0: the
-     *  method's, muller 0.4, wcsph 0.3 with symmetric and 0.25 with fitted operators, pcisph and constraint
-     *  0.4 dx/H. */
+    /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9, symmetric
+     *  operators of wcsph to 0.75, pcisph and constraint to dx/H; default 0: the method's, muller 0.4, wcsph 0.3 with
+     *  symmetric and 0.25 with fitted operators, pcisph and constraint 0.4 dx/H. */
     double cfl;
 
     /** A fixed step [s], >= 0; default 0: adaptive. */

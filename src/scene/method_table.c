@@ -58,6 +58,7 @@ static const sph2d__method_row rows[] = {
                           HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS) | HAS(RHEOLOGY),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.3,
+     .most_cfl = 0.75,
      .damping_hint = "method.artificial_viscosity: 0.05",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_WCSPH,

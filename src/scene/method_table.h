@@ -12,6 +12,7 @@ typedef struct sph2d__method_row {
     /* defaults besides those in info */
     double (*support_of_kernel)(sph2d_kernel kernel); /**< H/dx, where it depends on the kernel; else NULL */
     double cfl;                                       /**< dt <= cfl H / (c0 + v_max) ... */
+    double most_cfl;                                  /**< beyond which steps are unstable; 0: the key's own bound */
     bool cfl_by_spacing;                              /**< ... or cfl dx */
     double artificial_viscosity;
     sph2d_wall_form side_form, obstacle_form; /**< of walls whose form is `default` */
