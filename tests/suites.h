@@ -90,6 +90,7 @@
     X(state)                                                                                                           \
     X(extremes)                                                                                                        \
     X(guards)                                                                                                          \
+    X(settings)                                                                                                        \
     X(ledger)                                                                                                          \
     X(ledger_pressure)                                                                                                 \
     X(momentum)                                                                                                        \

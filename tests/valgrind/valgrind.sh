@@ -28,7 +28,7 @@ go() {
 export -f go
 
 # Computes for long, or sets limits, or draws.
-left_out='flows|muller_energy|periodic|mixed|rest|impacts|solver_limits|features|walls|scene_text|packing|packing_rest|extremes|outputs'
+left_out='flows|muller_energy|periodic|mixed|rest|impacts|solver_limits|features|walls|scene_text|packing|packing_rest|extremes|settings|outputs'
 left_out+='|sample|probes|elevation|render|drawing|shapes|balls|frame_times|null_render'
 # shellcheck disable=SC2016 # the inner shell expands it
 {
