@@ -425,6 +425,12 @@ test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
+# A stage that fails is written down and the next one begins; the last line of a recipe tells all that failed, each by the
+# command that runs it again. What is not built, or not in a list, stops at once.
+FAILED = $(BUILD)/tests/failed-$@
+first_stage = @mkdir -p $(dir $(FAILED)) && rm -f $(FAILED)
+stage = $(hush)($(1)) || printf '    %s\n' '$(subst ','\'',$(1))' >>$(FAILED)
+last_stage = @test ! -e $(FAILED) || { echo 'make $@: failed:' && cat $(FAILED) && exit 1; } >&2
 test: $(if $(WITH_RENDER),$(BUILD)/tests/frames) $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
 # Python is not built with sanitizers: gcc's come before all other libraries, clang's are none.
 PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
@@ -437,34 +443,33 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	@for f in $$(sed -n '/^SPH2D_API/,/;/p' include/sph2d/*.h | tr '\n' ' ' | tr ';' '\n' | \
 	    sed -n 's/.*\<\(sph2d_[a-z0-9_]*\)([^)]*\*.*/\1/p'); do \
 	    grep -q "$$f(" tests/test_null*.c || { echo "tests/test_null.c lacks $$f"; exit 1; }; done
-	$(if $(SANITIZE),,$(hush)tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP))
-	$(hush)SPH2D=$(BUILD)/sph2d tests/cli/run-all
-	$(if $(and $(SANITIZE),$(CLANG)),,$(hush)SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
-	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD))
-	$(hush)tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes
-	$(hush)$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv
-	$(hush)$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt
-	$(if $(WITH_RENDER),$(hush)$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt)
-	$(hush)tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt
-	$(hush)tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars
-	$(hush)tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found
-	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
-	    --seeds 1..$(if $(SPH2D_TEST_FULL),200,20)
-	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
-	    --seeds 1001..$(if $(SPH2D_TEST_FULL),1100,1010)
-	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
-	    --seeds 2001..$(if $(SPH2D_TEST_FULL),2100,2010)
-	$(hush)$(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures \
-	    --seeds 3001..$(if $(SPH2D_TEST_FULL),3060,3010)
-	$(hush)$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12)
-	$(hush)$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006)
-	$(hush)$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015)
-	$(hush)$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006)
-	$(hush)$(RESTARTS) "$$(nproc)" tests/restarts/scenes
-	$(hush)$(KILLS) $(if $(SPH2D_TEST_FULL),500,10)
-	$(hush)$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || { grep -E 'MISSED|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; }
-	$(hush)$(if $(GOLDEN),tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)")
-	$(hush)$(BUILD)/tests/check_all
+	$(first_stage)
+	$(if $(SANITIZE),,$(call stage,tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP)))
+	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all)
+	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
+	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))
+	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
+	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
+	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
+	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))
+	$(call stage,tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt)
+	$(call stage,tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars)
+	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
+	$(call stage,$(STRANGERS_KNOWN) --seeds 1..$(if $(SPH2D_TEST_FULL),200,20))
+	$(call stage,$(STRANGERS_KNOWN) --seeds 1001..$(if $(SPH2D_TEST_FULL),1100,1010))
+	$(call stage,$(STRANGERS_KNOWN) --seeds 2001..$(if $(SPH2D_TEST_FULL),2100,2010))
+	$(call stage,$(STRANGERS_KNOWN) --seeds 3001..$(if $(SPH2D_TEST_FULL),3060,3010))
+	$(call stage,$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12))
+	$(call stage,$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006))
+	$(call stage,$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015))
+	$(call stage,$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006))
+	$(call stage,$(RESTARTS) "$$(nproc)" tests/restarts/scenes)
+	$(call stage,$(KILLS) $(if $(SPH2D_TEST_FULL),500,10))
+	$(call stage,$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || \
+	    { grep -E 'MISSED|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; })
+	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)"))
+	$(call stage,$(BUILD)/tests/check_all)
+	$(last_stage)
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
@@ -506,14 +511,17 @@ test-mutants: ## does a wrong formula fail a test? changes each constant and sig
 OTHER_CC := $(if $(CLANG),gcc,clang)
 # Where the compiler's own flags widen vectors, even the baseline's loops have four lanes.
 test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
-	$(hush)$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test
-	$(hush)$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test
-	$(hush)$(if $(X86),$(MAKE) BUILD=$(BUILD)/wide CFLAGS='$(CFLAGS) -mavx2 -mfma' test)
-	$(hush)if echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1; \
-	then $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test; else echo '$(OTHER_CC) with OpenMP: not installed'; fi
-	$(hush)$(MAKE) test-sanitize
-	$(hush)tests/adding.sh $(BUILD)/adding
-	$(hush)SPH2D_TEST_FULL=1 $(MAKE) test
+	$(first_stage)
+	$(call stage,$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test)
+	$(call stage,$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test)
+	$(if $(X86),$(call stage,$(MAKE) BUILD=$(BUILD)/wide CFLAGS='$(CFLAGS) -mavx2 -mfma' test))
+	$(hush)echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || echo '$(OTHER_CC) with OpenMP: not installed'
+	$(call stage,! echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || \
+	    $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test)
+	$(call stage,$(MAKE) test-sanitize)
+	$(call stage,tests/adding.sh $(BUILD)/adding)
+	$(call stage,SPH2D_TEST_FULL=1 $(MAKE) test)
+	$(last_stage)
 
 golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved
 	$(hush)tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --renew
@@ -527,6 +535,7 @@ test-package: ## the source archive, and its Debian packages built, checked and 
 	$(hush)tests/package/package.sh $(DIST) $(BUILD)/package
 
 STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/strangers
+STRANGERS_KNOWN = $(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
 
