@@ -29,6 +29,8 @@ pythondir ?= $(or $(firstword $(shell for p in $(PYTHONS); do "$$p" -I -c '$(pyt
     $(prefix)/lib/python3/dist-packages)
 INSTALL ?= install
 PKG_CONFIG ?= pkg-config
+# How many times as long the limits of time of tests are, for a busy machine.
+CK_TIMEOUT_MULTIPLIER ?= 1
 # also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR PYTHON; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
 
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
@@ -210,7 +212,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/symbols.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/symbols.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -423,7 +425,7 @@ GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
 FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix $(BUILD)/tests/faults_,shim.so library)))
 test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
-test: export CK_TIMEOUT_MULTIPLIER = $(if $(SANITIZE),5,1)
+test: override export CK_TIMEOUT_MULTIPLIER := $(shell echo $$(($(CK_TIMEOUT_MULTIPLIER) * $(if $(SANITIZE),5,1))))
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
 # A stage that fails is written down and the next one begins; the last line of a recipe tells all that failed, each by the
 # command that runs it again. What is not built, or not in a list, stops at once.
@@ -655,7 +657,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	        uses=$$(sed -n 's/^#include <sph2d\/\(io\|contacts\|render\)\.h>.*/sph2d-\1/p' '$(CURDIR)'/$$e); \
 	        flags=$$($(PKG_CONFIG) $$static --cflags --libs $${uses:-sph2d}) && \
 	        eval "$(CC) '$(CURDIR)'/$$e -o example $$flags $(SANITIZERS)" && \
-	        timeout 300 ./example >log || { echo "install: $$e fails $$static"; exit 1; }; \
+	        '$(CURDIR)'/tests/limit.sh 300 ./example >log || { echo "install: $$e fails $$static"; exit 1; }; \
 	    done; \
 	done; \
 	$(PKG_CONFIG) --exists --print-errors $(LIBRARIES:lib%=%) || exit 1; \
@@ -760,7 +762,8 @@ help: ## this list
 	@printf '%s\n' '' 'Settings: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS' \
 	    '  DESTDIR prefix bindir libdir includedir datadir mandir docdir pkgconfigdir bashcompletiondir' \
 	    '  zshcompletiondir pythondir INSTALL PKG_CONFIG PYTHON' \
-	    '  BUILD=build RENDER=0 OPENMP=0 SHARED=1 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)'
+	    '  BUILD=build RENDER=0 OPENMP=0 SHARED=1 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)' \
+	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \

@@ -3,9 +3,13 @@
  *  Helpers of the test suites. */
 #include "common.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "time_limits.h"
 
 /** Knuth's linear congruential generator (MMIX), upper bits. */
 double test_random(uint64_t *state, double low, double high)
@@ -143,6 +147,19 @@ void test_same(sph2d_sim *a, sph2d_sim *b, const char *when)
         ck_assert_uint_eq(sph2d_sim_output_count(a, output), sph2d_sim_output_count(b, output));
     ck_assert(sph2d_sim_time(a) == sph2d_sim_time(b) && sph2d_sim_time_step(a) == sph2d_sim_time_step(b));
     ck_assert(sph2d_sim_steps(a) == sph2d_sim_steps(b) && sph2d_sim_isa(a) == sph2d_sim_isa(b));
+}
+
+static void too_long(int signal)
+{
+    static const char words[] = "a test passed its limit of time by the clock; " LIMITS_HINT "\n";
+    (void)signal;
+    _exit(write(STDERR_FILENO, words, sizeof words - 1) > 0 ? EXIT_FAILURE : 2);
+}
+
+void test_limit(unsigned seconds)
+{
+    signal(SIGALRM, too_long);
+    alarm(seconds * limits_factor());
 }
 
 void *test_resize(void *block, size_t old_size, size_t new_size)

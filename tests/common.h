@@ -43,6 +43,10 @@ void test_same(sph2d_sim *a, sph2d_sim *b, const char *when);
  */
 void *test_resize(void *block, size_t old_size, size_t new_size);
 
+/** Ends the process after so many seconds by the clock, times limits_factor(), with a sentence, for what may wait for
+ *  ever; never for 0. */
+void test_limit(unsigned seconds);
+
 /** A state with data of its own, to be changed at will. */
 typedef struct test_state {
     sph2d_state state;

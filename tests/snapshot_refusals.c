@@ -332,7 +332,7 @@ START_TEST(damaged_files_do_no_harm)
             damaged[at] = round % 8 < 5 ? damaged[at] ^ (unsigned char)(1u << bit) : (unsigned char)(bit < 4 ? 0 : 255);
         }
         store_file("b.h5", damaged, size);
-        alarm(30); /* a hang is a failure, too */
+        test_limit(30); /* a hang is a failure, too */
         if (!survives())
             _exit(1);
     }

@@ -241,9 +241,9 @@ START_TEST(data_from_elsewhere_are_refused)
     hid_t f = open_for_change("a.h5");
     changes[_i].change(f);
     close_and_seal(f, "a.h5");
-    alarm(20);
+    test_limit(20);
     expect_refusal("a.h5", SPH2D_FORMAT, SPH2D_CODE_FILE_FIELD, changes[_i].message);
-    alarm(0);
+    test_limit(0);
     ck_assert_msg(strstr(fixture.report.items[0].hint, changes[_i].hint) != NULL, "%s",
                   test_report_text(&fixture.report));
 }
@@ -257,9 +257,9 @@ START_TEST(other_links_are_not_followed)
     ck_assert_int_eq(mkfifo("pipe", 0644), 0);
     ck_assert_int_ge(H5Lcreate_external("pipe", "/a", f, "/VTKHDF/Other", H5P_DEFAULT, H5P_DEFAULT), 0);
     close_and_seal(f, "a.h5");
-    alarm(20);
+    test_limit(20);
     sph2d_snapshot_destroy(read_snapshot("a.h5"));
-    alarm(0);
+    test_limit(0);
 }
 END_TEST
 

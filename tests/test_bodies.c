@@ -719,7 +719,6 @@ Suite *suite_bodies(void)
 {
     Suite *suite = suite_create("bodies");
     TCase *tests = tcase_create("bodies");
-    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, mass_and_inertia_are_those_of_the_formulas);
     tcase_add_loop_test(tests, a_body_in_air_flies_a_parabola_and_turns_evenly, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_test(tests, a_body_on_a_spring_swings_with_its_period);

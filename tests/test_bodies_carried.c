@@ -211,7 +211,6 @@ Suite *suite_bodies_carried(void)
 {
     Suite *suite = suite_create("bodies_carried");
     TCase *tests = tcase_create("bodies_carried");
-    tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, a_lift_brings_height_and_speed, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_loop_test(tests, a_ram_brings_what_friction_takes, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_loop_test(tests, resuming_changes_no_bit_of_the_work, 0, SPH2D_METHOD_CONSTRAINT + 1);

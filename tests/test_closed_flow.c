@@ -167,7 +167,6 @@ Suite *suite_closed_flow(void)
 {
     Suite *suite = suite_create("closed_flow");
     TCase *tests = tcase_create("closed_flow");
-    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, lay_duct, NULL);
     tcase_add_test(tests, the_jet_behind_plates_is_narrower_than_their_gap);
     tcase_add_test(tests, corners_and_lines_are_throats_and_walls_are_none);

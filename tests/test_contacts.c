@@ -265,7 +265,6 @@ Suite *suite_contacts(void)
 {
     Suite *suite = suite_create("contacts");
     TCase *tests = tcase_create("contacts");
-    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, impacts);
     tcase_add_test(tests, far_apart);
     tcase_add_test(tests, inclines);

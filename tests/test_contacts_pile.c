@@ -161,7 +161,6 @@ Suite *suite_contacts_pile(void)
 {
     Suite *suite = suite_create("contacts_pile");
     TCase *tests = tcase_create("contacts_pile");
-    tcase_set_timeout(tests, 600);
     tcase_add_test(tests, pile);
     tcase_add_test(tests, same_bits);
     tcase_add_test(tests, momentum);

@@ -14,6 +14,7 @@
 #include "common.h"
 #include "sph2d/io.h"
 #include "sph2d/key.h"
+#include "time_limits.h"
 
 enum { STEPS = 4, LONGEST = 3, PATH = 128, VALUE = 160 };
 
@@ -63,7 +64,7 @@ static char trying[PATH + VALUE + 64];
 
 static void too_long(int signal)
 {
-    static const char words[] = "takes too long: ";
+    static const char words[] = "limit of 3 s of CPU time (" LIMITS_HINT "): ";
     (void)signal;
     ssize_t told = write(STDERR_FILENO, words, sizeof words - 1);
     told += write(STDERR_FILENO, trying, strlen(trying));
@@ -73,8 +74,7 @@ static void too_long(int signal)
 /** Ends the test after so many seconds of CPU time, since other jobs take time, too; never for 0. */
 static void limit_time(int seconds)
 {
-    const char *patience = getenv("CK_TIMEOUT_MULTIPLIER"); /* sanitizers are slow */
-    struct itimerval limit = {{0, 0}, {seconds * (patience ? strtol(patience, NULL, 10) : 1), 0}};
+    struct itimerval limit = {{0, 0}, {seconds * (int)limits_factor(), 0}}; /* sanitizers are slow */
     setitimer(ITIMER_PROF, &limit, NULL);
 }
 
@@ -266,7 +266,6 @@ Suite *suite_extremes(void)
 {
     Suite *suite = suite_create("extremes");
     TCase *t = tcase_create("numbers");
-    tcase_set_timeout(t, 120);
     tcase_add_test(t, every_number_is_refused_or_harmless);
     tcase_add_loop_test(t, numbers_that_do_not_fit_are_refused_or_harmless, 0, sizeof pairs / sizeof *pairs);
     tcase_add_test(t, outlines_have_points_that_can_be_compared);

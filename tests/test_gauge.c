@@ -275,7 +275,6 @@ Suite *suite_gauge(void)
 {
     Suite *suite = suite_create("gauge");
     TCase *tests = tcase_create("gauge");
-    tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_face_shows_the_mean_over_a_disc);
     tcase_add_test(tests, air_has_no_pressure);
     tcase_add_loop_test(tests, a_jump_takes_the_rise_time, 0, 3);

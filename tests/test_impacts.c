@@ -193,7 +193,6 @@ Suite *suite_impacts(void)
     Suite *suite = suite_create("impacts");
     TCase *cases = tcase_create("impacts");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, a_drop_falls_freely_and_splashes_no_faster_than_it_came, 0, 2);
     tcase_add_loop_test(cases, no_jet_passes_a_thin_wall, 0, 2 * TARGETS * FORMS);
     tcase_add_loop_test(cases, liquid_inside_the_floor_is_let_out_gently, 0, 2);

@@ -402,7 +402,6 @@ Suite *suite_loads(void)
     Suite *suite = suite_create("loads");
     TCase *tests = tcase_create("loads");
     const int count = sizeof kinds / sizeof *kinds;
-    tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, forces_are_the_change_of_momentum, 0, count);
     tcase_add_test(tests, a_stop_is_an_impulse_at_its_place);
     tcase_add_loop_test(tests, a_column_weighs_on_its_floor_and_leans_on_its_sides, 0, 4);

@@ -199,7 +199,6 @@ Suite *suite_mixed(void)
     Suite *suite = suite_create("mixed");
     TCase *cases = tcase_create("mixed");
     tcase_add_checked_fixture(cases, NULL, finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, sums_in_floats_are_those_in_doubles, 0, PLACES);
     tcase_add_loop_test(cases, fits_in_floats_are_those_in_doubles, 0, PLACES * ISAS);
     tcase_add_loop_test(cases, threads_change_no_bit, 0, SCENES);

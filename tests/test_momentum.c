@@ -182,7 +182,6 @@ Suite *suite_momentum(void)
 {
     Suite *suite = suite_create("momentum");
     TCase *tests = tcase_create("momentum");
-    tcase_set_timeout(tests, 60);
     tcase_add_loop_test(tests, momentum_comes_from_walls_bodies_and_forces_alone, 0, METHODS * THINGS);
     tcase_add_test(tests, momentum_from_nothing_is_told_and_bounded);
     tcase_add_test(tests, momentum_from_nothing_is_seen_while_particles_come);

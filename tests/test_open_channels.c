@@ -404,7 +404,6 @@ Suite *suite_open_channels(void)
 {
     Suite *suite = suite_create("open_channels");
     TCase *test = tcase_create("open_channels");
-    tcase_set_timeout(test, 120);
     tcase_add_test(test, liquid_at_its_level_stays_at_rest);
     tcase_add_test(test, a_head_outside_drives_as_torricelli_says);
     tcase_add_test(test, a_level_lets_in_critical_flow);

@@ -311,7 +311,6 @@ Suite *suite_openings(void)
 {
     Suite *suite = suite_create("openings");
     TCase *test = tcase_create("openings");
-    tcase_set_timeout(test, 120);
     tcase_add_test(test, a_stream_stays_a_lattice);
     tcase_add_test(test, disorder_leaves_with_the_stream);
     tcase_add_test(test, a_stream_starts_from_rest);

@@ -215,7 +215,6 @@ Suite *suite_openings_around(void)
 {
     Suite *suite = suite_create("openings_around");
     TCase *test = tcase_create("openings_around");
-    tcase_set_timeout(test, 120);
     tcase_add_test(test, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
     tcase_add_test(test, a_tank_drains_as_through_a_short_tube);
     tcase_add_test(test, a_jet_fills_an_empty_tank);

@@ -234,7 +234,6 @@ Suite *suite_packing(void)
 {
     Suite *suite = suite_create("packing");
     TCase *tests = tcase_create("packing");
-    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, packed_start, NULL);
     tcase_add_loop_test(tests, wedges_are_filled, 0, 6);
     tcase_add_loop_test(tests, discs_of_any_radius_are_filled, 0, 12);

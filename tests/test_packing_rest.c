@@ -237,7 +237,6 @@ Suite *suite_packing_rest(void)
 {
     Suite *suite = suite_create("packing_rest");
     TCase *tests = tcase_create("packing_rest");
-    tcase_set_timeout(tests, 60);
     tcase_add_checked_fixture(tests, packed_start, NULL);
     tcase_add_loop_test(tests, equal_pressure_pushes_no_packed_particle, 0, 2);
     tcase_add_loop_test(tests, no_kernel_packs_particles_in_pairs, 0, SPH2D_KERNEL_COUNT);

@@ -280,7 +280,7 @@ START_TEST(a_fork_goes_on_with_its_copy)
     test_steps(sim, STEPS / 2);
     pid_t child = fork();
     if (child == 0) {
-        alarm(60);
+        test_limit(60);
         test_steps(sim, STEPS / 2);
         bool same = fate(column(MANY, 2)) == expected;
         sph2d_sim_destroy(sim);
@@ -297,7 +297,7 @@ static void *fork_and_wait(void *well)
 {
     pid_t child = fork();
     if (child == 0) {
-        alarm(60);
+        test_limit(60);
         _exit(fate(column(MANY, 2)) != expected);
     }
     *(bool *)well = child_is_well(child);
@@ -321,8 +321,6 @@ Suite *suite_parallel(void)
     TCase *core = tcase_create("threads"), *forks = tcase_create("forks");
     tcase_add_checked_fixture(core, begin, NULL);
     tcase_add_checked_fixture(forks, begin, NULL);
-    tcase_set_timeout(core, 120);
-    tcase_set_timeout(forks, 120);
     tcase_add_test(core, loops_have_as_many_tasks_as_are_worth_it);
     tcase_add_test(core, the_number_asked_for_is_used);
     tcase_add_test(core, few_particles_get_few_threads);

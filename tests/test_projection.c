@@ -417,7 +417,6 @@ Suite *suite_projection(void)
     Suite *suite = suite_create("projection");
     TCase *cases = tcase_create("projection");
     tcase_add_checked_fixture(cases, NULL, finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
     tcase_add_loop_test(cases, a_lattice_before_heavy_sides_has_rest_density, 0, 2 * SPH2D_KERNEL_COUNT);
     tcase_add_loop_test(cases, strained_lattices_have_rest_density, 0, 2 * SPH2D_KERNEL_COUNT);

@@ -304,7 +304,6 @@ Suite *suite_rest(void)
     Suite *suite = suite_create("rest");
     TCase *cases = tcase_create("liquid at rest");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, a_tank_comes_to_rest_and_keeps_its_level, 0, 2);
     tcase_add_loop_test(cases, a_settled_tank_keeps_its_volume_for_a_minute, 0, 2);
     tcase_add_loop_test(cases, liquid_in_a_corner_comes_to_rest, 0, 4);

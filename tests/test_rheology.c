@@ -399,7 +399,6 @@ Suite *suite_rheology(void)
 {
     Suite *suite = suite_create("rheology");
     TCase *test = tcase_create("rheology");
-    tcase_set_timeout(test, 120);
     tcase_add_test(test, power_law);
     tcase_add_test(test, carreau);
     tcase_add_test(test, herschel_bulkley);

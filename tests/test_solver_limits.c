@@ -179,7 +179,6 @@ Suite *suite_solver_limits(void)
     Suite *suite = suite_create("solver_limits");
     TCase *cases = tcase_create("limits of the solvers");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, a_tall_column_keeps_its_compression, 0, 2);
     tcase_add_loop_test(cases, a_tall_column_stops_where_too_few_iterations_are_allowed, 0, 2);
     tcase_add_loop_test(cases, limits_that_cannot_be_kept_are_counted, 0, 2);

@@ -389,7 +389,6 @@ Suite *suite_solvers(void)
     Suite *suite = suite_create("solvers");
     TCase *cases = tcase_create("solvers");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_set_timeout(cases, 60);
     tcase_add_loop_test(cases, pressure_makes_no_energy, 0, 2);
     tcase_add_loop_test(cases, energy_never_rises_where_walls_stand, 0, 2);
     tcase_add_loop_test(cases, momentum_is_kept, 0, 2);

@@ -328,10 +328,10 @@ START_TEST(what_is_no_table_is_refused)
     ck_assert_int_eq(read_points(garbage, sizeof garbage, false), SPH2D_FORMAT);
     ck_assert_uint_eq(report.errors, 2);
     ck_assert_int_eq(mkfifo("pipe.csv", 0644), 0); /* and nobody writes it */
-    alarm(20);
+    test_limit(20);
     ck_assert_int_eq(make_points("pipe.csv", false, &report), SPH2D_FORMAT);
     ck_assert_msg(strstr(report.items[2].message, "it is empty") != NULL, "%s", test_report_text(&report));
-    alarm(0);
+    test_limit(0);
     ck_assert_int_eq(make_points("missing.csv", false, &report), SPH2D_NOINPUT);
     ck_assert_int_eq(make_points(".", false, &report), SPH2D_NOINPUT);
     ck_assert_int_eq(make_points(".", false, NULL), SPH2D_NOINPUT);

@@ -30,14 +30,6 @@ start() {
     env --default-signal=INT,TERM,HUP "$SPH2D" "$@" >/dev/null 2>err.start &
     pid=$!
 }
-await() {
-    tries=0
-    until [ -e "$1" ]; do
-        tries=$((tries + 1))
-        [ $tries -lt 3000 ] || fail "no $1 within a minute"
-        sleep 0.02
-    done
-}
 ended() {
     code=0
     wait "$1" || code=$?
@@ -46,7 +38,7 @@ ended() {
 # While the first prepares: all that write there are refused, and a signal ends it at once.
 for signal in HUP:129 INT:130 TERM:143; do
     start run slow.yaml -s spacing=0.0007 -q -o a/b/c
-    await a/b/c
+    await test -e a/b/c
     for force in -q --force; do
         expect 73 "$SPH2D" run first.yaml -q -o a/b/c $force && says "another sph2d is writing to 'a/b/c'"
         expect 73 "$SPH2D" render slow.yaml -q -o a/b/c $force && says 'another sph2d'
@@ -63,12 +55,8 @@ done
 # Stopped while it prepares to replace a run: that is as it was.
 expect 0 "$SPH2D" run first.yaml -q -o old/run && cp -r old kept
 start run slow.yaml -s spacing=0.0007 -q -o old/run --force
-tries=0
-until grep -qs FLOCK /proc/$pid/fdinfo/*; do # it has locked the folder; to try the lock here could refuse it its own
-    tries=$((tries + 1))
-    [ $tries -lt 3000 ] || fail 'no lock within a minute'
-    sleep 0.02
-done
+has_locked() { grep -qs FLOCK /proc/$pid/fdinfo/*; }
+await has_locked # the folder; to try the lock here could refuse it its own
 expect 73 "$SPH2D" run first.yaml -q -o old/run -f && says 'another sph2d'
 kill -TERM $pid
 ended $pid

@@ -145,7 +145,7 @@ expect 65 "$SPH2D" export run changed.h5 -o broken.pvd && absent broken.pvd && p
 set --
 while [ $# -lt 100 ]; do set -- "$@" run; done
 "$SPH2D" export "$@" -o long.pvd 2>err &
-until [ -e long_000003.vtp ]; do :; done
+await test -e long_000003.vtp
 kill -TERM $!
 code=0 && wait $! || code=$?
 [ $code = 143 ] || fail "a signal ended it with $code"

@@ -19,12 +19,7 @@ broken_by() {
     shift
     "$SPH2D" run "$TINY" -o "by_$signal" --no-frames -q -s run.until=1000 "$@" 2>err &
     pid=$!
-    tries=0
-    until [ -e "by_$signal/snapshot_000001.h5" ]; do
-        tries=$((tries + 1))
-        [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
-        sleep 0.02
-    done
+    await test -e "by_$signal/snapshot_000001.h5"
     kill "-$signal" $pid
     code=0
     wait $pid || code=$?

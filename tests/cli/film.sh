@@ -90,7 +90,7 @@ for number in INT:130 TERM:143 KILL:137; do
     env --default-signal=INT,TERM,HUP "$SPH2D" render folder folder folder folder --film stopped.mp4 --fps 5 -j 2 \
         --size 640x480 --progress never >out 2>err &
     pid=$!
-    until [ -e begun ]; do sleep 0.02; done
+    await test -e begun
     kill -"${number%:*}" $pid
     code=0
     wait $pid || code=$?

@@ -64,12 +64,7 @@ fi
 # A folder that goes away in the middle: the run ends and says so.
 "$SPH2D" run "$TINY" -o gone --no-frames -q -s spacing=0.02 -s run.until=1000 2>err &
 pid=$!
-tries=0
-until [ -e gone/snapshot_000001.h5 ]; do
-    tries=$((tries + 1))
-    [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
-    sleep 0.02
-done
+await test -e gone/snapshot_000001.h5
 mv gone went
 code=0
 wait $pid || code=$?

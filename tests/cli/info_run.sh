@@ -63,12 +63,7 @@ info blast && prints '^resumable  *no$'
 sed 's/until: 5, snapshots: {every: 0.05}/until: 1e6, snapshots: {every: 0.001}/; s/, time_step: 0.05//' blast.yaml >endless.yaml
 env --default-signal=TERM "$SPH2D" run endless.yaml -o endless -q -j 1 2>err.run &
 pid=$!
-tries=0
-until [ -e endless/snapshot_000003.h5 ]; do
-    tries=$((tries + 1))
-    [ $tries -lt 1000 ] || fail 'no snapshot within a minute'
-    sleep 0.05
-done
+await test -e endless/snapshot_000003.h5
 for _ in 1 2 3 4 5; do info endless --json && told state '"running"' && told until 1000000; done
 info endless && prints '^state  *running: another sph2d' && prints '^resumable  *when that has ended'
 kill $pid && code=0 && { wait $pid || code=$?; }

@@ -35,14 +35,8 @@ quit() {
     says 'played [0-9.]* s: [0-9]* pictures, [0-9.]* a second; simulated'
     ! grep 'stopped at t' err || fail 'a simulation stopped'
 }
-# Presses keys until a file is there.
-until_there() {
-    for _ in $(seq 200); do
-        [ ! -e "$1" ] || return 0
-        sleep 0.1
-    done
-    fail "no $1"
-}
+# Waits until a file is there.
+until_there() { await test -e "$1"; }
 
 cat >pool.yaml <<END
 name: pool

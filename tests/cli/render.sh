@@ -118,7 +118,7 @@ for _ in $(seq 60); do many="$many $(echo points/snapshot_*.h5)"; done
 # shellcheck disable=SC2086
 env --default-signal=INT,TERM,HUP "$SPH2D" render $many -o stopped --progress never >out 2>err &
 pid=$!
-until [ -e stopped/frame_000002.png ]; do sleep 0.02; done
+await test -e stopped/frame_000002.png
 kill -HUP $pid
 code=0
 wait $pid || code=$?

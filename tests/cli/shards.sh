@@ -38,14 +38,6 @@ end() {
     cp "$2.out" out && cp "$2.err" err
     [ $code = "$1" ] || fail "$2 ended with $code, not $1"
 }
-await() { # FILE PATTERN
-    tries=0
-    until grep -qs "$2" "$1"; do
-        tries=$((tries + 1))
-        [ $tries -lt 3000 ] || fail "no '$2' in $1 within a minute"
-        sleep 0.02
-    done
-}
 
 # alike A B: the same rows, numbers and series; times alone may differ.
 alike() {
@@ -66,7 +58,7 @@ for shard in 1 2 3 4; do
     start "shard$shard" study.yaml -o many --shard $shard/4
     pids[shard]=$pid
 done
-await shard3.err '^sph2d: row 7 of 12: '
+await grep -qs '^sph2d: row 7 of 12: ' shard3.err
 kill -KILL "${pids[3]}"
 for shard in 1 2 4; do
     end 0 "shard$shard" "${pids[shard]}" && empty && ran 3
@@ -199,7 +191,7 @@ expect 0 "$SPH2D" study bad.yaml -o bad --shard 1/3 --progress never && prints '
 expect 1 "$SPH2D" study bad.yaml -o bad --progress never && ran 0 && says "'wild', run earlier" && says 'exceeds the bound'
 sed 's/^runs: .*/runs: [{name: endless, set: {run.until: 1e5}}, {name: fine, set: {}}]/' bad.yaml >die.yaml
 start dying die.yaml -o dying --shard 1/2
-await dying.err 'row 1 of 2'
+await grep -qs 'row 1 of 2' dying.err
 child=
 until [ -n "$child" ]; do
     child=$(grep -l "^PPid:[[:space:]]*$pid\$" /proc/[0-9]*/status 2>/dev/null | sed -n '1s|/proc/\(.*\)/status|\1|p')
@@ -210,7 +202,7 @@ says 'yet: rows 1-2 of shards 1-2 are missing$'
 
 # While a shard runs the folder is for shards alone. A signal stops it.
 start shared die.yaml -o shared --shard 1/2
-await shared.err 'row 1 of 2'
+await grep -qs 'row 1 of 2' shared.err
 if grep -qs FLOCK /proc/$pid/fdinfo/*; then # some file systems have no locks
     expect 73 "$SPH2D" study die.yaml -q -o shared && says "another sph2d is writing to 'shared'"
     expect 73 "$SPH2D" study die.yaml -q -o shared --force && says "another sph2d is writing to 'shared'"
@@ -220,7 +212,7 @@ expect 0 "$SPH2D" study die.yaml -q -o shared --shard 2/2
 kill -INT $pid
 end 130 shared $pid && empty && says "stopped in row 'endless'" && says '1 row is missing; the same command goes on'
 start whole die.yaml -o whole -j 1
-await whole.err 'row 1 of 2'
+await grep -qs 'row 1 of 2' whole.err
 if grep -qs FLOCK /proc/$pid/fdinfo/*; then
     expect 73 "$SPH2D" study die.yaml -q -o whole --shard 1/2 && says "another sph2d is writing to 'whole'"
 fi

@@ -88,7 +88,7 @@ kill $writer && absent none
 
 # A terminal is told what it is waited for.
 command -v python3 >/dev/null || exit 0
-python3 - "$SPH2D" "$TINY" <<'END' || fail 'a terminal'
+"$SPH2D_ROOT/tests/limit.sh" 60 python3 - "$SPH2D" "$TINY" <<'END' || fail 'a terminal'
 import os, pty, subprocess, sys
 for extra, told in ([], True), (["-q"], False):
     controller, terminal = pty.openpty()
@@ -97,7 +97,7 @@ for extra, told in ([], True), (["-q"], False):
     os.close(terminal)
     with open(sys.argv[2], "rb") as scene:
         os.write(controller, scene.read() + b"\n\x04")
-    said = process.communicate(timeout=60)[1]
+    said = process.communicate()[1]
     assert process.returncode == 0, said
     assert ("reading the scene from the terminal; Ctrl-D" in said) == told, said
 END

@@ -14,12 +14,7 @@ interrupt() {
     env --default-signal=INT,TERM,HUP "$SPH2D" run "$TINY" -q --no-frames -j 1 -s spacing=0.01 -s run.until=1 \
         -s run.snapshots.per_second=50 -o "by_$1" 2>err &
     pid=$!
-    tries=0
-    until [ -e "by_$1/snapshot_000003.h5" ]; do
-        tries=$((tries + 1))
-        [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
-        sleep 0.02
-    done
+    await test -e "by_$1/snapshot_000003.h5"
     # By the name that pkill and top know, after the command has started itself again.
     [ ! -r /proc/$pid/comm ] || [ "$(cat /proc/$pid/comm)" = "$(basename "$SPH2D")" ] || fail 'the process has another name'
     kill -"$1" $pid 2>/dev/null || true
@@ -62,7 +57,7 @@ done
 env --ignore-signal=HUP "$SPH2D" run "$TINY" -q --no-frames -j 1 -s run.snapshots.per_second=50 -s spacing=0.01 \
     -s run.until=0.1 -o hup 2>err &
 pid=$!
-until [ -e hup/snapshot_000001.h5 ]; do sleep 0.02; done
+await test -e hup/snapshot_000001.h5
 kill -HUP $pid 2>/dev/null || true
 wait $pid || fail "a signal that is ignored: ended with $?"
 

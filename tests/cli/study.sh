@@ -245,8 +245,8 @@ cat >threads.yaml <<'END'
 scene: scene.yaml
 runs: [{set: {spacing: 0.003, run.until: 0.001}}, {set: {spacing: 0.0029, run.until: 0.001}}]
 END
-expect 0 timeout 60 "$SPH2D" study threads.yaml -q --threads 2
-expect 0 timeout 60 env OMP_NUM_THREADS=2 "$SPH2D" study threads.yaml -q
+expect 0 "$SPH2D_ROOT/tests/limit.sh" 60 "$SPH2D" study threads.yaml -q --threads 2
+expect 0 "$SPH2D_ROOT/tests/limit.sh" 60 env OMP_NUM_THREADS=2 "$SPH2D" study threads.yaml -q
 
 # A signal in the second row: the first is in the table, and on disk.
 cat >long.yaml <<'END'
@@ -256,12 +256,7 @@ measures: [{name: top, probe: energy, column: kinetic, take: max}]
 END
 env --default-signal=INT,TERM "$SPH2D" study long.yaml -o long -j 1 --progress never >out 2>err &
 pid=$!
-tries=0
-until grep -q 'row 2 of 3' err; do
-    tries=$((tries + 1))
-    [ $tries -lt 3000 ] || fail 'no second row within a minute'
-    sleep 0.02
-done
+await grep -q 'row 2 of 3' err
 sleep 0.2
 kill -INT $pid
 code=0
@@ -283,17 +278,13 @@ says '2 rows were there already' && [ "$(wc -l <long/study.csv)" = 4 ] # the thi
 : >err
 "$SPH2D" study long.yaml -o killed -j 1 --progress never >out 2>err &
 pid=$!
-until grep -q 'row 2 of 3' err; do sleep 0.02; done
+await grep -q 'row 2 of 3' err
 child=$(child_of $pid)
 kill -KILL $pid
 wait $pid || true
-tries=0
 [ -n "$child" ] || fail 'the row has no process of its own'
-while grep -q '^State:[[:space:]]*[RSD]' "/proc/$child/status" 2>/dev/null; do
-    tries=$((tries + 1))
-    [ $tries -lt 500 ] || fail 'a row outlives its study'
-    sleep 0.02
-done
+has_ended() { ! grep -q '^State:[[:space:]]*[RSD]' "/proc/$1/status" 2>/dev/null; }
+await has_ended "$child"
 expect 0 "$SPH2D" study shorter.yaml -o killed -j 1 --progress never
 says '2 rows were there already' && [ "$(wc -l <killed/study.csv)" = 4 ]
 
@@ -307,7 +298,9 @@ for signal in KILL TERM; do
     : >err
     "$SPH2D" study die.yaml -j 1 --progress never >out 2>err &
     pid=$!
-    until grep -q 'row 1 of 2' err && child=$(child_of $pid) && [ -n "$child" ]; do sleep 0.02; done
+    await grep -q 'row 1 of 2' err
+    has_child() { child=$(child_of $pid) && [ -n "$child" ]; }
+    await has_child
     sleep 0.1
     kill -$signal "$child"
     code=0

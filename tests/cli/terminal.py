@@ -6,6 +6,9 @@ import select
 import signal
 import time
 
+LIMIT = 30 * int(os.environ.get("CK_TIMEOUT_MULTIPLIER", 1))
+LATE = f"within its limit of {LIMIT} s by the clock (CK_TIMEOUT_MULTIPLIER=5 gives five times as much)"
+
 
 class Shell:
     """A shell that starts with no settings but `setup`. Ctrl-X e puts what is on its line into a file."""
@@ -48,23 +51,23 @@ PS1='ready> '
     def type(self, keys):
         os.write(self.terminal, keys.encode())
 
-    def seen(self, text, limit=30):
+    def seen(self, text):
         """Waits until the shell has printed a text."""
-        output, end = "", time.monotonic() + limit
+        output, end = "", time.monotonic() + LIMIT
         while text not in output:
             if not select.select([self.terminal], [], [], max(0, end - time.monotonic()))[0]:
-                raise AssertionError(f"no '{text}' in:\n{output}")
+                raise AssertionError(f"no '{text}' {LATE} in:\n{output}")
             output += os.read(self.terminal, 65536).decode(errors="replace")
 
-    def complete(self, keys, limit=30):
+    def complete(self, keys):
         """The line after these keys; \t completes, Ctrl-X a inserts all that fits."""
         if os.path.exists(self.line_file):
             os.remove(self.line_file)
         self.type(keys + "\x18e")
-        end = time.monotonic() + limit
+        end = time.monotonic() + LIMIT
         while not os.path.exists(self.line_file):
             if time.monotonic() > end:
-                raise AssertionError(f"no answer to {keys!r}")
+                raise AssertionError(f"no answer to {keys!r} {LATE}")
             while select.select([self.terminal], [], [], 0.01)[0]:
                 os.read(self.terminal, 65536)
         with open(self.line_file, encoding="utf-8") as file:

@@ -23,12 +23,7 @@ expect 0 env OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive OMP_PROC_BIND=true OMP_PL
 if [ -r /proc/self/environ ]; then
     env -i A=b "$SPH2D" run dam.yaml -s run.until=1e5 --no-frames --progress never -q -o endless &
     pid=$!
-    tries=0
-    until [ -e endless/snapshot_000000.h5 ]; do
-        tries=$((tries + 1))
-        [ $tries -lt 3000 ] || fail 'no snapshot within a minute'
-        sleep 0.02
-    done
+    await test -e endless/snapshot_000000.h5
     [ "$(tr '\0' ' ' </proc/$pid/environ)" = 'A=b ' ] || fail 'the environment was changed'
     kill $pid
     wait $pid || :

@@ -16,7 +16,7 @@ rm -rf "$counts" && mkdir -p "$counts/logs"
 IFS=/ read -ra above <<<"${objects#/}"
 GCOV_PREFIX_STRIP=${#above[@]}
 export GCOV_PREFIX_STRIP GCOV_PREFIX=$counts/units
-export SPH2D=$build/sph2d SPH2D_FAULTS=$build/tests SPH2D_TEST_TIMEOUT=600 CK_TIMEOUT_MULTIPLIER=10
+export SPH2D=$build/sph2d SPH2D_FAULTS=$build/tests CK_TIMEOUT_MULTIPLIER=10
 export OMP_WAIT_POLICY=passive GCOV_ERROR_FILE=$counts/libgcov.log
 
 suites_left_out=' elevation rest settings '

@@ -42,7 +42,7 @@ run_command() {
     esac
     code=0
     # Not for the programs that the command calls: gnuplot would count its own.
-    timeout -k 2 30 env PATH='' LD_PRELOAD="$SHIM" FAULTS="$fault" "$@" >printed 2>err </dev/null || code=$?
+    "$here/../limit.sh" 30 env PATH='' LD_PRELOAD="$SHIM" FAULTS="$fault" "$@" >printed 2>err </dev/null || code=$?
 }
 
 prepare() {
@@ -122,6 +122,7 @@ case $code in
     esac
     ;;
 64 | 65 | 66 | 69 | 70 | 73 | 74) grep -q 'sph2d: \|error\[' err || wrong 'it says nothing' ;;
+124) wrong "$(tail -n 1 err)" ;;
 *) wrong "no exit code of sph2d: $(head -n 1 err)" ;;
 esac
 check_files

@@ -22,6 +22,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "../time_limits.h"
 #include "dictionary.h"
 #include "fuzz.h"
 #include "mutate.h"
@@ -189,7 +190,12 @@ static void save_finding(session *s, int state)
         stop("cannot write", path);
     rename(old_log, log);
     ++s->findings;
-    printf("fuzz: %s\n", path);
+    const bool slow = strcmp(describe(state), "slow") == 0, waits = strcmp(describe(state), "waits") == 0;
+    if (slow || waits)
+        printf("fuzz: %s: passed its limit of %g s %s; %s\n", path, waits ? 10 * s->limit + 1 : s->limit,
+               waits ? "by the clock" : "of CPU time", LIMITS_HINT);
+    else
+        printf("fuzz: %s\n", path);
     fflush(stdout);
 }
 
@@ -236,7 +242,7 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--seed") == 0)
             s.seed = (uint64_t)number_of(argv[i + 1]);
         else if (strcmp(argv[i], "--limit") == 0)
-            s.limit = number_of(argv[i + 1]);
+            s.limit = number_of(argv[i + 1]) * limits_factor();
         else
             i = argc;
     }

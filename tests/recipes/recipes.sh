@@ -12,6 +12,7 @@ for python in $2; do
     pythons="$pythons $python"
 done
 page=$(realpath "$(dirname "$0")/../../docs/recipes.md")
+limit=$(realpath "$(dirname "$0")/../limit.sh")
 export SPH2D LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=agg
 rm -rf "$folder" && mkdir -p "$folder" && cd "$folder"
 failed=0
@@ -67,7 +68,7 @@ program() {
     with $3 || { skip "$1" "no Python with $3: $4" && return 0; }
     block "$2" python >program.py
     [ -s program.py ] || { : >printed && bad "$1" "the page has no program in '$2'" && return 0; }
-    timeout 300 "$python" program.py >printed 2>&1 || { bad "$1" 'ends with an error' && return 0; }
+    "$limit" 300 "$python" program.py >printed 2>&1 || { bad "$1" 'ends with an error' && return 0; }
     echo >>printed
     checked "$1" "$5"
 }

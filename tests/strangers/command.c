@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../time_limits.h"
 #include "judge.h"
 
 enum { PATH_SIZE = 600, TEXT_SIZE = 1 << 16, MOST_SECONDS = 60, EXIT_REJECTED = 65, EXIT_NO_INPUT = 66 };
@@ -35,10 +36,11 @@ static void read_text(const char *path, char text[TEXT_SIZE])
 static void become(const char *const *arguments, const char *out, const char *err)
 {
     const int to = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666), bad = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    const struct rlimit limit = {MOST_SECONDS, MOST_SECONDS + 1};
+    const unsigned most = MOST_SECONDS * limits_factor();
+    const struct rlimit limit = {most, most + 1};
     if (arguments[0] && to >= 0 && bad >= 0 && dup2(to, 1) >= 0 && dup2(bad, 2) >= 0 &&
         setrlimit(RLIMIT_CPU, &limit) == 0) {
-        alarm(10 * MOST_SECONDS);
+        alarm(10 * most);
         execv(arguments[0], (char *const *)(uintptr_t)arguments);
     }
     _exit(127);
@@ -87,9 +89,12 @@ static bool is_honest(const char *what, const ending *e, verdict *v)
 {
     const bool error = strstr(e->err, "\"severity\": \"error\"") != NULL;
     const bool guard = strstr(e->err, "\"code\": \"R3") != NULL;
-    if (e->code < 0)
-        verdict_fail(v, e->code == -SIGXCPU || e->code == -SIGALRM ? "time" : "crash", "%s ended by signal %d", what,
-                     -e->code);
+    const unsigned most = MOST_SECONDS * limits_factor();
+    if (e->code == -SIGXCPU || e->code == -SIGALRM)
+        verdict_fail(v, "time", "%s passed its limit of %u s %s; %s", what, e->code == -SIGXCPU ? most : 10 * most,
+                     e->code == -SIGXCPU ? "of CPU time" : "by the clock", LIMITS_HINT);
+    else if (e->code < 0)
+        verdict_fail(v, "crash", "%s ended by signal %d", what, -e->code);
     else if (e->code != 0 && e->code != 1 && e->code != EXIT_REJECTED && e->code != EXIT_NO_INPUT)
         verdict_fail(v, "status", "%s ended with %d", what, e->code);
     else if ((e->code == 0) == error)

@@ -54,7 +54,7 @@ row() { # row SCENE METHOD
     read -r level left right <<<"$(level_of "$1")"
     local set=()
     [ "$2" = default ] || set=(-s "method={name: $2}")
-    timeout 900 "$SPH2D" run "$scene" -o "$OUT/$name" -f --json --threads 1 "${set[@]}" \
+    "$here/../limit.sh" 900 "$SPH2D" run "$scene" -o "$OUT/$name" -f --json --threads 1 "${set[@]}" \
         -s "$(probes_of "$left" "$right" "$(awk "BEGIN { print $until / 400 }")")" \
         -s "run.frames={every: $(awk "BEGIN { print $until / 2 }"), size: [800, 500], style: points, color: speed}" \
         >"$OUT/$name.json" 2>"$OUT/$name.err" || status=$?

@@ -2,6 +2,7 @@
 /* Random scenes, or given ones, each judged in a process of its own: a program that crashes fails its scene alone. */
 #include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "../time_limits.h"
 #include "judge.h"
 #include "random_scene.h"
 
@@ -103,7 +105,8 @@ static void judge(const options *o, const task *t)
     verdict v = {.file = fopen(path, "w")};
     if (v.file == NULL)
         _exit(2);
-    const struct rlimit limit = {MOST_SECONDS, MOST_SECONDS + 1};
+    const unsigned most = MOST_SECONDS * limits_factor();
+    const struct rlimit limit = {most, most + 1};
     setrlimit(RLIMIT_CPU, &limit);
     const judge_request request = {.command = o->command,
                                    .scene = t->scene,
@@ -230,9 +233,11 @@ static unsigned tell(const options *o, const task *t, unsigned long number, know
         fclose(file);
     if (t->status != 0) {
         const bool old = is_known(known, o, number, "crash");
-        printf("%s %s\tcrash\tthe library ends its program with %s %d\n", old ? "known" : "FAIL", t->name,
+        const bool late = WIFSIGNALED(t->status) && WTERMSIG(t->status) == SIGXCPU;
+        printf("%s %s\tcrash\tthe library ends its program with %s %d%s\n", old ? "known" : "FAIL", t->name,
                WIFSIGNALED(t->status) ? "signal" : "status",
-               WIFSIGNALED(t->status) ? WTERMSIG(t->status) : WEXITSTATUS(t->status));
+               WIFSIGNALED(t->status) ? WTERMSIG(t->status) : WEXITSTATUS(t->status),
+               late ? ", at its limit of CPU time; " LIMITS_HINT : "");
         news += !old;
         ++all;
     }

@@ -50,7 +50,7 @@ failed=0 done=0
 go() {
     local name=$1 code=0
     shift
-    timeout -k 5 600 "$@" >"$folder/$name.log" 2>&1 </dev/null || code=$?
+    "$here/../limit.sh" 600 "$@" >"$folder/$name.log" 2>&1 </dev/null || code=$?
     done=$((done + 1))
     if [ $code != 0 ] || grep -q 'WARNING: ThreadSanitizer' "$folder/$name.log"; then
         failed=$((failed + 1))

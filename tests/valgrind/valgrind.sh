@@ -20,7 +20,7 @@ go() {
     local name=$1 code=0
     shift
     [[ $only = '  ' || $only = *" $name "* ]] || return 0
-    timeout -k 5 2700 valgrind --quiet --error-exitcode=66 --leak-check=full --show-leak-kinds=definite \
+    "$here/../limit.sh" 2700 valgrind --quiet --error-exitcode=66 --leak-check=full --show-leak-kinds=definite \
         --errors-for-leak-kinds=definite --num-callers=20 --suppressions="$here/suppressions" \
         "$@" >"$folder/$name.log" 2>&1 </dev/null || code=$?
     [ $code = 0 ] || { echo "$name $code" >>"$folder/failed" && grep -m 20 '^==\|:[EF]:' "$folder/$name.log"; }

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../../time_limits.h"
 #include "cases.h"
 
 static const char usage[] = "usage: hard_cases [--short] [--jobs N] [--csv] [--known FILE] [ID...]\n";
@@ -83,14 +84,14 @@ void tell_of(outcome *o, const char *name, const char *which, double value, doub
 /** Ten times the time that it should take, and a memory that no case needs: a case that hangs or grows is a miss. */
 static void limit_itself(double seconds)
 {
-    const rlim_t most = (rlim_t)(20 + 10 * seconds);
+    const unsigned most = (unsigned)(20 + 10 * seconds) * limits_factor();
     const struct rlimit processor = {most, most + 1}, memory = {(rlim_t)4 << 30, (rlim_t)4 << 30};
     setrlimit(RLIMIT_CPU, &processor);
 #ifndef __SANITIZE_ADDRESS__
     setrlimit(RLIMIT_DATA, &memory);
 #endif
     (void)memory;
-    alarm(10 * (unsigned)most);
+    alarm(10 * most);
 }
 
 static void start(row *r)
@@ -166,7 +167,11 @@ static void collect(row *r, int status)
     fclose(r->file);
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        add(r, signal == SIGXCPU || signal == SIGALRM ? "out of time" : "crash by signal", signal, 0);
+        const bool late = signal == SIGXCPU || signal == SIGALRM;
+        if (late)
+            fprintf(stderr, "hard_cases: %s by %s passed its limit of time%s; %s\n", r->what->id,
+                    method_names[r->method], signal == SIGXCPU ? ", of the CPU" : " by the clock", LIMITS_HINT);
+        add(r, late ? "out of time" : "crash by signal", signal, 0);
     } else if (!ended || WEXITSTATUS(status) != 0)
         add(r, "ended early with status", WEXITSTATUS(status), -1);
     r->done = true;
