@@ -2,6 +2,7 @@
 /** @file check.c
  *  `sph2d check SCENE`: reports all errors of a scene, then estimates the run. */
 #include <math.h>
+#include <sph2d/contacts.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -132,7 +133,9 @@ static sph2d_status create(checked *c, const sph2d_scene *scene, sph2d_report *r
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = c->threads.wanted;
     options.isa = c->options->isa;
-    return sph2d_sim_create(scene, &options, &c->sim, report);
+    sph2d_status status = sph2d_sim_create(scene, &options, &c->sim, report);
+    sph2d_contacts_attach(c->sim);
+    return status;
 }
 
 /* Makes a coarser simulation; false if there is none. */

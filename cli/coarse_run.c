@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file coarse_run.c
- *  The coarse run: k times the spacing means k^2 times fewer particles and k times fewer steps. */
+ *  The coarse run: k times the spacing means k^2 times fewer particles and k times fewer steps; k is 1 where the scene
+ *  itself takes no longer. */
 #include "coarse_run.h"
 
 #include <math.h>
+#include <sph2d/contacts.h>
 #include <stdlib.h>
 
 #include "clock.h"
@@ -11,8 +13,8 @@
 /* Target and maximum of its duration [s], and the minimum number of particles for a flow like the scene's. */
 static const double TARGET = 0.5, LONGEST = 0.7, MIN_PARTICLES = 150;
 
-/* Maximum coarsening, which keeps the shape of a scene, and the minimum that is worth a run. */
-static const double COARSEST = 8, FINEST = 1.4;
+/* Maximum coarsening, which keeps the shape of a scene. */
+static const double COARSEST = 8;
 
 /* With sources the first steps do not show the cost of later ones, so the coarse run may take longer; its own duration
  * is estimated by this time of a particle and step [s]. */
@@ -37,18 +39,17 @@ static double mean_particles(const sph2d_scene *scene, double start)
     return fmin(start + fed / 2, (d.max.x - d.min.x) * (d.max.y - d.min.y) / area);
 }
 
-/** The factor of the spacing, or 0 for no coarse run. `steps` and `seconds` are expected from the scene's first
- *  steps. */
+/** The factor of the spacing; 1 for scenes of few particles, or of single ones, which have no coarser form. `steps` and
+ *  `seconds` are expected from the scene's first steps. */
 static double choose_coarsening(const sph2d_scene *scene, double steps, double seconds, double particles)
 {
     if (scene->particles.count > 0)
-        return 0;
+        return 1;
     if (scene->source_count > 0) {
         seconds = steps * mean_particles(scene, particles) * USUAL;
-        return fmin(fmax(cbrt(seconds / TARGET_WITH_SOURCES), FINEST), COARSEST);
+        return fmin(fmax(cbrt(seconds / TARGET_WITH_SOURCES), 1), COARSEST);
     }
-    double k = fmin(fmax(cbrt(seconds / TARGET), FINEST), COARSEST);
-    return k * k * MIN_PARTICLES > particles ? sqrt(particles / MIN_PARTICLES) : k;
+    return fmax(fmin(fmin(cbrt(seconds / TARGET), COARSEST), sqrt(particles / MIN_PARTICLES)), 1);
 }
 
 sph2d_block *coarse_scene(sph2d_scene *scene, double k)
@@ -138,8 +139,6 @@ coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double se
 {
     coarse_run run = UNKNOWN;
     const double k = choose_coarsening(scene, steps, seconds, particles);
-    if (!(k >= FINEST))
-        return run;
     sph2d_scene coarse = *scene;
     sph2d_block *blocks = coarse_scene(&coarse, k);
     if (!blocks)
@@ -148,7 +147,9 @@ coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double se
     options.threads = 1;
     sph2d_sim *sim = NULL;
     sph2d_report report = {0};
-    if (sph2d_sim_create(&coarse, &options, &sim, &report) == SPH2D_OK)
+    sph2d_status status = sph2d_sim_create(&coarse, &options, &sim, &report);
+    sph2d_contacts_attach(sim);
+    if (status == SPH2D_OK)
         run = run_coarse(sim, coarse.run.until, scene->source_count > 0 ? LONGEST_WITH_SOURCES : LONGEST);
     run.mean *= k * k;
     sph2d_sim_destroy(sim);

@@ -20,7 +20,7 @@ typedef struct coarse_run {
  *  then the scene is unchanged. */
 sph2d_block *coarse_scene(sph2d_scene *scene, double k);
 
-/** Runs a coarse copy of a scene on one thread, for a second at most; `steps`, `seconds` and
+/** Runs a coarse copy of a scene, or a small scene itself, on one thread, for a second at most; `steps`, `seconds` and
  *  `particles` are expected from the scene's first steps. All is unknown for a scene that cannot be made coarser. */
 coarse_run coarse_run_estimate(const sph2d_scene *scene, double steps, double seconds, double particles);
 

@@ -72,6 +72,31 @@ expect 0 "$SPH2D" run jet.yaml -o jet --json --threads 1
 sed 's/.*"step_cpu_seconds": \([0-9.e+-]*\).*"steps": \([0-9]*\).*/\2 \1/' out | paste wanted - >both
 awk '{ exit !($1 > 0.8 * $3 && $1 < 1.2 * $3 && $2 > $4 / 2 && $2 < 2 * $4) }' both || fail "a jet: $(cat both)"
 
+# So are those of few particles, of which no coarser form can be run, and of bodies that meet walls, which a run without
+# contacts would see leave.
+cat >few.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.05
+method: {name: constraint}
+blocks: [{box: {min: [0.3, 0.4], max: [0.7, 0.8]}}]
+run: {until: 0.5}
+END
+cat >thrown.yaml <<END
+domain: {min: [0, 0], max: [1, 1]}
+spacing: 0.1
+method: {name: constraint}
+blocks: [{box: {min: [0, 0], max: [1, 0.2]}}]
+bodies: [{box: {min: [0.3, 0.4], max: [0.7, 0.8]}, density: 5000, velocity: [0, -20]}]
+run: {until: 0.2}
+END
+for scene in few thrown; do
+    expect 0 "$SPH2D" check $scene.yaml --json --threads 1
+    sed 's/.*"steps": \([0-9.e+]*\).*/\1/' out >wanted
+    expect 0 "$SPH2D" run $scene.yaml -o $scene --json --threads 1
+    sed 's/.*"steps": \([0-9]*\).*/\1/' out | paste wanted - >both
+    awk '{ exit !($1 > 0.9 * $2 && $1 < 1.1 * $2) }' both || fail "$scene: $(cat both)"
+done
+
 # Particles that a blow throws out in the first millionth of a run are not taken to leave like that to its end: each of
 # its steps computes hundreds of them.
 cat >blow.yaml <<END
