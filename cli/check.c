@@ -232,9 +232,10 @@ static void print_active(const sph2d_scene *scene)
     putchar('\n');
 }
 
-static double expected_compression(const sph2d_plan *plan)
+/* What a pressure over density of the plan compresses. */
+static double compression_by(const sph2d_plan *plan, double head)
 {
-    return plan->sound_speed > 0 ? plan->head / (plan->sound_speed * plan->sound_speed) : NAN;
+    return plan->sound_speed > 0 ? head / (plan->sound_speed * plan->sound_speed) : NAN;
 }
 
 /* Steps that are this many times as short as those of sound are worth another method. */
@@ -270,8 +271,11 @@ static void print_table(const checked *c)
     text_row("support radius", "%.6g m (%.3g spacings)", plan->support_radius,
              plan->support_radius * c->coarsening / c->scene->spacing);
     text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
-    text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * expected_compression(plan),
+    text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * compression_by(plan, plan->head),
              100 * plan->impact_compression);
+    if (plan->capillary_head > 0)
+        text_row("", "%.3g %% by surface tension in the thinnest block",
+                 100 * compression_by(plan, plan->capillary_head));
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
     print_short_steps(c);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
@@ -317,7 +321,8 @@ static void print_object(const checked *c)
     json_number(&line, "support_radius", plan->support_radius);
     json_number(&line, "sound_speed", plan->sound_speed);
     json_text(&line, "sound_speed_formula", plan->sound_speed_formula);
-    json_number(&line, "compression", expected_compression(plan));
+    json_number(&line, "compression", compression_by(plan, plan->head));
+    json_number(&line, "capillary_compression", compression_by(plan, plan->capillary_head));
     json_number(&line, "impact_compression", plan->impact_compression);
     json_number(&line, "time_step", plan->time_step);
     json_text(&line, "time_step_limit", plan->time_step_limit);

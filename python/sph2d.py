@@ -97,7 +97,7 @@ typedef struct sph2d_key { const char *name; sph2d_key_kind kind; bool required;
 typedef struct sph2d_keys { const sph2d_key *items; size_t count; size_t size; void *set_default; } sph2d_keys;
 typedef struct sph2d_plan { size_t fluid_particles; size_t wall_particles; size_t places_left_free; double area_asked;
     double area_left_out; double most_left_out; size_t most_left_out_block; double area_placed; double particle_mass;
-    double support_radius; double sound_speed; char sound_speed_formula[160]; double head; double impact_compression;
+    double support_radius; double sound_speed; char sound_speed_formula[160]; double head; double capillary_head; double impact_compression;
     double time_step; const char *time_step_limit; double steps; double memory; double snapshots, frames;
     double disk; double disk_of_particle; } sph2d_plan;
 typedef struct sph2d_allocator { void *resize; void *user; } sph2d_allocator;

@@ -74,6 +74,27 @@ START_TEST(the_sound_speed_comes_from_height_speed_and_pull)
 }
 END_TEST
 
+START_TEST(surface_tension_presses_on_drops)
+{
+    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.3}, 0.2}};
+    scene.gravity = (sph2d_vec2){0, 0};
+    scene.fluid.surface_tension = 80;
+    make_plan();
+    double head = 80 / (scene.fluid.density * 0.2), c0 = sqrt(8 * 80 / (scene.fluid.density * DX));
+    ck_assert_double_eq_tol(plan.capillary_head, head, 1e-12);
+    ck_assert_double_eq_tol(plan.sound_speed, c0, 1e-12);
+    ck_assert_double_eq_tol(plan.impact_compression, sqrt(2 * head) / c0, 1e-12);
+    ck_assert_uint_eq(report.count, 0); /* 1/8 dx/R = 0.6 %, less than the 10 % of muller */
+    scene.method.max_compression = 0.005;
+    make_plan();
+    ck_assert_uint_eq(report.count, 1);
+    ck_assert_str_eq(report.items[0].path, "fluid.surface_tension");
+    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0, -0.1}, {1, 0.2}}};
+    make_plan();
+    ck_assert_double_eq(plan.capillary_head, 0); /* flat from side to side */
+}
+END_TEST
+
 START_TEST(height_is_against_gravity)
 {
     scene.gravity = (sph2d_vec2){G, 0}; /* the lowest side is the right one */
@@ -211,6 +232,7 @@ Suite *suite_plan(void)
     TCase *tests = tcase_create("plan");
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_test(tests, the_sound_speed_comes_from_height_speed_and_pull);
+    tcase_add_test(tests, surface_tension_presses_on_drops);
     tcase_add_test(tests, height_is_against_gravity);
     tcase_add_test(tests, a_named_stiffness_is_taken);
     tcase_add_test(tests, particles_and_sizes);

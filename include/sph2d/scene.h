@@ -1111,7 +1111,11 @@ typedef struct sph2d_plan {
     /** Head g h + U^2/2 + pull [m^2/s^2], from which c0 is derived. */
     double head;
 
-    /** Peak compression of a full impact: U/c0 with U = sqrt(2 head). */
+    /** Pressure of surface tension in the thinnest block, over density: sigma/(rho R) with R half of its smaller side, 0
+     *  for blocks from side to side [m^2/s^2]. It does not count for c0. */
+    double capillary_head;
+
+    /** Peak compression of a full impact: U/c0 with U = sqrt(2 (head + capillary_head)). */
     double impact_compression;
 
     /** Length of the step at the start [s]. */

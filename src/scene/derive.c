@@ -37,6 +37,21 @@ static double farthest_liquid(const sph2d_scene *scene)
     return distance;
 }
 
+/** Pressure over density by which surface tension presses on the thinnest block, sigma/(rho R) with R half of its smaller
+ *  side. A block from side to side has a flat surface. */
+static double capillary_head(const sph2d_scene *scene)
+{
+    double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    double radius = INFINITY;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        sph2d_box b = sph2d__shape_bounds(&scene->blocks[i].shape);
+        double x = b.max.x - b.min.x, y = b.max.y - b.min.y;
+        if (x < width - scene->spacing && y < height - scene->spacing)
+            radius = fmin(radius, fmin(x, y) / 2);
+    }
+    return scene->fluid.surface_tension / (scene->fluid.density * radius);
+}
+
 /** Largest speed of an obstacle. Without memory for the cubics of its path they count as straight lines. */
 static double obstacle_speed(const sph2d_obstacle *obstacle)
 {
@@ -146,6 +161,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.pull += fmax(pressed - g * d.height, 0);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
+    d.capillary_head = capillary_head(scene);
     d.ripple_speed = sqrt(8 * scene->fluid.surface_tension / (scene->fluid.density * scene->spacing));
     const sph2d__method_row *row = sph2d__method_row_of(&method);
     d.soft_compression = row->sound_compression * method.max_compression;

@@ -24,6 +24,7 @@ typedef struct sph2d__derived {
     double head; /**< |g| height + speed^2 / 2 + pull: pressure over density that the liquid can build up [m^2/s^2] */
     double spring_head;      /**< the part of that by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy;    /**< of springs of bodies at the start [J/m] */
+    double capillary_head;   /**< pressure of surface tension in the thinnest block, over density [m^2/s^2] */
     double ripple_speed;     /**< minimum c0 for surface tension, sqrt(8 sigma/(rho0 dx)) [m/s] */
     double soft_compression; /**< compression for which c0 is chosen: max_compression, for pcisph a tenth of it */
     double stiffness_part;   /**< c0^2 over the stiffness k: 1, for muller the factor of its pair force */
@@ -37,7 +38,8 @@ double sph2d__scene_reach(const sph2d_scene *scene);
  *  head / c0^2, and twice that in the oscillation after a release at rest density: c0^2 = 2 head / max_compression, for
  *  method pcisph with a tenth of max_compression; or by the stiffness or sound speed of the scene.
  *  With surface tension c0 is at least sqrt(8 sigma/(rho0 dx)), about four times the speed of the shortest ripples that
- *  particles resolve: with it the density of drops at rest is within 1/8 dx/R. */
+ *  particles resolve: with it the density of drops at rest is within 1/8 dx/R. Where that is more than max_compression
+ *  the check says so. */
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene);
 
 /** The scene's frames with the defaults that follow from its head: the ends of the colour bar 0 and sqrt(2 head) for

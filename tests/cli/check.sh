@@ -12,7 +12,7 @@ done
 prints 'sources: 1, drains: 1, obstacles: 1, interactions: 1, probes: 3'
 expect 0 "$SPH2D" check "$TINY" --json && lines 1
 for key in scene particles wall_particles area_asked area_placed support_radius sound_speed sound_speed_formula compression \
-    impact_compression time_step time_step_limit steps memory_bytes snapshots frames disk_bytes seconds cpu_seconds; do
+    capillary_compression impact_compression time_step time_step_limit steps memory_bytes snapshots frames disk_bytes seconds cpu_seconds; do
     prints "\"$key\": "
 done
 if command -v python3 >/dev/null; then
@@ -96,6 +96,19 @@ for scene in few thrown; do
     sed 's/.*"steps": \([0-9]*\).*/\1/' out | paste wanted - >both
     awk '{ exit !($1 > 0.9 * $2 && $1 < 1.1 * $2) }' both || fail "$scene: $(cat both)"
 done
+
+# Surface tension compresses a small drop more than the sound speed is made for: check says so, and of a finer one nothing.
+cat >drop.yaml <<END
+domain: {min: [0, 0], max: [0.01, 0.01]}
+spacing: 2e-4
+gravity: [0, 0]
+fluid: {surface_tension: 0.0728}
+blocks: [{disc: {center: [0.005, 0.005], radius: 0.001}}]
+run: {until: 0.01}
+END
+expect 0 "$SPH2D" check drop.yaml && says 'fluid.surface_tension: it compresses the thinnest block by 2.5 %' &&
+    prints '^  *2.5 % by surface tension'
+expect 0 "$SPH2D" check drop.yaml -s spacing=5e-5 && silent && prints '^  *0.625 % by surface tension'
 
 # Particles that a blow throws out in the first millionth of a run are not taken to leave like that to its end: each of
 # its steps computes hundreds of them.
