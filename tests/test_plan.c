@@ -74,6 +74,18 @@ START_TEST(the_sound_speed_comes_from_height_speed_and_pull)
 }
 END_TEST
 
+/* A flow that turns about its centre is fastest at the block's edge, wherever its length ends. */
+START_TEST(the_speed_of_a_flow_is_that_at_the_edge_of_its_block)
+{
+    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.3}, 0.2}};
+    blocks[0].start.flow = (sph2d_flow){.kind = SPH2D_FLOW_ROTATION, .speed = 1.5, .length = 0.1, .center = {0.5, 0.3}};
+    scene.gravity = (sph2d_vec2){0, 0};
+    check_speed(0, 3, 0);
+    blocks[0].start.flow.length = 0.2;
+    check_speed(0, 1.5, 0);
+}
+END_TEST
+
 START_TEST(surface_tension_presses_on_drops)
 {
     blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.3}, 0.2}};
@@ -232,6 +244,7 @@ Suite *suite_plan(void)
     TCase *tests = tcase_create("plan");
     tcase_add_checked_fixture(tests, start, NULL);
     tcase_add_test(tests, the_sound_speed_comes_from_height_speed_and_pull);
+    tcase_add_test(tests, the_speed_of_a_flow_is_that_at_the_edge_of_its_block);
     tcase_add_test(tests, surface_tension_presses_on_drops);
     tcase_add_test(tests, height_is_against_gravity);
     tcase_add_test(tests, a_named_stiffness_is_taken);

@@ -23,18 +23,33 @@
 /* Liquid released at rest density oscillates up to twice its static compression. */
 static const double OVERSHOOT = 2;
 
+/** Largest distance of a shape's corners from a point. */
+static double farthest(const sph2d_shape *shape, sph2d_vec2 c)
+{
+    sph2d_box b = sph2d__shape_bounds(shape);
+    double x = fmax(fabs(b.min.x - c.x), fabs(b.max.x - c.x)), y = fmax(fabs(b.min.y - c.y), fabs(b.max.y - c.y));
+    return shape->kind == SPH2D_SHAPE_DISC ? fmax(x, y) : hypot(x, y);
+}
+
 /** Largest distance of a block's corners from the centre of the central force. */
 static double farthest_liquid(const sph2d_scene *scene)
 {
     double distance = 0;
-    sph2d_vec2 c = scene->central_force.center;
-    for (size_t i = 0; i < scene->block_count; ++i) {
-        const sph2d_shape *shape = &scene->blocks[i].shape;
-        sph2d_box b = sph2d__shape_bounds(shape);
-        double x = fmax(fabs(b.min.x - c.x), fabs(b.max.x - c.x)), y = fmax(fabs(b.min.y - c.y), fabs(b.max.y - c.y));
-        distance = fmax(distance, shape->kind == SPH2D_SHAPE_DISC ? fmax(x, y) : hypot(x, y));
-    }
+    for (size_t i = 0; i < scene->block_count; ++i)
+        distance = fmax(distance, farthest(&scene->blocks[i].shape, scene->central_force.center));
     return distance;
+}
+
+/** Largest speed of a block at the start. Flows whose speed grows with the distance from their centre have the one that
+ *  they name at their length, and the block may go on beyond it. */
+static double block_speed(const sph2d_block *block)
+{
+    const sph2d_flow *f = &block->start.flow;
+    bool grows = f->kind == SPH2D_FLOW_ROTATION || f->kind == SPH2D_FLOW_PATCH || f->kind == SPH2D_FLOW_STRAIN ||
+                 f->kind == SPH2D_FLOW_DROP;
+    double beyond = grows ? farthest(&block->shape, (sph2d_vec2){f->center[0], f->center[1]}) / f->length : 1;
+    double most = beyond > 1 + 1e-9 ? beyond : 1; /* a disc as large as its flow has the speed to the bit */
+    return hypot(block->velocity.x, block->velocity.y) + most * sph2d__start_speed(&block->start);
 }
 
 /** Pressure over density by which surface tension presses on the thinnest block, sigma/(rho R) with R half of its smaller
@@ -137,8 +152,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     const sph2d__drive drive = sph2d__scene_drive(scene);
     double g = d.gravity = drive.gravity;
     for (size_t i = 0; i < scene->block_count; ++i)
-        d.speed = fmax(d.speed, hypot(scene->blocks[i].velocity.x, scene->blocks[i].velocity.y) +
-                                    sph2d__start_speed(&scene->blocks[i].start));
+        d.speed = fmax(d.speed, block_speed(&scene->blocks[i]));
     for (size_t i = 0; i < scene->source_count; ++i)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; i < scene->opening_count; ++i)
