@@ -521,6 +521,7 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	$(call stage,! echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || \
 	    $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test)
 	$(call stage,$(MAKE) test-sanitize)
+	$(call stage,$(MAKE) test-foretold)
 	$(call stage,tests/adding.sh $(BUILD)/adding)
 	$(call stage,SPH2D_TEST_FULL=1 $(MAKE) test)
 	$(last_stage)
@@ -540,6 +541,9 @@ STRANGERS = $(BUILD)/tests/strangers --command $(BUILD)/sph2d --dir $(BUILD)/str
 STRANGERS_KNOWN = $(STRANGERS) --jobs "$$(nproc)" --known tests/strangers/known_failures
 strangers: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes judged by invariants; SEEDS=1..2000
 	$(hush)$(STRANGERS) --jobs "$$(nproc)" --seeds $(or $(SEEDS),1..200)
+
+test-foretold: $(BUILD)/sph2d $(BUILD)/tests/strangers ## what check foretells of every example against its run (10 minutes)
+	$(hush)tests/strangers/foretold.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/foretold
 
 RESTARTS = tests/restarts/restarts.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/restarts
 test-restarts: $(BUILD)/sph2d $(BUILD)/tests/strangers ## random scenes stopped and resumed, byte for byte; SEEDS=1..200
@@ -766,7 +770,7 @@ help: ## this list
 	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
-    test-valgrind test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
+    test-valgrind test-foretold test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE

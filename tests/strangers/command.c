@@ -73,8 +73,7 @@ static void clear(const judge_request *p)
     perform(p, "clear", (const char *const[]){"/bin/rm", "-rf", whole, parts, NULL}, &e);
 }
 
-/** The first number with that key in a text of JSON; NaN without one. */
-static double number(const char *json, const char *key)
+double number(const char *json, const char *key)
 {
     char quoted[64];
     snprintf(quoted, sizeof quoted, "\"%s\": ", key);
@@ -319,6 +318,7 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
                                            : "does not start");
         if (run.code == 0) {
             judge_summary(checked, &run, &library, v);
+            judge_plan(checked->out, checked->err, sim, &library, v);
             run_in_parts(p, snapshots, until, &parts);
             if (is_honest("a run in parts", &parts, v) && parts.code != 0)
                 verdict_fail(v, "bits", "a run in one goes to its end, one in parts ends with %d", parts.code);
@@ -326,6 +326,22 @@ static library_run judge_accepted(const judge_request *p, const ending *checked,
                 judge_bits(p, sim, v);
         }
     }
+    sph2d_sim_destroy(sim);
+    sph2d_scene_file_destroy(file);
+    return library;
+}
+
+/** What check foretells alone, by a run in this process. */
+static library_run judge_foretold(const judge_request *p, const ending *checked, verdict *v)
+{
+    library_run library = {.started = false};
+    sph2d_scene_file *file = NULL;
+    sph2d_sim *sim = NULL;
+    if (checked->code == 0 && read_scene(p, &file)) {
+        library = judge_by_library(p, sph2d_scene_file_scene(file), v, &sim);
+        judge_plan(checked->out, checked->err, sim, &library, v);
+    } else
+        verdict_fail(v, "plan", "the scene is refused");
     sph2d_sim_destroy(sim);
     sph2d_scene_file_destroy(file);
     return library;
@@ -342,6 +358,8 @@ library_run judge_scene(const judge_request *request, verdict *v)
     const library_run none = {.started = false};
     if (!is_honest("check", &checked, v))
         return none;
+    if (v->only && strcmp(v->only, "plan") == 0)
+        return judge_foretold(request, &checked, v);
     if (checked.code == 0)
         return judge_accepted(request, &checked, v);
     run_by_command(request, "run.snapshots={}", NULL, &run);

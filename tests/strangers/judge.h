@@ -13,6 +13,7 @@
 /** What was found, written down at once, so that it outlives a crash: "invariant<TAB>sentence" a line. */
 typedef struct verdict {
     FILE *file;
+    const char *only; /**< the invariant that is judged; NULL: all */
 } verdict;
 
 /** Notes that an invariant does not hold, in a sentence with the numbers. */
@@ -34,18 +35,30 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 #define OPENED_BOUND 0.05   /* energy unaccounted for, of the scene's, where liquid flows in and out */
 #define OVERLAP_BOUND 0.1   /* of bodies with each other, obstacles and sides [spacings] */
 #define INSIDE_BOUND 0.2    /* how deep liquid is in a body [spacings] */
+#define STEPS_BOUND 1.5     /* steps over those that check foretells, or these over those; the worst of 90 had 1.4 */
+#define STEPS_SLACK 10      /* and so many more or less, of short runs */
+#define SPEED_BOUND 4       /* largest speed over that of the plan's heads: a jet from a corner had 3.3 times it */
+#define PRESSED_BOUND                                                                                                  \
+    3.5 /* compression over max_compression, or what check tells instead; two blocks that meet had 3.2 */
+#define UNPRESSED_BOUND 0.1 /* compression over what a warning tells */
 
 /** What a run by the library found. Numbers that were not judged are NaN. */
 typedef struct library_run {
     bool started, finished;
     bool opened;               /**< the scene has openings */
     double compression_max;    /**< largest rho/rho0 - 1 over all particles and steps */
+    double fastest;            /**< largest speed over all particles and steps [m/s] */
     double scale, rise, since; /**< energy scale [J/m]; largest rise over it; when that was reached [s] */
     double packing, density;   /**< mean density over rest density inside the liquid, by counting and as reported */
     double p99, highest;       /**< of the compression by counting */
     double overlap, taken;     /**< of bodies, the deepest [spacings]; most that contacts gave back over the scale */
     sph2d_summary summary;
 } library_run;
+
+/** Compares what `check` told, its numbers as a line of JSON and its messages, with what the run found. */
+void judge_plan(const char *told, const char *messages, const sph2d_sim *sim, const library_run *run, verdict *v);
+/** The first number with that key in a text of JSON; NaN without one. */
+double number(const char *json, const char *key);
 
 /** Whether the scene has no drive, so that its energy cannot rise. */
 bool scene_is_closed(const sph2d_scene *scene);

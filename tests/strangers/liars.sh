@@ -33,6 +33,7 @@ if [ "$LIE_ABOUT" = "$1" ]; then
     maximum) sed -i 's/"compression_max": [0-9.e-]*/"compression_max": 0.5/' answer.$$ ;;
     nan) sed -i 's/"energy_kinetic": [0-9.e+-]*/"energy_kinetic": nan/' answer.$$ ;;
     early) sed -i 's/"end": "finished"/"end": "SIGINT"/' answer.$$ ;;
+    steps) sed -i 's/"steps": [0-9.]*/"steps": 1/' answer.$$ ;;
     accepts) code=0 ;;
     killed) kill -SEGV $$ ;;
     [0-9]*) code=$LIE ;;
@@ -68,6 +69,7 @@ expect sound.yaml lost run particles
 expect sound.yaml maximum run compression
 expect sound.yaml nan run finite
 expect sound.yaml early run status
+expect sound.yaml steps check plan
 expect sound.yaml 75 resume status
 expect sound.yaml bits run bits
 expect faulty.yaml accepts check status

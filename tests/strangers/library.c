@@ -32,6 +32,7 @@ static void look_at_particles(watch *w, library_run *run)
     for (size_t i = 0; i < f.count && !w->ruined; ++i) {
         const double r = f.density[i] / w->scene->fluid.density;
         run->compression_max = fmax(run->compression_max, r - 1);
+        run->fastest = fmax(run->fastest, hypot(f.vx[i], f.vy[i]));
         if (!isfinite(f.x[i] + f.y[i] + f.vx[i] + f.vy[i] + f.ax[i] + f.ay[i] + f.pressure[i] + r)) {
             verdict_fail(w->verdict, "finite", "particle %llu has a value that is not finite at t = %g s, step %llu",
                          (unsigned long long)f.id[i], sph2d_sim_time(w->sim),

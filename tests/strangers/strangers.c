@@ -20,16 +20,17 @@ enum { MOST_JOBS = 64, MOST_SECONDS = 600, LINE_SIZE = 1000, NAME_SIZE = 40 };
 
 static const char usage[] =
     "strangers [--seeds A..B | --scene FILE...] [--set KEY=VALUE...] [--command sph2d] [--isa NAME] [--dir DIR]\n"
-    "          [--jobs N] [--known FILE] [--print] [--library] [--unused]\n"
+    "          [--jobs N] [--known FILE] [--only INVARIANT] [--print] [--library] [--unused]\n"
     "Writes small random scenes, one a seed, and judges them, or the scenes given, by invariants alone.\n"
     "  --known FILE   lines 'seed invariant reason': failures that are known. One that holds is an error, too.\n"
+    "  --only NAME    judges by that invariant alone; `plan` needs a check and one run.\n"
     "  --print        writes the scenes of the seeds to the standard output, and does not run them.\n"
     "  --unused       prints the keys that none of the scenes given uses.\n"
     "  --library      runs in this process alone, without the command: for the figures of a long run.\n"
     "Each scene leaves a folder in DIR with verdict, figures.csv and what the command wrote and said.\n";
 
 typedef struct options {
-    const char *program, *command, *dir, *known, *isa;
+    const char *program, *command, *dir, *known, *only, *isa;
     unsigned long first, last;
     const char **scenes, **changes;
     size_t scene_count, change_count, jobs;
@@ -57,6 +58,8 @@ typedef struct known_list {
 
 void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
 {
+    if (v->only && strcmp(v->only, invariant) != 0)
+        return;
     va_list arguments;
     va_start(arguments, format);
     fprintf(v->file, "%s\t", invariant);
@@ -102,7 +105,7 @@ static void judge(const options *o, const task *t)
 {
     char path[LINE_SIZE + 20];
     snprintf(path, sizeof path, "%s/verdict", t->folder);
-    verdict v = {.file = fopen(path, "w")};
+    verdict v = {.file = fopen(path, "w"), .only = o->only};
     if (v.file == NULL)
         _exit(2);
     const unsigned most = MOST_SECONDS * limits_factor();
@@ -344,6 +347,8 @@ static void read_option(const char *name, const char *value, options *o)
         o->dir = value;
     else if (strcmp(name, "--known") == 0)
         o->known = value;
+    else if (strcmp(name, "--only") == 0)
+        o->only = value;
     else if (strcmp(name, "--jobs") == 0)
         o->jobs = strtoul(value, NULL, 10);
     else {
