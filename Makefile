@@ -41,7 +41,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-ports test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
 
 define install_packages
 with_module() { for p in $(PYTHONS); do ! "$$p" -c "import $$1" 2>/dev/null || return 0; done; return 1; }
@@ -55,6 +55,7 @@ missing() {
     done
     test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || command -v ffmpeg >/dev/null || echo ffmpeg
     test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
+    test -z '$(filter test-full test-ports,$(MAKECMDGOALS))' || tests/ports/ports.sh --needs
     test -z '$(filter web test-web,$(MAKECMDGOALS))' || command -v emcc >/dev/null ||
         printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
     test -z '$(filter test-web,$(MAKECMDGOALS))' || command -v '$(or $(CHROMIUM),chromium)' >/dev/null || echo chromium
@@ -83,8 +84,9 @@ test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
 test -n "$$packages" || exit 0
 if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
 # Without NumPy the tests of the Python module are left out, without h5py and gnuplot those of recipes, without GLFW
-# there is no `play`, without a display no test of it, without ffmpeg none of films: nobody is stopped for them.
-needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg') || true
+# there is no `play`, without a display no test of it, without ffmpeg none of films, without compilers for other machines
+# none of these: nobody is stopped for them.
+needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang') || true
 command -v apt-get >/dev/null && $$root true 2>/dev/null || test -n "$$needed" || exit 0
 command -v apt-get >/dev/null && $$root true 2>/dev/null ||
     stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'
@@ -142,10 +144,12 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wformat=2 -Wno-form
     -Wconversion -Wsign-conversion \
     $(if $(CLANG),-Wno-pass-failed -Wno-sign-conversion -Wno-sign-compare -Wno-shorten-64-to-32,-Wno-format-truncation) $(if $(filter 1,$(WERROR)),-Werror)
 SANITIZERS := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all -fno-omit-frame-pointer)
+# On 32-bit x86 arithmetic is that of SSE2: the stack of the 8087 rounds where it stores, and has no vectors.
+X87_CFLAGS := $(if $(filter i386-% i486-% i586-% i686-%,$(MACHINE)), -msse2 -mfpmath=sse)
 # One position-independent object serves both the archive and the shared library. Contraction is off so that a fused
 # multiply-add stands only where it was written; interposition is off so that exported functions can still be inlined.
 ALL_CFLAGS := -std=c17 $(if $(SANITIZE),-O2 -g,-O3) $(WARNINGS) -fno-math-errno -ffp-contract=off -fPIC \
-    -fvisibility=hidden -fno-semantic-interposition $(OMP_CFLAGS) $(SANITIZERS)
+    -fvisibility=hidden -fno-semantic-interposition $(OMP_CFLAGS) $(SANITIZERS)$(X87_CFLAGS)
 HERE_CFLAGS := -ffile-prefix-map='$(CURDIR)'=. # no object names the folder that it was built in
 ALL_CPPFLAGS := -D_POSIX_C_SOURCE=200809L -MMD -MP
 ALL_LDFLAGS := -Wl,--as-needed -pthread $(if $(WITH_OPENMP),-fopenmp) $(SANITIZERS) $(LDFLAGS)
@@ -211,7 +215,7 @@ TEMPLATES := cli/study/page.html cli/study/plots.gp
 PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
-    tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
+    tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
     tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/symbols.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
@@ -410,6 +414,7 @@ packages:
 	    '    apt install --no-install-recommends pkgconf $(MISSING_PACKAGES)' >&2; exit 2
 
 include cli/web/web.mk
+include tests/ports/ports.mk
 -include $(patsubst %.o,%.d,$(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ) $(TEST_OBJ) \
     $(BENCH_OBJ) $(VARIANTS_OBJ) $(FRAMES_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ) $(FUZZ_OBJ) $(EXAMPLE_OBJ))
 
@@ -506,6 +511,9 @@ threads-run: $(BUILD)/sph2d $(BUILD)/tests/check_all
 test-valgrind: $(BUILD)/sph2d $(BUILD)/tests/check_all ## memory read before it is written, and lost, by valgrind's memcheck (10 minutes)
 	$(hush)tests/valgrind/valgrind.sh $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/valgrind "$$(nproc)"
 
+test-ports: $(BUILD)/tests/core_scenes ## the core for aarch64, 32-bit x86, musl, and without optimisation (20 minutes); PORTS='aarch64 i686 musl O0'
+	$(hush)tests/ports/ports.sh $(BUILD)/tests/core_scenes $(BUILD)/ports '$(MAKE)' $(PORTS)
+
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh
 
@@ -521,6 +529,7 @@ test-full: all check-headers check-symbols check-install ## the long tests, in e
 	$(call stage,! echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || \
 	    $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test)
 	$(call stage,$(MAKE) test-sanitize)
+	$(call stage,$(MAKE) test-ports)
 	$(call stage,$(MAKE) test-foretold)
 	$(call stage,tests/adding.sh $(BUILD)/adding)
 	$(call stage,SPH2D_TEST_FULL=1 $(MAKE) test)
@@ -677,9 +686,9 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
-    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
+    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c tests/ports/core_scenes.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
-    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/fuzz/*.h tests/hard/cases/*.h))
+    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/ports/*.[ch] tests/fuzz/*.h tests/hard/cases/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -770,7 +779,7 @@ help: ## this list
 	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
-    test-valgrind test-foretold test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
+    test-valgrind test-ports test-foretold test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE

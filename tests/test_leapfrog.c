@@ -161,7 +161,7 @@ START_TEST(liquid_follows_the_staggered_leapfrog)
     sph2d_view f = sph2d_sim_fluid(sim);
     ck_assert_uint_eq(f.count, DROP);
     for (size_t i = 0; i < DROP; ++i) {
-        size_t id = f.id[i];
+        size_t id = (size_t)f.id[i];
         x[id] = f.x[i];
         y[id] = f.y[i];
         ux[id] = f.vx[i] - step / 2 * f.ax[i];
@@ -171,7 +171,7 @@ START_TEST(liquid_follows_the_staggered_leapfrog)
     for (int n = 0; n < 300; ++n) {
         f = sph2d_sim_fluid(sim);
         for (size_t i = 0; i < DROP; ++i) {
-            size_t id = f.id[i];
+            size_t id = (size_t)f.id[i];
             double wx = ux[id] + step * f.ax[i], wy = uy[id] + step * f.ay[i];
             apart = fmax(apart, hypot(f.vx[i] - (ux[id] + wx) / 2, f.vy[i] - (uy[id] + wy) / 2));
             apart = fmax(apart, hypot(f.x[i] - x[id], f.y[i] - y[id]));

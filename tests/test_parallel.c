@@ -120,6 +120,7 @@ START_TEST(a_run_is_its_steps)
 }
 END_TEST
 
+#ifdef _OPENMP
 static bool gives_particles(void *left, sph2d_sim *sim)
 {
     enum { ACROSS = 17, MORE = ACROSS * 38 };
@@ -135,6 +136,7 @@ static bool gives_particles(void *left, sph2d_sim *sim)
     }
     return until_done(left, sim);
 }
+#endif
 
 /* More particles get more threads, in the midst of a run; and a list of numbers has another one for inner regions. */
 START_TEST(threads_follow_the_particles)
