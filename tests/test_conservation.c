@@ -174,7 +174,7 @@ START_TEST(a_shift_leaves_velocities)
             memcpy(before[f->id[i]], (double[4]){f->x[i], f->y[i], f->vx[i], f->vy[i]}, sizeof before[0]);
         }
         sim->record.energy_low = sim->record.error_low = INFINITY; /* what comes in here comes from somewhere */
-        sim->stopped = SPH2D_OK;           /* a guard finds it faster than its sound */
+        sim->stopped = SPH2D_OK;                                   /* a guard finds it faster than its sound */
         sph2d_sim_step(sim, NULL);
     }
     size_t moved = 0;
