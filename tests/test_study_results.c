@@ -92,7 +92,8 @@ START_TEST(rows_become_numbers)
     const sph2d_study_record *record = &coarse->record;
     ck_assert(coarse->there && record->end == SPH2D_STUDY_FINISHED && record->status == SPH2D_OK);
     ck_assert(record->spacing == 0.05 && record->time >= 0.05 * (1 - 1e-9) && record->repeats == 1);
-    ck_assert(record->cpu > 0 && record->wall > 0 && record->particles == 16 && coarse->rate > 0);
+    ck_assert(record->wall > 0 && record->particles == 16 && coarse->rate > 0);
+    ck_assert(record->cpu >= 0); /* where it is counted in ticks, a run of a millisecond takes none */
     ck_assert_uint_eq(record->series_count, 2);
     ck_assert_str_eq(record->series[0].probe, "energy");
     ck_assert_uint_eq(record->series[0].count, 6);
