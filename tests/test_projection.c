@@ -202,7 +202,7 @@ START_TEST(layered_walls_fill_like_liquid)
     for (size_t i = 0; i < f->count; ++i)
         ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);
     for (size_t b = 0; b < w->count; ++b) /* near corners liquid is on one side only */
-        if (w->x[b] > 3 * DX && w->x[b] < 13 * DX && w->filled[b] > 0)
+        if (w->x[b] > 3 * DX && w->x[b] < 13 * DX && w->filling[b] > 0)
             ck_assert_double_eq_tol(w->density[b], RHO0, 1e-9);
 }
 END_TEST
@@ -237,7 +237,7 @@ START_TEST(the_transpose_is_one)
         push_by_velocity(f, i);
     }
     for (size_t b = 0; b < w->count; ++b) /* a multiplier where there is no row means nothing */
-        w->direction[b] = sph2d__splat(w->filled[b] > 0 ? test_random(&random, -1, 1) : 0);
+        w->direction[b] = sph2d__splat(w->filling[b] > 0 ? test_random(&random, -1, 1) : 0);
     sph2d__over_rows(s, collect, &none);
     sph2d__projection_apply_transpose(s);
     for (size_t i = 0; i < f->count; ++i) {

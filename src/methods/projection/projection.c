@@ -335,8 +335,8 @@ static void fill_layers(sph2d__system *s)
     double scale = s->calibration * sph2d__kernel_constant(s->method.kernel);
     for (size_t b = 0; b < w->count; ++b) {
         bool straight = w->bounce[b] < 0 && w->depth[b] > 0 && w->depth[b] < INFINITY;
-        double room = w->filled[b];
-        w->filled[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
+        double room = w->filling[b];
+        w->filling[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
     }
 }
 

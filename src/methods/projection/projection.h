@@ -120,7 +120,7 @@ void sph2d__projection_prepare(sph2d__system *system);
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \
-     SPH2D__BIT(bounce) | SPH2D__BIT(filled))
+     SPH2D__BIT(bounce) | SPH2D__BIT(filling))
 
 /** Gathering for the particles of one slab, compiled once for each instruction set and kernel; false when it is full.
  */

@@ -183,7 +183,7 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_
                      .from = &s->fluid,
                      .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
-    search_slice(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filled);
+    search_slice(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filling);
     at->fluid = write_slots(n, to, s->fluid.count);
     sum_slots(n, at->begin, at->fluid, &weigh, kernel, &sum);
     for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l)
