@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "run/run.h"
 #include "scene/method_table.h"
+#include "scene/wall_names.h"
 
 /* A step below this fraction of the stable step at rest is near collapse; so many in a row are a collapse. */
 static const double COLLAPSE = 1e-5;
@@ -33,9 +34,17 @@ static const extremes no_extremes = {.not_finite = SIZE_MAX, .escaped = SIZE_MAX
 
 /** Bounds to check. */
 typedef struct limits {
+    const sph2d_scene *scene;
     sph2d_box box;
     sph2d__bounds density; /**< [kg/m^3] */
 } limits;
+
+/** Whether it has left through an open side, beyond the end of the walls. */
+static bool has_left(const sph2d_scene *scene, double x, double y)
+{
+    const int side = sph2d__side_left(scene, x, y);
+    return side >= 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_OPEN;
+}
 
 /** Those of particles first to last - 1. */
 static extremes extremes_of(const sph2d__store *f, const limits *within, size_t first, size_t last)
@@ -54,7 +63,8 @@ static extremes extremes_of(const sph2d__store *f, const limits *within, size_t 
         e.pressure = acting[i] > e.pressure ? acting[i] : e.pressure;
         if (!isfinite(v2 + a2 + x + y) && i < e.not_finite)
             e.not_finite = i;
-        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e.escaped)
+        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e.escaped &&
+            !has_left(within->scene, x, y))
             e.escaped = i;
         if (!(f->density[i] >= low && f->density[i] <= high) && i < e.implausible)
             e.implausible = i;
@@ -76,7 +86,7 @@ static extremes join(extremes a, extremes b)
 static extremes find_extremes(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const limits within = {walled_box(&sim->scene), sph2d__sim_bounds(sim)};
+    const limits within = {&sim->scene, walled_box(&sim->scene), sph2d__sim_bounds(sim)};
     size_t count = f->count;
     extremes all = no_extremes;
 #pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN) shared(all, within)

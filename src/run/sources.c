@@ -191,9 +191,8 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
 
-/** The open side through which a particle has left: 0 to 3 for left, right, bottom, top, or -1. Within one more width
- *  or height of the domain it is kept, as it may come back. */
-static int side_left(const sph2d_scene *scene, double x, double y)
+/* Within one more width or height of the domain it is kept, as it may come back. */
+int sph2d__side_left(const sph2d_scene *scene, double x, double y)
 {
     sph2d_box d = scene->domain;
     double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
@@ -213,7 +212,7 @@ static bool any_left(const sph2d_sim *sim)
     bool any = false;
 #pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
     for (size_t i = 0; i < f->count; ++i)
-        if (side_left(&sim->scene, f->x[i], f->y[i]) >= 0) {
+        if (sph2d__side_left(&sim->scene, f->x[i], f->y[i]) >= 0) {
 #pragma omp atomic write
             any = true;
         }
@@ -250,7 +249,7 @@ static void count_removed(sph2d_sim *sim, size_t i)
     const sph2d__store *f = &sim->system.fluid;
     sph2d__record *r = &sim->record;
     uint64_t *left[4] = {&r->left_left, &r->left_right, &r->left_bottom, &r->left_top};
-    int side = side_left(&sim->scene, f->x[i], f->y[i]);
+    int side = sph2d__side_left(&sim->scene, f->x[i], f->y[i]);
     bool let_out = side < 0 && sph2d__openings_spent(sim, f->x[i], f->y[i]);
     if (let_out)
         sph2d__openings_count_out(sim, f->x[i], f->y[i]);
@@ -275,7 +274,7 @@ static bool flag_removed(sph2d_sim *sim)
     bool any = false;
 #pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
     for (size_t i = 0; i < f->count; ++i) {
-        sim->to_remove[i] = side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]) ||
+        sim->to_remove[i] = sph2d__side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]) ||
                             sph2d__openings_spent(sim, f->x[i], f->y[i]);
         if (sim->to_remove[i]) {
 #pragma omp atomic write
