@@ -62,11 +62,13 @@ START_TEST(loops_have_as_many_tasks_as_are_worth_it)
     ck_assert_int_eq(sph2d__tasks(310, 10), 4);
     ck_assert_int_eq(sph2d__tasks(1000, 10), 12);
     ck_assert_int_eq(sph2d__tasks(9000, 10), 16);
+#ifdef _OPENMP
     int tasks = -1;
 #pragma omp parallel num_threads(3)
 #pragma omp master
     tasks = sph2d__tasks(900, 10) - 4 * sph2d__threads();
     ck_assert_int_eq(tasks, 0);
+#endif
 }
 END_TEST
 
