@@ -180,7 +180,7 @@ VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2
 SOMAJOR := 0
 # A folder uses only those before it; the methods do not know each other.
 CORE_DIRS := base simd kernels scene particles flows boundary methods/common methods/terms sim start probes \
-    methods/muller methods/wcsph methods/fitted methods/projection methods run
+    methods/muller methods/wcsph methods/fitted methods/projection methods/hybrid methods run
 CORE_SRC := $(sort $(foreach d,$(CORE_DIRS),$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
 # Those that are compiled for floats, too.
@@ -466,8 +466,10 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(call stage,$(STRANGERS_KNOWN) --seeds 1001..$(if $(SPH2D_TEST_FULL),1100,1010))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 2001..$(if $(SPH2D_TEST_FULL),2100,2010))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 3001..$(if $(SPH2D_TEST_FULL),3060,3010))
+	$(call stage,$(STRANGERS_KNOWN) --seeds 4001..$(if $(SPH2D_TEST_FULL),4100,4020))
 	$(call stage,$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12))
 	$(call stage,$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006))
+	$(call stage,$(RESTARTS) "$$(nproc)" 4001..$(if $(SPH2D_TEST_FULL),4100,4006))
 	$(call stage,$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015))
 	$(call stage,$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006))
 	$(call stage,$(RESTARTS) "$$(nproc)" tests/restarts/scenes)

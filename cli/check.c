@@ -252,6 +252,21 @@ static void print_short_steps(const checked *c)
                  of_sound / c->plan.time_step);
 }
 
+static void print_pressure(const checked *c)
+{
+    const sph2d_plan *plan = &c->plan;
+    if (sph2d_sim_scene(c->sim)->method.name == SPH2D_METHOD_HYBRID) {
+        text_row("pressure", "by a grid, once a step: for looking and playing, not for studies of pressure");
+        return;
+    }
+    text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
+    text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * compression_by(plan, plan->head),
+             100 * plan->impact_compression);
+    if (plan->capillary_head > 0)
+        text_row("", "%.3g %% by surface tension in the thinnest block",
+                 100 * compression_by(plan, plan->capillary_head));
+}
+
 static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
@@ -270,12 +285,7 @@ static void print_table(const checked *c)
     text_row("particle mass", "%.6g kg/m", plan->particle_mass);
     text_row("support radius", "%.6g m (%.3g spacings)", plan->support_radius,
              plan->support_radius * c->coarsening / c->scene->spacing);
-    text_row("sound speed", "%.6g m/s: %s", plan->sound_speed, plan->sound_speed_formula);
-    text_row("compression", "%.3g %% hydrostatic; %.3g %% in a full impact", 100 * compression_by(plan, plan->head),
-             100 * plan->impact_compression);
-    if (plan->capillary_head > 0)
-        text_row("", "%.3g %% by surface tension in the thinnest block",
-                 100 * compression_by(plan, plan->capillary_head));
+    print_pressure(c);
     text_row("time step", "%.4g s at the start, set by: %s", plan->time_step, plan->time_step_limit);
     print_short_steps(c);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);

@@ -77,7 +77,10 @@ static void print_errors(const sph2d_sim *sim, const sph2d_scene *scene, const s
     double change = summary_energy_change(s), excess = ratio(s->compression_p99, scene->method.max_compression);
     text_row("compression", "p99 %.3g %%, mean %.3g %%, maximum %.3g %%", 100 * s->compression_p99,
              100 * s->compression_mean, 100 * s->compression_max);
-    if (excess > 1)
+    if (excess > 1 && scene->method.name == SPH2D_METHOD_HYBRID)
+        text_row("", "above method.max_compression, %.3g %%: a smaller method.cfl leaves less",
+                 100 * scene->method.max_compression);
+    else if (excess > 1)
         text_row("", "above method.max_compression, %.3g %%: about %.3g times the sound speed would limit it",
                  100 * scene->method.max_compression, fmax(1.01, sqrt(excess)));
     if (s->compression_max > PRESSED)

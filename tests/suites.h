@@ -42,6 +42,7 @@
     X(projection)                                                                                                      \
     X(reported_pressure)                                                                                               \
     X(limited_viscosity)                                                                                               \
+    X(hybrid)                                                                                                          \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

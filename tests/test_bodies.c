@@ -588,7 +588,7 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
         const char *path;
     } faults[] = {{SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].mass"},
                   {SPH2D_CODE_CONFLICT, "bodies[0].velocity"},    {SPH2D_CODE_CONFLICT, "bodies[0].motor"},
-                  {SPH2D_CODE_UNSUPPORTED, "bodies[0].form"},     {SPH2D_CODE_UNSUPPORTED, "bodies[0]"},
+                  {SPH2D_CODE_UNSUPPORTED, "bodies[0].form"},     {SPH2D_CODE_UNSUPPORTED, "bodies"},
                   {SPH2D_CODE_OUTSIDE, "bodies[0].box"},          {SPH2D_CODE_OVERLAP, "bodies[0]"},
                   {SPH2D_CODE_MISSING_KEY, "bodies[0]"},          {SPH2D_CODE_CONFLICT, "bodies[0].name"},
                   {SPH2D_CODE_OUT_OF_RANGE, "bodies[0].density"}, {SPH2D_CODE_CONFLICT, "bodies[0].rate"}};

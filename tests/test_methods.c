@@ -52,7 +52,7 @@ START_TEST(a_row_says_what_a_scene_needs)
         ck_assert(all->cfl > 0 && row->max_compression > 0 && all->sound_compression > 0);
         ck_assert(row->wall_forms >> all->side_form & 1);
         ck_assert(row->wall_forms >> all->obstacle_form & 1);
-        ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1);
+        ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1 || all->keeps_volume); /* whose densities need layers */
         ck_assert(all->max_density > 1 && all->min_density < 1 && all->energy_rise > 0);
         ck_assert(*row->use && *row->scheme && *row->source && *all->damping_hint);
         ck_assert_int_eq(all->convergence_hint != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));
@@ -76,7 +76,8 @@ START_TEST(every_feature_has_a_key_and_a_method)
     bool found[32] = {false};
     found[SPH2D_FEATURE_SURFACE_TENSION] = found[SPH2D_FEATURE_WALL_SLIP] = true; /* of other groups */
     found[SPH2D_FEATURE_SMOOTH_WALLS] = found[SPH2D_FEATURE_FREE_SURFACE] = true; /* of no key alone */
-    found[SPH2D_FEATURE_OPENINGS] = true;                                         /* of a list */
+    found[SPH2D_FEATURE_OPENINGS] = found[SPH2D_FEATURE_BODIES] = true;           /* of lists */
+    found[SPH2D_FEATURE_WALL_FORCES] = true;                                      /* of kinds of probes */
     found[SPH2D_FEATURE_RHEOLOGY] = true;                                         /* of fluid */
     const sph2d_keys *keys = sph2d_scene_keys();
     for (size_t k = 0; k < keys->count; ++k)

@@ -38,7 +38,9 @@ extern "C" {
     X(SMOOTH_WALLS, "wall_slip: smooth")                                                                               \
     X(FREE_SURFACE, "open sides, sources and drains")                                                                  \
     X(OPENINGS, "openings")                                                                                            \
-    X(RHEOLOGY, "fluid.model")
+    X(RHEOLOGY, "fluid.model")                                                                                         \
+    X(BODIES, "bodies")                                                                                                \
+    X(WALL_FORCES, "probes of kind force and work")
 
 /** A feature that not every method has. */
 typedef enum sph2d_feature {

@@ -118,12 +118,15 @@ typedef enum sph2d_criterion {
  *  large
  *              steps (Solenthaler & Pajarola 2009)
  *  constraint  Constraint Fluids: summation density kept by constraints, for stiff liquids with large steps (Bodin,
- *              Lacoursiere & Servin 2011) */
+ *              Lacoursiere & Servin 2011)
+ *  hybrid      particles with a pressure from a grid, for looking and playing: steps of some hundredth of a second
+ *              (Raveendran, Wojtan & Turk 2011) */
 #define SPH2D_METHOD_MAP(X)                                                                                            \
     X(MULLER, muller)                                                                                                  \
     X(WCSPH, wcsph)                                                                                                    \
     X(PCISPH, pcisph)                                                                                                  \
-    X(CONSTRAINT, constraint)
+    X(CONSTRAINT, constraint)                                                                                          \
+    X(HYBRID, hybrid)
 
 /** The method. */
 typedef enum sph2d_method {

@@ -43,12 +43,14 @@ enum { SPH2D__PADDING = 16 };
     X(grad_c_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                         \
     X(grad_c_y)                                                                                                        \
     X(min_eigenvalue) /* of the renormalisation matrix: 1 in the bulk, near 0.5 at a flat surface, less in spray */    \
-    X(filling)        /* part of the support outside walls that other liquid fills: 1 inside, half at a surface */     \
-    X(packing)        /* density by summation over the neighbours [kg/m^3] */                                          \
-    X(stretch)        /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                  \
-    X(shear)          /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                  \
-    X(front)          /* 1 where no other wall is in front of a boundary particle, down to 0 near one: wcsph.h */      \
-    X(along_x)        /* slip direction along a smooth wall, shorter where there is less slip: wcsph.h */              \
+    X(filling)  /* part of the support outside walls that other liquid fills: 1 inside, half at a surface; of walls: \
+                 * density over rest density by liquid that fills the front of a boundary particle: projection.h */ \
+    X(packing)  /* density by summation over the neighbours [kg/m^3] */                                                \
+    X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                        \
+    X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                        \
+    X(rotation) /* (dvy/dx - dvx/dy)/2 [1/s] */                                                                        \
+    X(front)    /* 1 where no other wall is in front of a boundary particle, down to 0 near one: wcsph.h */            \
+    X(along_x)  /* slip direction along a smooth wall, shorter where there is less slip: wcsph.h */                    \
     X(along_y)                                                                                                         \
     X(slide)     /* pressure force of the liquid in front along it: wcsph.h */                                         \
     X(skin)      /* length of surface that a boundary particle of the first layer represents, 0 in others [m] */       \
@@ -62,7 +64,6 @@ enum { SPH2D__PADDING = 16 };
     X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h, wcsph.h */        \
     X(next_x)          /* position predicted by a pressure solver */                                                   \
     X(next_y)                                                                                                          \
-    X(filled)       /* density over rest density at a boundary particle by liquid that fills its front */              \
     X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \
     X(multiplier)   /* dt^2 p/rho0 during the solution [m^2] */                                                        \
     X(residual)     /* compression error */                                                                            \

@@ -5,6 +5,7 @@
 
 #include "base/null.h"
 #include "base/parallel.h"
+#include "methods/hybrid/grid.h"
 #include "methods/projection/body_rows.h"
 #include "methods/projection/implicit_viscosity.h"
 #include "methods/terms/rheology.h"
@@ -374,6 +375,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__release(memory, &blocks[2], sim->system.viscosity_capacity, sizeof(double));
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
     sph2d__implicit_viscosity_free(s);
+    sph2d__grid_free(s);
     sph2d__barrier_free(&sim->barrier, memory);
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__barrier_free(&sim->moving[k].barrier, memory);

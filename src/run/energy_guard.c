@@ -85,7 +85,7 @@ sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
     r->energy_rise = fmax(r->energy_rise, energy - r->energy_low);
     if (!books)
         return SPH2D_OK;
-    if (sim->method->project)
+    if (sim->method->books_pressure)
         book_projection(r, now.elastic);
     r->energy_error = energy - r->energy_start + r->energy_viscous + r->energy_diffused + r->energy_stopped +
                       r->energy_pressed + r->energy_contacts;

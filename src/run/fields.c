@@ -91,6 +91,7 @@ static const row rows[] = {
      F64_2(stretch, shear),
      FLUID,
      SPH2D__BIT(stretch)},
+    {"Rotations", "(dvy/dx - dvx/dy)/2 during the last step", {0, 0, -1}, F64_1(rotation), FLUID, SPH2D__BIT(rotation)},
     {"DensityRates",
      "rate of density in the last step",
      {-3, 1, -1},

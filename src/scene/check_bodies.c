@@ -64,11 +64,6 @@ static void check_hold(checker *c, size_t k)
 static void check_form(checker *c, size_t k)
 {
     const sph2d_body *body = &c->scene->bodies[k];
-    if (c->scene->method.operators == SPH2D_OPERATORS_FITTED && c->scene->method.name == SPH2D_METHOD_WCSPH) {
-        sph2d_diagnostic *d = fault(c, k, SPH2D_CODE_UNSUPPORTED, "",
-                                    "fitted operators have no forces between particles and walls to move a body");
-        sph2d_diagnostic_hint(d, "use `operators: symmetric`");
-    }
     if (body->form == SPH2D_WALL_REFLECT)
         sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_UNSUPPORTED, ".form",
                                     "a reflecting surface has no pressure that could carry a body"),

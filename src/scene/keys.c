@@ -673,9 +673,9 @@ static const sph2d_key method_items[] = {
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
      .unit = "", .default_text = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
      .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
-             "at most 3 for flows with little viscosity"},
+             "at most 3 for flows with little viscosity, hybrid 2 to 2.6"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .default_text = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), else 0.4 dx/H",
+     .default_text = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), hybrid 0.9, else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max); pcisph and constraint without c0 and at most "
              "dx/H, wcsph at most 0.75 (symmetric)"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",

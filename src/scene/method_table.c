@@ -55,7 +55,8 @@ static const sph2d__method_row rows[] = {
               .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(KERNEL) | HAS(STATE_EQUATION) | HAS(VISCOSITY_FORM) |
                           HAS(TURBULENCE) | HAS(ARTIFICIAL_VISCOSITY) | HAS(DENSITY_DIFFUSION) | HAS(DIFFUSION_FORM) |
                           HAS(SHIFTING) | HAS(TENSILE_CONTROL) | HAS(SURFACE_TENSION) | HAS(WALL_SLIP) |
-                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS) | HAS(RHEOLOGY),
+                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS) | HAS(RHEOLOGY) | HAS(BODIES) |
+                          HAS(WALL_FORCES),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.3,
      .most_cfl = 0.75,
@@ -71,7 +72,7 @@ static const sph2d__method_row rows[] = {
               .support_ratio = 2.5,
               .max_compression = 0.01,
               .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) |
-                          HAS(SHIFTING) | HAS(WALL_SLIP) | HAS(OPENINGS),
+                          HAS(SHIFTING) | HAS(WALL_SLIP) | HAS(OPENINGS) | HAS(WALL_FORCES),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.25,
      .damping_hint = "more fluid.dynamic_viscosity",
@@ -86,7 +87,7 @@ static const sph2d__method_row rows[] = {
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(DAMPING) | HAS(TOLERANCE) | HAS(MAX_ITERATIONS) |
                           HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(WALL_SLIP) |
-                          HAS(RHEOLOGY),
+                          HAS(RHEOLOGY) | HAS(BODIES) | HAS(WALL_FORCES),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .artificial_viscosity = 0.1,
      .sound_compression = 1,
@@ -102,7 +103,7 @@ static const sph2d__method_row rows[] = {
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(CRITERION) | HAS(MIN_ITERATIONS) | HAS(MAX_ITERATIONS) |
                           HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(WALL_SLIP) |
-                          HAS(RHEOLOGY),
+                          HAS(RHEOLOGY) | HAS(BODIES) | HAS(WALL_FORCES),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .artificial_viscosity = 0.1,
      .free_compression = true,
@@ -117,7 +118,8 @@ static const sph2d__method_row rows[] = {
               .source = "Mueller, Charypar & Gross 2003, with two-dimensional kernel constants",
               .support_ratio = 2,
               .max_compression = 0.1,
-              .features = HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE),
+              .features =
+                  HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(BODIES) | HAS(WALL_FORCES),
               .wall_forms = WALL(SPRING) | WALL(HEAVY) | WALL(REFLECT)},
      .cfl = 0.4,
      .artificial_viscosity = 0.1,
@@ -127,6 +129,23 @@ static const sph2d__method_row rows[] = {
      .sound_compression = 1,
      .stiffness_part = sph2d__muller_stiffness,
      .damping_hint = "more fluid.dynamic_viscosity",
+     SUMMED_DENSITY},
+    {.info = {.method = SPH2D_METHOD_HYBRID,
+              .word = "hybrid",
+              .name = "hybrid",
+              .use = "looking and playing: a fraction of the time of constraint, no pressures finer than its grid",
+              .scheme = "densities and order by SPH, pressure and transport by a grid of 1.9 spacings",
+              .source = "Raveendran, Wojtan & Turk 2011; Jiang et al. 2015; Kugelstadt et al. 2021",
+              .support_ratio = 2.4,
+              .max_compression = 0.02,
+              .features = HAS(FREE_SURFACE),
+              .wall_forms = WALL(GENERALISED)},
+     .cfl = 0.9,
+     .side_form = SPH2D_WALL_GENERALISED,
+     .obstacle_form = SPH2D_WALL_GENERALISED,
+     .sound_compression = 1,
+     .keeps_volume = true,
+     .damping_hint = "a smaller method.time_step",
      SUMMED_DENSITY},
 };
 enum { ROWS = sizeof rows / sizeof *rows };

@@ -20,6 +20,7 @@ typedef struct sph2d__method_row {
     bool has_sound;           /**< pressure propagates with c0, which limits the step */
     bool summed_density;      /**< density by summation, so that liquid may start compressed; else integrated */
     bool free_compression;    /**< compression below max_compression has no pressure, and stores no energy */
+    bool keeps_volume;        /**< pressure stores no energy, so that liquid starts at rest density */
     double sound_compression; /**< factor on max_compression in the derivation of c0 */
     double (*stiffness_part)(double support, double spacing); /**< c0^2 over method.stiffness; NULL: 1 */
 

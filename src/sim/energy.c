@@ -27,6 +27,22 @@ double sph2d__sim_potential_of(const sph2d_sim *sim, double x, double y)
     return -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
 }
 
+/* Four sums side by side, as additions of one wait for each other. */
+double sph2d__sim_energy_of_all(const sph2d_sim *sim)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    enum { SIDE_BY_SIDE = 4 };
+    double sums[SIDE_BY_SIDE] = {0};
+    size_t i = 0;
+    for (; i + SIDE_BY_SIDE <= f->count; i += SIDE_BY_SIDE)
+        for (size_t k = 0; k < SIDE_BY_SIDE; ++k)
+            sums[k] += (f->vx[i + k] * f->vx[i + k] + f->vy[i + k] * f->vy[i + k]) / 2 +
+                       sph2d__sim_potential_of(sim, f->x[i + k], f->y[i + k]);
+    for (; i < f->count; ++i)
+        sums[0] += (f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]) / 2 + sph2d__sim_potential_of(sim, f->x[i], f->y[i]);
+    return sim->system.mass * ((sums[0] + sums[1]) + (sums[2] + sums[3]));
+}
+
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
     const sph2d__spring_walls *w = &sim->system.body.springs;

@@ -122,8 +122,7 @@ static bool is_driven(const sph2d_sim *sim)
            (p->length_y > 0 && b->gravity_y != 0);
 }
 
-/** The power of these, and of forces on bodies. */
-static double power_of_forces(const sph2d_sim *sim)
+double sph2d__sim_power_of_forces(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     double power = 0, bodies = sph2d__bodies_power(sim);
@@ -142,7 +141,7 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
     if (r->steps % EXTERNAL_STEPS != 0 && !sph2d__sim_samples_energy(sim, r->steps))
         return;
     double span = r->time - r->drives_time;
-    r->energy_forces += integrate(&r->power_forces, power_of_forces(sim), span);
+    r->energy_forces += integrate(&r->power_forces, sph2d__sim_power_of_forces(sim), span);
     r->drives_time = r->time;
     if (sim->method->project)
         return;
@@ -367,7 +366,7 @@ sph2d_status sph2d__sim_book_dissipation(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    if (!is_fitted(sim) && !sim->method->project) {
+    if (!is_fitted(sim) && !sim->method->books_pressure) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
         r->energy_viscous -= integrate(&r->power_viscous, viscous, span);

@@ -25,6 +25,7 @@ static struct {
 
 /* What is laid on top of the scene; the first is the scene's own method. */
 static const char *const methods[][2] = {{"own", NULL},
+                                         {"hybrid", "hybrid"},
                                          {"muller", "{name: muller}"},
                                          {"wcsph", "{name: wcsph}"},
                                          {"fitted", "{name: wcsph, operators: fitted}"},

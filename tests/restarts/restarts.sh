@@ -46,7 +46,7 @@ change_method() {
     if grep -q 'name: wcsph' scene.yaml && chance 30; then
         add "method.precision=$(pick mixed double)"
     fi
-    if chance 20 && ! grep -q 'fitted' scene.yaml; then
+    if chance 20 && ! grep -q 'fitted\|hybrid' scene.yaml; then
         add "fluid.surface_tension=$(between 0.01 0.1)"
     fi
     if chance 25; then # some of them too long, for a guard
@@ -77,7 +77,7 @@ change_drives() {
 
 change_outputs() {
     local walls=
-    if ! grep -q fitted scene.yaml; then
+    if ! grep -q 'fitted\|hybrid' scene.yaml; then
         walls=", {name: push, kind: $(pick force work), every: $(number "$until / 30")}"
     fi
     if grep -q 'name: body1' scene.yaml; then

@@ -19,9 +19,10 @@ typedef struct draft {
     bool fitted, layered, full, free, periodic_x, periodic_y;
     bool open[4];
     double support, max_compression, cfl, area;
-    bool bodied; /**< whether it is of those that may have bodies and a tank that moves */
-    bool thick;  /**< whether its liquid is thick, or not Newtonian, by a method that solves for viscosity */
-    bool opened; /**< whether it has openings, and may have a liquid that is not Newtonian */
+    bool bodied;  /**< whether it is of those that may have bodies and a tank that moves */
+    bool thick;   /**< whether its liquid is thick, or not Newtonian, by a method that solves for viscosity */
+    bool gridded; /**< whether it is by method hybrid */
+    bool opened;  /**< whether it has openings, and may have a liquid that is not Newtonian */
 } draft;
 
 /** A place for something of so large a half size, and all that are taken. */

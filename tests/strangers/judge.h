@@ -24,8 +24,9 @@ void verdict_fail(verdict *v, const char *invariant, const char *format, ...)
     ;
 
 /** The bounds. */
-#define ENERGY_BOUND 0.001 /* rise above any earlier moment over the scene's scale */
-#define PACKING_BOUND 0.02 /* mean density by counting less the mean of what is reported, over rest density */
+#define GRID_ENERGY_BOUND 0.02 /* the same of method hybrid, whose summary tells what came from nothing */
+#define ENERGY_BOUND 0.001     /* rise above any earlier moment over the scene's scale */
+#define PACKING_BOUND 0.02     /* mean density by counting less the mean of what is reported, over rest density */
 #define PACKING_SLACK                                                                                                  \
     0.2 /* and this part of what is reported: kernels of other widths see other means where it varies */
 #define DENSITY_LOW 0.25    /* least density over rest density where density is integrated */

@@ -88,8 +88,21 @@ static void write_solver(draft *d)
     }
 }
 
+static void write_hybrid(draft *d)
+{
+    strcpy(d->method, "hybrid");
+    d->max_compression = 0.02;
+    d->support = 2.4;
+    d->cfl = chance(d, 0.3) ? between(d, 0.2, 0.9) : 0.9;
+    fprintf(d->out, "method: {name: hybrid, cfl: %.2g}\n", d->cfl);
+}
+
 void write_method(draft *d)
 {
+    if (d->gridded) {
+        write_hybrid(d);
+        return;
+    }
     const bool named = (!chance(d, 0.15) && !(d->opened && chance(d, 0.5))) || d->thick;
     snprintf(d->method, sizeof d->method, "%s",
              d->opened                   ? "wcsph"
@@ -122,6 +135,8 @@ void write_walls(draft *d)
 {
     const bool soft = is(d, "muller");
     d->layered = !soft;
+    if (d->gridded)
+        return;
     if (d->thick && chance(d, 0.6)) {
         fputs("wall_slip: none\n", d->out);
         return;

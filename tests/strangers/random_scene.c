@@ -91,7 +91,7 @@ static void write_fluid(draft *d)
     d->viscosity = said ? d->density * speed * d->width / decades(d, d->thick ? 1e-3 : 3, d->thick ? 1e3 : 1e7) : water;
     if (d->full && chance(d, 0.1))
         d->viscosity = 0;
-    d->tension = !d->fitted && chance(d, d->width < 0.1 ? 0.35 : 0.1)
+    d->tension = !d->fitted && !d->gridded && chance(d, d->width < 0.1 ? 0.35 : 0.1)
                      ? d->width < 0.1 ? 0.0728 : decades(d, 1e-4, 0.1) * d->density * speed * speed * d->width
                      : 0;
     fprintf(d->out, "fluid: {density: %.4g", d->density);
@@ -159,7 +159,7 @@ static void write_block(draft *d, const place *at, const char *shape)
     if (chance(d, 0.15))
         fprintf(d->out, "    perturb: {amplitude: %.2g, seed: %d}\n", decades(d, 1e-3, 0.25),
                 (int)(draft_next(d) % 1000));
-    if (chance(d, 0.03))
+    if (!d->gridded && chance(d, 0.03))
         fprintf(d->out, "    spacing: %.4g\n", d->spacing * between(d, 0.8, 1));
 }
 
@@ -251,7 +251,7 @@ static void write_obstacles(draft *d, places *taken)
         else
             fprintf(d->out, "  - polyline: [[%.4g, %.4g], [%.4g, %.4g], [%.4g, %.4g]]\n", at.x - x, at.y - y, at.x,
                     at.y, at.x - y, at.y + x);
-        const bool own_form = chance(d, 0.3);
+        const bool own_form = !d->gridded && chance(d, 0.3);
         if (own_form)
             fprintf(d->out, "    form: %s\n",
                     is(d, "muller")  ? ONE_OF(d, "heavy", "reflect")
@@ -299,11 +299,11 @@ static double run_time(draft *d)
 {
     const double reach = d->support * d->spacing, nu = d->viscosity / d->density;
     const double speed = sqrt(2 * d->gravity * d->fall + d->speed * d->speed) + 1e-9;
-    const bool solver = is(d, "pcisph") || is(d, "constraint");
+    const bool solver = is(d, "pcisph") || is(d, "constraint") || d->gridded;
     const double sound = solver ? 0 : speed / sqrt(d->max_compression);
     const double particles = d->area / (d->spacing * d->spacing);
     double step = d->cfl * reach / (sound + speed);
-    if (nu > 0 && !d->thick)
+    if (nu > 0 && !d->thick && !d->gridded)
         step = fmin(step, 0.05 * reach * reach / nu);
     if (d->tension > 0)
         step = fmin(step, 0.2 * sqrt(d->density * pow(d->spacing, 3) / d->tension));
@@ -327,15 +327,19 @@ enum { WITHOUT_BODIES = 1000 };
 enum { WITH_OPENINGS = 2001 };
 /* From this one on they have thick liquids in their place, by methods that solve for viscosity. */
 enum { WITH_THICK = 3001 };
+/* From this one on they are by method hybrid, as the first. */
+enum { WITH_GRID = 4001 };
 
 void random_scene_write(uint64_t seed, FILE *out)
 {
-    const bool thick = seed >= WITH_THICK, opened = seed >= WITH_OPENINGS && !thick;
+    const bool gridded = seed >= WITH_GRID, thick = seed >= WITH_THICK && !gridded;
+    const bool opened = seed >= WITH_OPENINGS && !thick && !gridded;
     draft d = {.out = out,
                .random = seed * 0x2545f4914f6cdd1du,
-               .bodied = seed > WITHOUT_BODIES && !thick,
+               .bodied = seed > WITHOUT_BODIES && !thick && !gridded,
                .opened = opened,
-               .thick = thick};
+               .thick = thick,
+               .gridded = gridded};
     const double kind = between(&d, 0, 1);
     d.full = kind < 0.15;
     d.free = kind > 0.88 && !opened;

@@ -56,6 +56,8 @@ typedef struct sph2d__method {
     /** Elastic energy of particle i [J/kg]; `stepped`: it has a pressure of the last step. NULL: by the equation of
      *  state (state_equation.h). */
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
+    /** Whether its steps book the work of pressure, which is dissipation where it is negative, and friction, too. */
+    bool books_pressure;
     /** Whether bodies take part in the solution for the pressure of their boundary particles, so that light ones are as
      *  stable as heavy ones. */
     bool couples_bodies;

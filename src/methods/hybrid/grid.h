@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/** @file grid.h
+ *  The grid of method `hybrid`: squares over the domain, velocities on their faces.
+ *
+ *  Square (i, j), from 1 to nx and ny, has its left face at column i and its lower one at row j; around them is a ring of
+ *  squares outside: closed walls, air beyond open sides, or the squares of the opposite side where the domain is
+ *  periodic. The side of a square is about 1.9 spacings, divides the domain, and may differ between x and y. */
+#ifndef SPH2D_METHODS_HYBRID_GRID_H
+#define SPH2D_METHODS_HYBRID_GRID_H
+
+#include "sim/simulation.h"
+#include "simd/isa.h"
+
+/** Most levels of the multigrid. */
+enum { SPH2D__LEVELS = 12 };
+
+/** A level of the equations: of square k the couplings with its neighbours on the left and below, and those with air. */
+typedef struct sph2d__level {
+    int nx, ny;
+    size_t stride, size;
+    float *left, *below, *air;
+    float *inverse;                /**< 1 over the diagonal; 0: no liquid */
+    float *value, *rest, *product; /**< of a cycle */
+    int *from, *to;                /**< first and last liquid square of each row; to < from: none */
+} sph2d__level;
+
+/** Two and four floats that are read together. */
+typedef struct sph2d__pair2 {
+    float value, weight;
+} sph2d__pair2;
+typedef float sph2d__quad __attribute__((vector_size(16)));
+
+/** What a face says: its new velocity, a displacement, and 1; zeros where it is not known. */
+enum { SPH2D__NEW, SPH2D__DISPLACEMENT, SPH2D__KNOWN };
+
+/** Sums over particles, with bilinear weights. */
+typedef struct sph2d__sums {
+    sph2d__pair2 *x, *y; /**< on faces: velocities and weights */
+    sph2d__quad *middle; /**< in squares: weight, rho/rho0 - 1, q */
+} sph2d__sums;
+
+typedef struct sph2d__grid {
+    int nx, ny, levels;
+    size_t stride, size;
+    bool wraps_x, wraps_y;
+    int first, last;             /**< rows with particles, and two more on each side: all that a step sets and reads */
+    bool open[4];                /**< sides beyond which there is air: left, right, bottom, top */
+    double low_x, low_y;         /**< of the domain [m] */
+    double inverse_x, inverse_y; /**< 1 over the sides of a square [1/m] */
+    float hx, hy;                /**< these sides [m] */
+    sph2d__level level[SPH2D__LEVELS];
+
+    float *still, *distance; /**< of corners from solids: from those at rest, and from all [m] */
+    float *open_x, *open_y;  /**< open part of left and lower faces */
+    float *wall_x, *wall_y;  /**< velocity of their closed part across them [m/s] */
+    float *room;             /**< 1 over the weight of a square that is full */
+    float *mass, *excess;    /**< weight over that; mean of rho/rho0 - 1 */
+    uint32_t *cut, *filled;  /**< squares that solids cut; those of them that seem empty in the liquid, for a while */
+    size_t cut_count;
+    uint32_t *member, *pocket_end; /**< squares of pockets, one after the other, and where each ends (pockets.c) */
+    uint8_t *seen;
+    size_t pockets;
+    float *u, *v; /**< velocities across left and lower faces [m/s] */
+    float *wet_x,
+        *wet_y; /**< part of the difference over a square that acts: 1 between liquid, air_x beside air, else 0 */
+    float *air_x, *air_y;   /**< 1 over the part of the way to the surface where one side is air, else 0 */
+    float *q, *s, *rest;    /**< p dt/rho0 [m^2/s]; potential of displacements [m^2]; what is left */
+    float *z, *way, *image; /**< of conjugate gradients */
+    sph2d__quad *face_x, *face_y;
+    sph2d__sums sums;
+
+    const struct sph2d__multigrid *solver;
+    uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
+    size_t count;
+    void *block; /**< all arrays */
+    size_t block_size;
+} sph2d__grid;
+
+/** The index of square (i, j), of its left and lower faces and of its lower left corner. */
+static inline size_t sph2d__at(const sph2d__grid *g, int i, int j)
+{
+    return (size_t)j * g->stride + (size_t)i;
+}
+
+/** Makes the grid of a simulation, if it has none yet. Errors: SPH2D_NOMEM. */
+sph2d_status sph2d__grid_prepare(sph2d_sim *sim);
+void sph2d__grid_free(sph2d__system *system);
+
+/** Sets the open parts of the faces, by the solids where they are at the end of the drift (grid.c). */
+void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
+
+/** Sums velocities, densities and pressures of the particles (to_grid.c). */
+void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *grid, double dt);
+
+/** Loops over squares, compiled once for each instruction set. */
+typedef struct sph2d__grid_passes {
+    /** Finds the liquid, its surface and its pressure, and sets what faces say; `viscosity` is nu dt [m^2]
+     *  (grid_solve_pass.c). */
+    void (*solve)(sph2d__grid *grid, double viscosity);
+} sph2d__grid_passes;
+SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes, )
+
+/** Finds the pockets of the equations of level 0, and takes its mean out of a field in each (pockets.c). */
+void sph2d__grid_find_pockets(sph2d__grid *grid);
+void sph2d__grid_level_pockets(const sph2d__grid *grid, float *field);
+
+/** Applies a viscosity, nu dt [m^2], to the velocities (grid_viscosity.c). */
+void sph2d__grid_viscosity(sph2d__grid *grid, double number);
+
+/** The solver (multigrid_pass.c). */
+typedef struct sph2d__multigrid {
+    /** Sets the coarser levels from the finest one. */
+    void (*prepare)(sph2d__grid *grid);
+    /** Improves `value` of the equations of level 0 by `iterations` of conjugate gradients, with one cycle of multigrid
+     *  each; `rest` is the right side, then what is left. */
+    void (*solve)(sph2d__grid *grid, float *value, float *rest, int iterations);
+} sph2d__multigrid;
+SPH2D__COPIES(sph2d__multigrid, sph2d__multigrid, )
+
+/** Sets the squares of the ring of a periodic domain. */
+void sph2d__level_wrap(const sph2d__grid *grid, const sph2d__level *level, float *field);
+
+#endif

@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: MIT */
+/** @file grid_solve_pass.c
+ *  Liquid and air on the grid of method `hybrid`, their equations, and what faces say of the solution. */
+#include <math.h>
+#include <string.h>
+
+#include "methods/hybrid/grid.h"
+
+/* Squares with more of their full mass are liquid. */
+static const float LIQUID = 0.5F;
+/* The least part of the way from a square to a surface: nearer ones would make the equations stiff. */
+static const float NEAREST = 0.25F;
+/* Bounds of the density that is put right in a step; at a surface the density that is tolerated. */
+static const float MOST = 0.1F, SURFACE = 0.02F;
+/* Iterations for pressure, which starts from that of the step before, and for displacements. */
+enum { PRESSURE_ITERATIONS = 3, VOLUME_ITERATIONS = 2 };
+
+static inline float ratio(float value, float weight)
+{
+    const float by = weight > 1e-6F ? weight : 1;
+    return weight > 1e-6F ? value / by : 0;
+}
+
+/** Means of what was summed; walls' velocities on closed faces. There is no room in the ring. */
+static void take_means(const sph2d__grid *g)
+{
+    const sph2d__sums *s = &g->sums;
+    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 1); ++k) {
+        const sph2d__quad m = s->middle[k];
+        g->mass[k] = m[0] * g->room[k];
+        g->excess[k] = ratio(m[1], m[0]);
+        g->q[k] = ratio(m[2], m[0]);
+        g->u[k] = g->open_x[k] > 0 ? ratio(s->x[k].value, s->x[k].weight) : g->wall_x[k];
+        g->v[k] = g->open_y[k] > 0 ? ratio(s->y[k].value, s->y[k].weight) : g->wall_y[k];
+    }
+}
+
+/** Whether a face leads to a square with liquid (1), without (-1), or is closed (0). */
+static int beyond(const sph2d__grid *g, float open, size_t other)
+{
+    return open > 0 ? (g->mass[other] > LIQUID ? 1 : -1) : 0;
+}
+
+/** A square that a solid cuts, and that seems empty but lies in the liquid, is liquid: as air it would be a sink. */
+static void fill_cut_squares(const sph2d__grid *g)
+{
+    const size_t up = g->stride;
+    size_t filled = 0;
+    for (size_t n = 0; n < g->cut_count; ++n) {
+        const uint32_t k = g->cut[n];
+        const int around = beyond(g, g->open_x[k], k - 1) + beyond(g, g->open_x[k + 1], k + 1) +
+                           beyond(g, g->open_y[k], k - up) + beyond(g, g->open_y[k + up], k + up);
+        if (k >= sph2d__at(g, 0, g->first) && k < sph2d__at(g, 0, g->last) && g->mass[k] <= LIQUID && around > 0)
+            g->filled[filled++] = k;
+    }
+    for (size_t n = 0; n < filled; ++n) {
+        g->mass[g->filled[n]] = 1;
+        g->excess[g->filled[n]] = 0;
+    }
+}
+
+static inline bool is_liquid(const sph2d__grid *g, size_t k)
+{
+    return g->mass[k] > LIQUID;
+}
+
+/** Sets the first and the last liquid square of each row. In a periodic domain, whose ends are neighbours, rows are whole. */
+static void find_liquid(const sph2d__grid *g)
+{
+    const sph2d__level *l = g->level;
+    for (int j = 1; j <= g->ny; ++j) {
+        const size_t row = sph2d__at(g, 0, j);
+        int from = 1, to = j >= g->first && j <= g->last ? g->nx : 0;
+        while (!(g->wraps_x || g->wraps_y) && to >= 1 && !is_liquid(g, row + (size_t)to))
+            --to;
+        while (!(g->wraps_x || g->wraps_y) && from < to && !is_liquid(g, row + (size_t)from))
+            ++from;
+        l->from[j] = to < 1 ? g->nx + 1 : from; /* none: beyond all others */
+        l->to[j] = to;
+    }
+    l->from[0] = l->from[g->ny + 1] = g->nx + 1;
+    l->to[0] = l->to[g->ny + 1] = 0;
+}
+
+/** Runs the statement behind it for the squares k of row j with a left or lower face that liquid touches. */
+#define FOR_FACES(g, j, k)                                                                                             \
+    for (size_t k = sph2d__at(g, 0, j) + (size_t)lower((g)->level->from[j], (g)->level->from[(j)-1]),                  \
+                last_ = sph2d__at(g, 0, j) + (size_t)higher((g)->level->to[j], (g)->level->to[(j)-1]) + 1;             \
+         k <= last_; ++k)
+
+static int lower(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int higher(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/** 1 over the part of the way from a liquid square to the surface before its neighbour. */
+static inline float air_of(float liquid, float air)
+{
+    const float difference = liquid - air > 1e-6F ? liquid - air : 1e-6F, part = (liquid - LIQUID) / difference;
+    return 1 / (part > NEAREST ? part : NEAREST);
+}
+
+/** Couplings of a face between two squares: *inner between liquid, *air between liquid and air. */
+static inline void couple_face(float one, float other, float open, float factor, float *inner, float *air, float *wet)
+{
+    const float most = one > other ? one : other, least = one > other ? other : one;
+    const float both = least > LIQUID && open > 0 ? 1 : 0, edge = most > LIQUID && open > 0 ? 1 - both : 0;
+    *inner = both * factor * open;
+    *air = edge * air_of(most, least);
+    *wet = both + *air;
+}
+
+/** Sets the rows of a field that a step reads to 0. */
+static void clear(const sph2d__grid *g, float *field)
+{
+    memset(field + sph2d__at(g, 0, g->first), 0, (size_t)(g->last + 2 - g->first) * g->stride * sizeof *field);
+}
+
+/** Couplings of the faces. */
+static void couple(sph2d__grid *g)
+{
+    const sph2d__level *l = g->level;
+    const float across = g->hy / g->hx, along = g->hx / g->hy;
+    const size_t up = g->stride;
+    float *const all[] = {l->left, l->below, l->air, l->inverse, g->air_x, g->air_y, g->wet_x, g->wet_y};
+    for (size_t n = 0; n < sizeof all / sizeof *all; ++n)
+        memset(all[n], 0, g->size * sizeof *all[n]);
+    for (int j = 1; j <= g->ny + 1; ++j)
+        FOR_FACES(g, j, k)
+        {
+            couple_face(g->mass[k], g->mass[k - 1], g->open_x[k], across, &l->left[k], &g->air_x[k], &g->wet_x[k]);
+            couple_face(g->mass[k], g->mass[k - up], g->open_y[k], along, &l->below[k], &g->air_y[k], &g->wet_y[k]);
+        }
+}
+
+/** What flows through a face, per length. */
+static inline float flow(float open, float u, float wall)
+{
+    return open * u + (1 - open) * wall;
+}
+
+/** Diagonals and right sides: what flows in. */
+static void set_equations(sph2d__grid *g)
+{
+    const sph2d__level *l = g->level;
+    const float across = g->hy / g->hx, along = g->hx / g->hy;
+    const size_t up = g->stride;
+    for (int j = 1; j <= g->ny; ++j)
+        for (size_t k = sph2d__at(g, l->from[j], j), end = sph2d__at(g, l->to[j] + 1, j); k < end; ++k) {
+            const float liquid = is_liquid(g, k) ? 1 : 0;
+            l->air[k] = liquid * (across * (g->open_x[k] * g->air_x[k] + g->open_x[k + 1] * g->air_x[k + 1]) +
+                                  along * (g->open_y[k] * g->air_y[k] + g->open_y[k + up] * g->air_y[k + up]));
+            const float sum = l->left[k] + l->left[k + 1] + l->below[k] + l->below[k + up] + l->air[k];
+            l->inverse[k] = sum > 0 ? 1 / (sum > 0 ? sum : 1) : 0;
+            g->rest[k] = liquid * (g->hy * (flow(g->open_x[k], g->u[k], g->wall_x[k]) -
+                                            flow(g->open_x[k + 1], g->u[k + 1], g->wall_x[k + 1])) +
+                                   g->hx * (flow(g->open_y[k], g->v[k], g->wall_y[k]) -
+                                            flow(g->open_y[k + up], g->v[k + up], g->wall_y[k + up])));
+        }
+}
+
+/** The right side for displacements. */
+static void set_volumes(sph2d__grid *g)
+{
+    const sph2d__level *l = g->level;
+    clear(g, g->s);
+    for (int j = 1; j <= g->ny; ++j)
+        for (size_t k = sph2d__at(g, l->from[j], j), end = sph2d__at(g, l->to[j] + 1, j); k < end; ++k) {
+            const float e = g->excess[k] > MOST ? MOST : g->excess[k] < -MOST ? -MOST : g->excess[k];
+            const float at_air = e > SURFACE ? e - SURFACE : 0, wrong = l->air[k] > 0 ? at_air : e;
+            g->rest[k] = is_liquid(g, k) ? g->hx * g->hy * wrong : 0;
+        }
+}
+
+/** What a face says: `part` of the difference of q and s over a square's side. */
+static inline sph2d__quad face_of(float part, float velocity, float change, float displacement)
+{
+    return part > 0 ? (sph2d__quad){velocity + part * change, part * displacement, 1} : (sph2d__quad){0};
+}
+
+/** A side's wall is known where liquid touches it. */
+static void close_sides(sph2d__grid *g)
+{
+    for (int side = 0; side < 4; ++side) {
+        const bool vertical = side < 2;
+        if (g->open[side] || (vertical ? g->wraps_x : g->wraps_y))
+            continue;
+        const int n = vertical ? g->ny : g->nx, at = side % 2 == 0 ? 1 : vertical ? g->nx + 1 : g->ny + 1;
+        for (int m = 1; m <= n; ++m) {
+            const size_t k = vertical ? sph2d__at(g, at, m) : sph2d__at(g, m, at);
+            const size_t in = side % 2 == 0 ? k : vertical ? k - 1 : k - g->stride;
+            if (in >= sph2d__at(g, 0, g->first) && in < sph2d__at(g, 0, g->last + 1) && is_liquid(g, in))
+                (vertical ? g->face_x : g->face_y)[k][SPH2D__KNOWN] = 1;
+        }
+    }
+}
+
+/** Pressure beyond a closed face: it turns what flows there into the velocity of the wall. It is what particles near walls
+ *  read, where several faces lead to a square their mean. */
+static void continue_pressure(sph2d__grid *g)
+{
+    const sph2d__level *l = g->level;
+    const size_t up = g->stride;
+    float *sum = g->rest, *count = g->way;
+    clear(g, sum);
+    clear(g, count);
+    for (int j = 1; j <= g->ny + 1; ++j)
+        FOR_FACES(g, j, k)
+        {
+            const sph2d__pair2 u = g->sums.x[k], v = g->sums.y[k];
+            const float x = g->hx * (g->wall_x[k] - ratio(u.value, u.weight)),
+                        y = g->hy * (g->wall_y[k] - ratio(v.value, v.weight));
+            if (!(g->open_x[k] > 0) && is_liquid(g, k) != is_liquid(g, k - 1)) {
+                const size_t to = is_liquid(g, k) ? k - 1 : k;
+                sum[to] += is_liquid(g, k) ? g->q[k] + x : g->q[k - 1] - x;
+                count[to] += 1;
+            }
+            if (!(g->open_y[k] > 0) && is_liquid(g, k) != is_liquid(g, k - up)) {
+                const size_t to = is_liquid(g, k) ? k - up : k;
+                sum[to] += is_liquid(g, k) ? g->q[k] + y : g->q[k - up] - y;
+                count[to] += 1;
+            }
+        }
+    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 2); ++k)
+        if (count[k] > 0 && !(l->inverse[k] > 0))
+            g->q[k] = sum[k] / count[k];
+}
+
+static void set_faces(sph2d__grid *g)
+{
+    const float nx = 1 / g->hx, ny = 1 / g->hy;
+    const size_t up = g->stride;
+    const size_t from = sph2d__at(g, 0, g->first), count = sph2d__at(g, 0, g->last + 2) - from;
+    memset(g->face_x + from, 0, count * sizeof *g->face_x);
+    memset(g->face_y + from, 0, count * sizeof *g->face_y);
+    for (int j = 1; j <= g->ny + 1; ++j)
+        FOR_FACES(g, j, k)
+        {
+            g->face_x[k] = face_of(g->wet_x[k], g->u[k], nx * (g->q[k - 1] - g->q[k]), nx * (g->s[k - 1] - g->s[k]));
+            g->face_y[k] = face_of(g->wet_y[k], g->v[k], ny * (g->q[k - up] - g->q[k]), ny * (g->s[k - up] - g->s[k]));
+        }
+    close_sides(g);
+}
+
+static void wrap_quads(const sph2d__grid *g, sph2d__quad *a)
+{
+    for (int j = 1; j <= g->ny + 1 && g->wraps_x; ++j) {
+        sph2d__quad *row = a + (size_t)j * g->stride;
+        row[0] = row[g->nx];
+        row[g->nx + 1] = row[1];
+        row[g->nx + 2] = row[2];
+    }
+    if (g->wraps_y) {
+        memcpy(a, a + (size_t)g->ny * g->stride, g->stride * sizeof *a);
+        memcpy(a + (size_t)(g->ny + 1) * g->stride, a + g->stride, 2 * g->stride * sizeof *a);
+    }
+}
+
+static void solve(sph2d__grid *g, double viscosity)
+{
+    const sph2d__level *l = g->level;
+    take_means(g);
+    sph2d__level_wrap(g, l, g->mass);
+    fill_cut_squares(g);
+    sph2d__level_wrap(g, l, g->mass);
+    find_liquid(g);
+    couple(g);
+    float *const ringed[] = {g->u, g->v, g->wet_x, g->wet_y};
+    for (size_t n = 0; n < sizeof ringed / sizeof *ringed; ++n)
+        sph2d__level_wrap(g, l, ringed[n]);
+    sph2d__grid_viscosity(g, viscosity);
+    set_equations(g);
+    sph2d__grid_find_pockets(g);
+    sph2d__grid_level_pockets(g, g->rest);
+    g->solver->prepare(g);
+    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 1); ++k)
+        g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
+    g->solver->solve(g, g->q, g->rest, PRESSURE_ITERATIONS);
+    sph2d__grid_level_pockets(g, g->q);
+    set_volumes(g);
+    sph2d__grid_level_pockets(g, g->rest);
+    g->solver->solve(g, g->s, g->rest, VOLUME_ITERATIONS);
+    sph2d__level_wrap(g, l, g->q);
+    sph2d__level_wrap(g, l, g->s);
+    set_faces(g);
+    continue_pressure(g);
+    wrap_quads(g, g->face_x);
+    wrap_quads(g, g->face_y);
+}
+
+const sph2d__grid_passes SPH2D__OF_ISA(sph2d__grid_passes) = {solve};

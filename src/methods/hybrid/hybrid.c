@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/** @file hybrid.c
+ *  Method `hybrid`: setup, densities, order of the particles, step. The pair loops are in hybrid_pass.c. */
+#include "methods/hybrid/hybrid.h"
+
+#include <math.h>
+
+#include "base/parallel.h"
+#include "kernels/kernel.h"
+#include "methods/common/packed.h"
+#include "methods/hybrid/grid.h"
+
+/* Lattice sites on either side of a particle. */
+enum { REACH = 4 };
+
+/** Sets the sum of f over a full lattice, and the factor of the sums of order(): with l and b in units of K. */
+static void prepare(sph2d__system *s)
+{
+    double values = 0, squares = 0;
+    for (int i = -REACH; i <= REACH; ++i)
+        for (int j = -REACH; j <= REACH; ++j) {
+            const double q = hypot(i, j) * s->spacing / s->support, t = fmax(1 - q, 0);
+            values += sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, q);
+            squares += pow(t, 6) * (i * i + j * j) * s->spacing * s->spacing;
+        }
+    const double slope = 20 / (values * s->support * s->support); /* grad W = -slope t^3 (x_i - x_j) */
+    s->lattice_values = values;
+    s->lattice_slopes = 1 / (slope * squares); /* slope K */
+}
+
+/* ---- packed copies ----------------------------------------------------------------------------------------------- */
+
+/* Particles that a corner of a wall stops at one point have no direction apart, and would stay together: copies are moved
+ * by up to this part of a spacing, each by its number. */
+static const double APART = 1e-4;
+
+static double jitter(uint64_t id, unsigned shift)
+{
+    const uint64_t mixed = (id + 1) * UINT64_C(0x9E3779B97F4A7C15) >> shift & 1023;
+    return (double)mixed / 512 - 1;
+}
+
+static void pack_places(const sph2d__store *t, const sph2d__cells *cells, double apart, size_t first, size_t last)
+{
+    float *x = sph2d__floats(t, t->packed_place, 0), *y = sph2d__floats(t, t->packed_place, 1);
+    for (size_t i = first; i < last; ++i) {
+        const uint32_t cell = cells->cell[cells->order[i]], row = cell / cells->nx;
+        x[i] = (float)(t->x[i] + apart * jitter(t->id[i], 20) - sph2d__tile_x(cells, cell - row * cells->nx));
+        y[i] = (float)(t->y[i] + apart * jitter(t->id[i], 40) - sph2d__tile_y(cells, row));
+    }
+}
+
+static void pack_fluid(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__store *f = &s->fluid;
+    float *excess = sph2d__floats(f, f->packed_state, 0), *inside = sph2d__floats(f, f->packed_state, 1);
+    pack_places(f, &s->fluid_cells, APART * s->spacing, first, last);
+    for (size_t i = first; i < last; ++i) {
+        const double density = f->density[i] / s->rest_density;
+        const double deep = 15 * (density - 0.9);
+        excess[i] = density > 1 ? (float)(0.5 * (density - 1)) : 0;
+        inside[i] = deep < 0 ? 0 : deep > 1 ? 1 : (float)deep;
+    }
+}
+
+static void pack_walls(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__store *w = &s->walls;
+    float *weight = sph2d__floats(w, w->packed_state, 0);
+    pack_places(w, &s->wall_cells, 0, first, last);
+    for (size_t b = first; b < last; ++b)
+        weight[b] = (float)(w->mass[b] / s->mass);
+}
+
+void sph2d__hybrid_pack(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->fluid.count, pack_fluid);
+    sph2d__over_particles(s, s->walls.count, pack_walls);
+}
+
+/* ---- the method -------------------------------------------------------------------------------------------------- */
+
+void sph2d__hybrid_order(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);
+}
+
+static void accelerate(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        f->ax[i] = f->ay[i] = 0;
+        sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
+    }
+}
+
+static bool evaluate(sph2d__system *s)
+{
+    const sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
+    sph2d__hybrid_pack(s);
+    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->density);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    sph2d__over_particles(s, s->fluid.count, accelerate);
+    sph2d__profile_enter(&s->profile, before);
+    return true;
+}
+
+/** Pressure keeps the density, and stores nothing. */
+static double elastic(const sph2d__system *s, size_t i, bool stepped)
+{
+    (void)s;
+    (void)i;
+    (void)stepped;
+    return 0;
+}
+
+/** The liquid as fast as it can fall goes cfl H: one step for all, so that a drop may be faster. */
+static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
+{
+    (void)acceleration;
+    const double fall = sqrt(2 * s->head);
+    *limit = SPH2D__LIMIT_FIXED;
+    return s->method.cfl * s->support / (fall > 0 ? fall : speed > 0 ? speed : s->support);
+}
+
+const sph2d__method sph2d__hybrid = {
+    .name = "hybrid",
+    .step = sph2d__hybrid_step,
+    .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
+             SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) |
+             SPH2D__BIT(rotation) | SPH2D__BIT(packed_place) | SPH2D__BIT(packed_state),
+    .carried = SPH2D__STORE_BASIC | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(rotation) | SPH2D__BIT(ax) |
+               SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure),
+    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) | SPH2D__BIT(ax) |
+             SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |
+             SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(packed_place) | SPH2D__BIT(packed_state),
+    .prepare = prepare,
+    .evaluate = evaluate,
+    .elastic = elastic,
+    .books_pressure = true,
+    .stable_step = stable_step,
+};

@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_hybrid.c
+ *  Method `hybrid`: flows with exact solutions, what is kept, what walls and pockets do, its solver, the same bits. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/hybrid/grid.h"
+#include "tank.h"
+
+static const double RHO0 = 1000;
+
+/** A tank of water without viscosity, as in tank.h, with liquid of a depth from one side to the other. */
+static void basin(double width, double depth)
+{
+    tank_empty(SPH2D_METHOD_HYBRID, DX, width, 2 * depth, 0);
+    tank_add(0, 0, width, depth);
+}
+
+/** A square [0, 1]^2 that is periodic in both directions, full of liquid, without gravity. */
+static void full_square(double viscosity)
+{
+    tank_empty(SPH2D_METHOD_HYBRID, DX, 1, 1, viscosity);
+    tank.scene.gravity.y = 0;
+    tank.scene.boundary =
+        (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
+    tank_add(0, 0, 1, 1);
+}
+
+static void run_until(double time)
+{
+    while (sph2d_sim_time(tank.sim) < time)
+        test_steps(tank.sim, 1);
+}
+
+/** Moves the obstacle along x for 2 s [m/s]. */
+static void push(double speed)
+{
+    static sph2d_pose_point points[2];
+    points[0] = (sph2d_pose_point){0, 0, 0, 0};
+    points[1] = (sph2d_pose_point){2, 2 * speed, 0, 0};
+    tank.obstacle.motion = sph2d_motion_default();
+    tank.obstacle.motion.path = (sph2d_pose_path){points, 2};
+}
+
+/** Amplitude of the mode 2 pi x/length of the surface, by the moment of the liquid. */
+static double mode_of(double length)
+{
+    sph2d_view f = sph2d_sim_fluid(tank.sim);
+    double sum = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        sum += cos(2 * TEST_PI * f.x[i] / length);
+    return 2 * sum * DX * DX / length;
+}
+
+/* ---- known motions ----------------------------------------------------------------------------------------------- */
+
+START_TEST(free_liquid_falls_on_a_parabola)
+{
+    tank_empty(SPH2D_METHOD_HYBRID, DX, 2, 2, 0);
+    tank_add(0.3, 1.4, 0.7, 1.8);
+    tank.blocks[0].velocity = (sph2d_vec2){2, 0.5};
+    tank_start();
+    const double before = tank_middle();
+    run_until(0.3);
+    const double t = sph2d_sim_time(tank.sim);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    const double step = t / (double)s.steps; /* moved by the new velocities, it is half a step ahead */
+    ck_assert_double_eq_tol(tank_middle(), before + 0.5 * t - G * t * (t + step) / 2, 2e-4);
+    const double mass = tank.sim->system.mass * (double)s.particles;
+    ck_assert_double_eq_tol(s.momentum[0], mass * 2, 1e-5 * mass);
+    ck_assert_double_eq_tol(s.momentum[1], mass * (0.5 - G * t), 1e-5 * mass);
+    ck_assert_double_le(s.compression_p99, 0.05);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(a_tank_comes_to_rest_at_its_level)
+{
+    basin(1, 0.5);
+    tank.blocks[0].perturb.amplitude = 0.2;
+    tank.blocks[0].perturb.seed = 1;
+    tank_start();
+    const double before = tank_middle();
+    run_until(5);
+    ck_assert_double_le(tank_fastest(), 0.02); /* 0.006 of sqrt(2 g h) */
+    ck_assert_double_eq_tol(tank_middle(), before, 0.002);
+    sph2d_view f = sph2d_sim_fluid(tank.sim);
+    double worst = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        worst = fmax(worst, fabs(f.pressure[i] - RHO0 * G * fmax(0.5 - f.y[i], 0)));
+    ck_assert_double_le(worst, 0.08 * RHO0 * G * 0.5);
+    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_p99, 0.03);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(a_wave_keeps_its_period_and_height)
+{
+    /* omega^2 = g k tanh k d. */
+    const double k = 2 * TEST_PI, period = 2 * TEST_PI / sqrt(G * k * tanh(k * 0.5));
+    basin(1, 0.5);
+    tank.scene.boundary.left = tank.scene.boundary.right = SPH2D_SIDE_PERIODIC;
+    tank.blocks[0].start.flow = (sph2d_flow){SPH2D_FLOW_STANDING_WAVE, 0.2, 1, 0.5, {0, 0.5}};
+    tank_start();
+    double first = 0, last = 0;
+    while (sph2d_sim_time(tank.sim) < 5.25 * period) {
+        test_steps(tank.sim, 1);
+        const double phase = sph2d_sim_time(tank.sim) / period, height = mode_of(1);
+        first = fabs(phase - 0.25) < 0.1 ? fmax(first, fabs(height)) : first;
+        last = fabs(phase - 5.25) < 0.1 ? fmax(last, fabs(height)) : last;
+    }
+    ck_assert_double_eq_tol(first * 2 * TEST_PI / (0.2 * period), 1, 0.1); /* speed over omega */
+    ck_assert_double_ge(last / first, 0.6);                                /* 0.67: docs/notes/hybrid.md */
+    ck_assert_double_le(last / first, 1);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(viscosity_slows_a_shear_wave)
+{
+    /* u = sin(2 pi y) decays as exp(-nu k^2 t); the grid takes a part of what differs from its velocities. */
+    const double nu = _i == 0 ? 0.02 : 2;
+    full_square(RHO0 * nu);
+    tank.scene.method.cfl = 0.2;
+    tank.blocks[0].velocity = (sph2d_vec2){1, 0};
+    tank_start();
+    sph2d__store *f = &tank.sim->system.fluid;
+    tank.sim->record.energy_low = tank.sim->record.error_low = INFINITY; /* what is written comes from nothing */
+    for (size_t i = 0; i < f->count; ++i)
+        f->vx[i] = sin(2 * TEST_PI * f->y[i]);
+    const double time = 0.5 / (nu * 4 * TEST_PI * TEST_PI);
+    double sum = 0;
+    run_until(time);
+    for (size_t i = 0; i < f->count; ++i)
+        sum += 2 * f->vx[i] * sin(2 * TEST_PI * f->y[i]) / (double)f->count;
+    const double t = sph2d_sim_time(tank.sim), steps = (double)tank.sim->record.steps;
+    const double by_steps = pow(1 + nu * 4 * TEST_PI * TEST_PI * t / steps, -steps); /* implicit */
+    ck_assert_double_eq_tol(log(sum) / log(by_steps), 1, 0.12);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(vortices_between_periodic_sides_are_not_compressed)
+{
+    full_square(RHO0 * 0.01);
+    tank.blocks[0].start.flow = (sph2d_flow){SPH2D_FLOW_TAYLOR_GREEN, 1, 1, 0, {0, 0}};
+    tank.blocks[0].perturb.amplitude = 0.2;
+    tank.scene.method.cfl = 0.3;
+    tank_start();
+    const double before = sph2d_sim_summary(tank.sim).kinetic;
+    run_until(1);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_double_le(s.compression_p99, 0.04);
+    ck_assert_double_le(hypot(s.momentum[0], s.momentum[1]), 0.02 * RHO0);
+    const double exact = exp(-4 * 4 * TEST_PI * TEST_PI * 0.01 * sph2d_sim_time(tank.sim)); /* of the energy */
+    ck_assert_double_ge(s.kinetic / before, 0.7 * exact);
+    ck_assert_double_le(s.kinetic / before, 1.02 * exact);
+    tank_finish();
+}
+END_TEST
+
+/* ---- walls ------------------------------------------------------------------------------------------------------- */
+
+START_TEST(a_piston_raises_the_liquid)
+{
+    /* A plate that comes in from the left by 0.2 m takes 0.2 x 0.5 of 0.8 x 0.6 m^2. */
+    basin(1, 0.5);
+    tank.scene.domain.max.y = 1;
+    tank.blocks[0] = test_block(0.1, 0, 1, 0.5);
+    tank.obstacle = sph2d_obstacle_default();
+    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
+    tank.obstacle.outline.box = (sph2d_box){{0, 0}, {0.1, 1}};
+    push(0.2);
+    tank.scene.obstacles = &tank.obstacle;
+    tank.scene.obstacle_count = 1;
+    tank_start();
+    const double before = tank_middle();
+    run_until(1);
+    const double width = 0.9 - 0.2 * sph2d_sim_time(tank.sim);
+    ck_assert_double_eq_tol(tank_middle() / before, 0.9 / width, 0.03);
+    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_p99, 0.03);
+    ck_assert_uint_eq(sph2d_sim_summary(tank.sim).particles, tank.sim->record.next_id);
+    sph2d_view f = sph2d_sim_fluid(tank.sim);
+    for (size_t i = 0; i < f.count; ++i)
+        ck_assert_double_ge(f.x[i], 1 - width);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(liquid_is_held_by_a_circle)
+{
+    basin(1, 0.5);
+    tank.obstacle = sph2d_obstacle_default();
+    tank.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    tank.obstacle.outline.circle = (sph2d_disc){{0.5, 0.25}, 0.1};
+    tank.scene.obstacles = &tank.obstacle;
+    tank.scene.obstacle_count = 1;
+    tank_start();
+    run_until(3);
+    ck_assert_double_le(tank_fastest(), 0.03);
+    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_max, 0.15);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(drops_cross_several_spacings_in_a_step)
+{
+    /* 16 m/s at 0.9 H sqrt(2 head)^-1, against a floor: nobody is behind it. */
+    basin(1, 0.2);
+    tank.scene.domain.max.y = 1;
+    tank_add(0.45, 0.6, 0.55, 0.7);
+    tank.blocks[1].velocity = (sph2d_vec2){0, -4};
+    tank_start();
+    const uint64_t all = sph2d_sim_summary(tank.sim).particles;
+    run_until(1);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_uint_eq(s.particles, all);
+    ck_assert_double_le(s.kinetic + s.potential, s.energy_start * 1.002);
+    ck_assert_double_le(s.energy_rise, 0.004 * s.energy_scale);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(a_source_fills_what_was_empty)
+{
+    tank_empty(SPH2D_METHOD_HYBRID, DX, 1, 1, 0);
+    sph2d_source source = sph2d_source_default();
+    source.at = (sph2d_vec2){0.5, 0.9};
+    source.direction = (sph2d_vec2){0, -1};
+    source.width = 0.1;
+    source.speed = 1;
+    tank.scene.sources = &source;
+    tank.scene.source_count = 1;
+    tank_start();
+    run_until(2);
+    sph2d_summary s = sph2d_sim_summary(tank.sim);
+    ck_assert_double_eq_tol((double)s.particles * DX * DX, 0.1 * sph2d_sim_time(tank.sim), 0.01);
+    ck_assert_double_le(s.compression_p99, 0.2);
+    tank_finish();
+}
+END_TEST
+
+/* ---- the solver -------------------------------------------------------------------------------------------------- */
+
+/** What is left of a right side after iterations from 0, over the right side. */
+static double left_after(sph2d__grid *g, int iterations)
+{
+    uint64_t state = 7;
+    double before = 0, after = 0;
+    memset(g->s, 0, g->size * sizeof *g->s);
+    for (size_t k = 0; k < g->size; ++k) {
+        g->rest[k] = g->level->inverse[k] > 0 ? (float)test_random(&state, -1, 1) : 0;
+        before += (double)g->rest[k] * (double)g->rest[k];
+    }
+    sph2d__grid_level_pockets(g, g->rest);
+    g->solver->prepare(g);
+    g->solver->solve(g, g->s, g->rest, iterations);
+    for (size_t k = 0; k < g->size; ++k)
+        after += (double)g->rest[k] * (double)g->rest[k];
+    return sqrt(after / before);
+}
+
+START_TEST(the_solver_converges)
+{
+    if (_i == 0)
+        basin(1, 0.5);
+    else
+        full_square(0);
+    tank.scene.method.sound_speed = 10; /* where nothing else says how fast it will be */
+    tank.scene.spacing = DX / 2;
+    tank_start();
+    test_steps(tank.sim, 1);
+    sph2d__grid *g = tank.sim->system.grid;
+    ck_assert_uint_eq(g->pockets, _i == 0 ? 0 : 1);
+    const double three = left_after(g, 3), six = left_after(g, 6), twelve = left_after(g, 12);
+    ck_assert_double_le(three, 0.3);
+    ck_assert_double_le(six, 0.15 * three);
+    ck_assert_double_le(twelve, 1e-4);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(the_grid_has_no_divergence_left)
+{
+    /* A block at 1 m/s against a wall: what flows out of squares inside it. */
+    basin(1, 0.5);
+    tank.blocks[0].velocity = (sph2d_vec2){1, 0};
+    tank_start();
+    test_steps(tank.sim, 1);
+    sph2d__grid *g = tank.sim->system.grid;
+    double worst = 0;
+    for (int j = 1; j <= g->ny; ++j)
+        for (int i = 1; i <= g->nx; ++i) {
+            const size_t k = sph2d__at(g, i, j), up = k + g->stride;
+            if (g->mass[k] > 0.5F && g->level->air[k] <= 0) {
+                const float right = g->open_x[k + 1] > 0 ? g->face_x[k + 1][SPH2D__NEW] : 0;
+                const float left = g->open_x[k] > 0 ? g->face_x[k][SPH2D__NEW] : 0;
+                const float top = g->open_y[up] > 0 ? g->face_y[up][SPH2D__NEW] : 0;
+                const float low = g->open_y[k] > 0 ? g->face_y[k][SPH2D__NEW] : 0;
+                worst = fmax(worst, fabs((double)(right - left + top - low)));
+            }
+        }
+    ck_assert_double_le(worst, 0.15); /* of 1 m/s; three iterations */
+    tank_finish();
+}
+END_TEST
+
+/* ---- the same bits ----------------------------------------------------------------------------------------------- */
+
+static void splash(void)
+{
+    basin(1, 0.3);
+    tank.scene.domain.max.y = 1;
+    tank_add(0.3, 0.5, 0.6, 0.9);
+    tank.obstacle = sph2d_obstacle_default();
+    tank.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    tank.obstacle.outline.circle = (sph2d_disc){{0.7, 0.3}, 0.1};
+    push(-0.3);
+    tank.scene.obstacles = &tank.obstacle;
+    tank.scene.obstacle_count = 1;
+    tank.scene.fluid.dynamic_viscosity = 1;
+    tank.scene.spacing = DX / 2;
+}
+
+static sph2d_sim *another(int threads, sph2d_isa isa)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.threads = threads;
+    options.isa = isa;
+    return test_create(&tank.scene, &options);
+}
+
+START_TEST(the_same_bits)
+{
+    splash();
+    sph2d_sim *one = another(1, SPH2D_ISA_BASELINE);
+    sph2d_sim *others[] = {another(3, SPH2D_ISA_BASELINE), another(1, SPH2D_ISA_AUTO), another(2, SPH2D_ISA_AUTO)};
+    test_steps(one, 40);
+    for (size_t k = 0; k < sizeof others / sizeof *others; ++k) {
+        test_steps(others[k], 40);
+        const sph2d_view a = sph2d_sim_fluid(one), b = sph2d_sim_fluid(others[k]);
+        const double *of[][2] = {
+            {a.x, b.x}, {a.y, b.y}, {a.vx, b.vx}, {a.vy, b.vy}, {a.density, b.density}, {a.pressure, b.pressure}};
+        ck_assert_uint_eq(a.count, b.count);
+        for (size_t n = 0; n < sizeof of / sizeof *of; ++n)
+            ck_assert_msg(memcmp(of[n][0], of[n][1], a.count * sizeof(double)) == 0, "values %zu of other %zu", n, k);
+        sph2d_sim_destroy(others[k]);
+    }
+    sph2d_sim_destroy(one);
+}
+END_TEST
+
+START_TEST(what_it_lacks_is_refused)
+{
+    sph2d_report report = {0};
+    basin(1, 0.5);
+    tank.scene.method.support_ratio = _i == 0 ? 1.9 : _i == 1 ? 2.7 : 0;
+    tank.scene.wall_slip = _i == 2 ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
+    tank.scene.fluid.surface_tension = _i == 3 ? 0.07 : 0;
+    static const char *const paths[] = {"method.support_ratio", "method.support_ratio", "wall_slip",
+                                        "fluid.surface_tension"};
+    ck_assert_int_eq(sph2d_scene_check(&tank.scene, &report), SPH2D_SCENE);
+    ck_assert_uint_eq(report.errors, 1);
+    ck_assert(test_report_has(&report, _i < 2 ? SPH2D_CODE_OUT_OF_RANGE : SPH2D_CODE_UNSUPPORTED, paths[_i]));
+    sph2d_report_clear(&report);
+}
+END_TEST
+
+Suite *suite_hybrid(void)
+{
+    Suite *suite = suite_create("hybrid");
+    TCase *motions = tcase_create("known motions"), *walls = tcase_create("walls");
+    TCase *solver = tcase_create("solver"), *bits = tcase_create("same bits");
+    tcase_add_test(motions, free_liquid_falls_on_a_parabola);
+    tcase_add_test(motions, a_tank_comes_to_rest_at_its_level);
+    tcase_add_test(motions, a_wave_keeps_its_period_and_height);
+    tcase_add_loop_test(motions, viscosity_slows_a_shear_wave, 0, 2);
+    tcase_add_test(motions, vortices_between_periodic_sides_are_not_compressed);
+    tcase_add_test(walls, a_piston_raises_the_liquid);
+    tcase_add_test(walls, liquid_is_held_by_a_circle);
+    tcase_add_test(walls, drops_cross_several_spacings_in_a_step);
+    tcase_add_test(walls, a_source_fills_what_was_empty);
+    tcase_add_loop_test(solver, the_solver_converges, 0, 2);
+    tcase_add_test(solver, the_grid_has_no_divergence_left);
+    tcase_add_test(bits, the_same_bits);
+    tcase_add_loop_test(bits, what_it_lacks_is_refused, 0, 4);
+    suite_add_tcase(suite, motions);
+    suite_add_tcase(suite, walls);
+    suite_add_tcase(suite, solver);
+    suite_add_tcase(suite, bits);
+    return suite;
+}
