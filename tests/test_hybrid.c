@@ -141,6 +141,42 @@ START_TEST(viscosity_slows_a_shear_wave)
 }
 END_TEST
 
+/** Largest difference of the velocities from a profile between plates at y = 0 and 1. */
+static double off_profile(double (*profile)(double y))
+{
+    sph2d_view f = sph2d_sim_fluid(tank.sim);
+    double worst = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        worst = fmax(worst, hypot(f.vx[i] - profile(f.y[i]), f.vy[i]));
+    return worst;
+}
+
+static double of_plates(double y)
+{
+    return 4 * y * (1 - y);
+}
+
+static double of_a_belt(double y)
+{
+    return y;
+}
+
+START_TEST(walls_without_slip_hold_the_liquid)
+{
+    /* Driven by gravity, u = g y (1 - y)/(2 nu); drawn by the upper plate, u = y. */
+    full_square(RHO0 * 1);
+    tank.scene.boundary.bottom = tank.scene.boundary.top = SPH2D_SIDE_WALL;
+    tank.scene.wall_slip = SPH2D_SLIP_NONE;
+    tank.scene.gravity.x = _i == 0 ? 8 : 0;
+    tank.scene.wall_speeds.top = _i == 0 ? 0 : 1;
+    tank.scene.method.sound_speed = 10;
+    tank_start();
+    run_until(3);
+    ck_assert_double_le(off_profile(_i == 0 ? of_plates : of_a_belt), 0.06);
+    tank_finish();
+}
+END_TEST
+
 START_TEST(vortices_between_periodic_sides_are_not_compressed)
 {
     full_square(RHO0 * 0.01);
@@ -356,7 +392,7 @@ START_TEST(what_it_lacks_is_refused)
     sph2d_report report = {0};
     basin(1, 0.5);
     tank.scene.method.support_ratio = _i == 0 ? 1.9 : _i == 1 ? 2.7 : 0;
-    tank.scene.wall_slip = _i == 2 ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
+    tank.scene.wall_slip = _i == 2 ? SPH2D_SLIP_SMOOTH : SPH2D_SLIP_FREE;
     tank.scene.fluid.surface_tension = _i == 3 ? 0.07 : 0;
     static const char *const paths[] = {"method.support_ratio", "method.support_ratio", "wall_slip",
                                         "fluid.surface_tension"};
@@ -376,6 +412,7 @@ Suite *suite_hybrid(void)
     tcase_add_test(motions, a_tank_comes_to_rest_at_its_level);
     tcase_add_test(motions, a_wave_keeps_its_period_and_height);
     tcase_add_loop_test(motions, viscosity_slows_a_shear_wave, 0, 2);
+    tcase_add_loop_test(motions, walls_without_slip_hold_the_liquid, 0, 2);
     tcase_add_test(motions, vortices_between_periodic_sides_are_not_compressed);
     tcase_add_test(walls, a_piston_raises_the_liquid);
     tcase_add_test(walls, liquid_is_held_by_a_circle);

@@ -9,6 +9,8 @@
 #include "scene/bodies.h"
 #include "scene/liquid_side.h"
 #include "scene/outline.h"
+#include "scene/resolve.h"
+#include "scene/wall_names.h"
 
 /* Side of a square [spacings]: with 3 the 99th percentile of the density is 2.8 % too high instead of 1.7, at the same
  * cost; fewer than 1.5 leave holes in squares. */
@@ -70,9 +72,10 @@ static void lay_out(sph2d__grid *g, room *r)
     }
     g->stride = g->level[0].stride;
     g->size = g->level[0].size;
-    float **const all[] = {&g->still, &g->distance, &g->open_x, &g->open_y, &g->wall_x, &g->wall_y, &g->room,
-                           &g->mass,  &g->excess,   &g->u,      &g->v,      &g->air_x,  &g->air_y,  &g->q,
-                           &g->s,     &g->rest,     &g->z,      &g->way,    &g->image,  &g->wet_x,  &g->wet_y};
+    float **const all[] = {&g->still,    &g->distance, &g->open_x,      &g->open_y, &g->wall_x, &g->wall_y, &g->room,
+                           &g->corner_u, &g->corner_v, &g->still_stick, &g->stick,  &g->mass,   &g->excess, &g->u,
+                           &g->v,        &g->air_x,    &g->air_y,       &g->q,      &g->s,      &g->rest,   &g->z,
+                           &g->way,      &g->image,    &g->wet_x,       &g->wet_y};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         *all[k] = take(r, g->size, sizeof(float));
     g->cut = take(r, g->size, sizeof *g->cut);
@@ -188,31 +191,41 @@ static corners corners_near(const sph2d_sim *sim, const sph2d__grid *g, const sp
                      clamp_to((top + more - g->low_y) * g->inverse_y + 2, g->ny + 1)};
 }
 
-/** Lowers the distances of the corners near a solid. */
-static void add_solid(const sph2d_sim *sim, sph2d__grid *g, const sph2d_obstacle *o, const sph2d__pose *pose,
-                      float *distance)
+/** Lowers the distances of the corners near a solid, and gives those that it is nearest to its velocity and slip. */
+static void add_solid(const sph2d_sim *sim, sph2d__grid *g, const sph2d_obstacle *o, const sph2d__pose *pose)
 {
     const corners c = corners_near(sim, g, o, pose);
+    const float stick = sph2d__obstacle_slip(&sim->scene, o) == SPH2D_SLIP_NONE ? 1 : 0;
     for (int j = c.bottom; j <= c.top; ++j)
         for (int i = c.left; i <= c.right; ++i) {
             const sph2d_vec2 at = {g->low_x + (i - 1) * (double)g->hx, g->low_y + (j - 1) * (double)g->hy};
             const float d = (float)distance_from(&sim->scene, o, sph2d__pose_invert(pose, at));
-            float *to = &distance[sph2d__at(g, i, j)];
-            *to = d < *to ? d : *to;
+            const size_t k = sph2d__at(g, i, j);
+            if (!(d < g->distance[k]))
+                continue;
+            const sph2d_vec2 v = sph2d__pose_velocity(pose, at);
+            g->distance[k] = d;
+            g->stick[k] = stick;
+            g->corner_u[k] = (float)v.x;
+            g->corner_v[k] = (float)v.y;
         }
 }
 
-/** Gives the closed parts of faces around a solid its velocity. */
-static void add_velocity(const sph2d_sim *sim, sph2d__grid *g, const sph2d_obstacle *o, const sph2d__pose *pose)
+/** Gives the corners of a side its slip, and those between its ends the speed along it. */
+static void add_side(const sph2d_sim *sim, const sph2d__grid *g, int side)
 {
-    const corners c = corners_near(sim, g, o, pose);
-    for (int j = c.bottom; j <= c.top; ++j)
-        for (int i = c.left; i <= c.right; ++i) {
-            const size_t k = sph2d__at(g, i, j);
-            const double x = g->low_x + (i - 1) * (double)g->hx, y = g->low_y + (j - 1) * (double)g->hy;
-            g->wall_x[k] = (float)sph2d__pose_velocity(pose, (sph2d_vec2){x, y + (double)g->hy / 2}).x;
-            g->wall_y[k] = (float)sph2d__pose_velocity(pose, (sph2d_vec2){x + (double)g->hx / 2, y}).y;
-        }
+    const sph2d_scene *scene = &sim->scene;
+    const sph2d_side_speeds *s = &scene->wall_speeds;
+    const double speeds[4] = {s->left, s->right, s->bottom, s->top};
+    const bool vertical = side < 2;
+    const int n = vertical ? g->ny : g->nx, at = side % 2 == 0 ? 1 : vertical ? g->nx + 1 : g->ny + 1;
+    if (sph2d__side_of(scene, side) != SPH2D_SIDE_WALL)
+        return;
+    for (int m = 1; m <= n + 1; ++m) {
+        const size_t k = vertical ? sph2d__at(g, at, m) : sph2d__at(g, m, at);
+        g->stick[k] = sph2d__side_slip(scene, side) == SPH2D_SLIP_NONE ? 1 : 0;
+        (vertical ? g->corner_v : g->corner_u)[k] = (float)speeds[side];
+    }
 }
 
 /** The part of an edge outside solids, whose ends are at these distances from them. */
@@ -227,7 +240,13 @@ static float hat_part(float t)
     return t >= 1 ? 1 : t >= 0 ? 1 - (1 - t) * (1 - t) / 2 : t > -1 ? (1 + t) * (1 + t) / 2 : 0;
 }
 
-/** Open parts of faces, and room of squares. */
+/** Velocity of the closed part of a face, whose ends are at these distances from solids, by those of its ends. */
+static float closed_velocity(float a, float b, float u, float v)
+{
+    return a <= 0 && b <= 0 ? (u + v) / 2 : a <= 0 ? u : b <= 0 ? v : 0;
+}
+
+/** Open parts of faces, velocities of the closed ones, and room of squares. */
 static void cut_squares(sph2d__grid *g, double spacing)
 {
     const float full = g->hx * g->hy / (float)(spacing * spacing), unit = 2 / (g->hx + g->hy);
@@ -242,6 +261,9 @@ static void cut_squares(sph2d__grid *g, double spacing)
             const bool low = j == 1 && !g->wraps_y && !open[2], high = j == g->ny + 1 && !g->wraps_y && !open[3];
             g->open_x[k] = j > g->ny || left || right ? 0 : open_part(d[0], d[up]);
             g->open_y[k] = i > g->nx || low || high ? 0 : open_part(d[0], d[1]);
+            const float *u = g->corner_u + k, *v = g->corner_v + k;
+            g->wall_x[k] = j > g->ny || left || right ? 0 : closed_velocity(d[0], d[up], u[0], u[up]);
+            g->wall_y[k] = i > g->nx || low || high ? 0 : closed_velocity(d[0], d[1], v[0], v[1]);
             if (i > g->nx || j > g->ny)
                 continue;
             float part = hat_part((d[0] + d[1] + d[up] + d[up + 1]) / 4 * unit);
@@ -253,29 +275,39 @@ static void cut_squares(sph2d__grid *g, double spacing)
         }
 }
 
+/** The solids that move or not, then the sides. */
+static void add_all(sph2d_sim *sim, sph2d__grid *g, bool moving)
+{
+    const sph2d__pose still = {.cosine = 1};
+    for (size_t k = 0; k < sim->scene.obstacle_count && !moving; ++k)
+        if (!sph2d__obstacle_moves(&sim->scene.obstacles[k]))
+            add_solid(sim, g, &sim->scene.obstacles[k], &still);
+    for (size_t k = 0; k < sim->moving_count && moving; ++k)
+        add_solid(sim, g, sim->moving[k].obstacle, &sim->moving[k].to);
+    for (int side = 0; side < 4; ++side)
+        add_side(sim, g, side);
+    cut_squares(g, sim->scene.spacing);
+}
+
 void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *g)
 {
     if (sim->moving_count == 0)
         return;
     memcpy(g->distance, g->still, g->size * sizeof *g->distance);
-    for (size_t k = 0; k < sim->moving_count; ++k) {
-        add_solid(sim, g, sim->moving[k].obstacle, &sim->moving[k].to, g->distance);
-        add_velocity(sim, g, sim->moving[k].obstacle, &sim->moving[k].to);
-    }
-    cut_squares(g, sim->scene.spacing);
+    memcpy(g->stick, g->still_stick, g->size * sizeof *g->stick);
+    memset(g->corner_u, 0, g->size * sizeof *g->corner_u);
+    memset(g->corner_v, 0, g->size * sizeof *g->corner_v);
+    add_all(sim, g, true);
 }
 
 /** The solids at rest. */
 static void place_solids(sph2d_sim *sim, sph2d__grid *g)
 {
-    const sph2d__pose still = {.cosine = 1};
     for (size_t k = 0; k < g->size; ++k)
-        g->still[k] = 4 * (g->hx + g->hy);
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k)
-        if (!sph2d__obstacle_moves(&sim->scene.obstacles[k]))
-            add_solid(sim, g, &sim->scene.obstacles[k], &still, g->still);
-    memcpy(g->distance, g->still, g->size * sizeof *g->distance);
-    cut_squares(g, sim->scene.spacing);
+        g->distance[k] = 4 * (g->hx + g->hy);
+    add_all(sim, g, false);
+    memcpy(g->still, g->distance, g->size * sizeof *g->distance);
+    memcpy(g->still_stick, g->stick, g->size * sizeof *g->stick);
 }
 
 sph2d_status sph2d__grid_prepare(sph2d_sim *sim)

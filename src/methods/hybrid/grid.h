@@ -50,12 +50,14 @@ typedef struct sph2d__grid {
     float hx, hy;                /**< these sides [m] */
     sph2d__level level[SPH2D__LEVELS];
 
-    float *still, *distance; /**< of corners from solids: from those at rest, and from all [m] */
-    float *open_x, *open_y;  /**< open part of left and lower faces */
-    float *wall_x, *wall_y;  /**< velocity of their closed part across them [m/s] */
-    float *room;             /**< 1 over the weight of a square that is full */
-    float *mass, *excess;    /**< weight over that; mean of rho/rho0 - 1 */
-    uint32_t *cut, *filled;  /**< squares that solids cut; those of them that seem empty in the liquid, for a while */
+    float *still, *distance;    /**< of corners from solids: from those at rest, and from all [m] */
+    float *open_x, *open_y;     /**< open part of left and lower faces */
+    float *wall_x, *wall_y;     /**< velocity of their closed part across them [m/s] */
+    float *corner_u, *corner_v; /**< velocity of the solid or side at a corner [m/s] */
+    float *still_stick, *stick; /**< of corners: 1 where the nearest solid, or side, has no slip; at rest, and of all */
+    float *room;                /**< 1 over the weight of a square that is full */
+    float *mass, *excess;       /**< weight over that; mean of rho/rho0 - 1 */
+    uint32_t *cut, *filled; /**< squares that solids cut; those of them that seem empty in the liquid, for a while */
     size_t cut_count;
     uint32_t *member, *pocket_end; /**< squares of pockets, one after the other, and where each ends (pockets.c) */
     uint8_t *seen;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file grid_viscosity.c
  *  Viscosity on the grid of method `hybrid`, solved for at the end of a step: u - nu dt lap u = u*, along each axis for
- *  itself, as in Stam (Stable fluids, SIGGRAPH 1999). There is no stress at a surface, nor along walls, which slip. */
+ *  itself, as in Stam (Stable fluids, SIGGRAPH 1999). There is no stress at a surface, nor along walls that slip. */
 #include <math.h>
 
 #include "methods/hybrid/grid.h"
@@ -19,23 +19,44 @@ typedef struct axis {
     int last_i, first_j, last_j;
 } axis;
 
-/** nu dt/h^2 between an unknown face and its neighbour, 0 where there is none; *given: the neighbour is a wall. */
-static float between(const axis *a, size_t other, bool along_axis, float factor, bool *given)
+/** What is beside a face across its axis: the closed part of the way there, and the corner that stands for the wall. */
+typedef struct beside {
+    float closed;
+    size_t corner;
+} beside;
+
+static beside beside_of(const axis *a, size_t k, int n)
 {
-    *given = along_axis && !(a->open[other] > 0);
-    return a->side[other] > 0 || *given ? factor : 0;
+    const sph2d__grid *g = a->g;
+    const size_t up = g->stride, back = a->x ? 1 : up; /* to the square on the other side of the face */
+    const size_t corner = n % 2 == 0 ? k : a->x ? k + up : k + 1;
+    const float *open = a->x ? g->open_y : g->open_x;
+    return (beside){1 - (open[corner - back] + open[corner]) / 2, corner};
 }
 
-/** (1 + sum c) u - sum c u_other at a face; *diagonal: what is before u. */
-static float apply(const axis *a, const float *u, size_t k, float *diagonal)
+/** (1 + sum c) u - sum c u_other at a face; *diagonal: what is before u. `walls`: 1 with the velocities of walls, 0 without.
+ *  Along its axis a closed face has its wall's velocity, and stands among u; across, a wall without slip is half a square
+ *  away. */
+static float apply(const axis *a, const float *u, size_t k, float walls, float *diagonal)
 {
-    const size_t others[4] = {k - 1, k + 1, k - a->g->stride, k + a->g->stride};
+    const sph2d__grid *g = a->g;
+    const size_t others[4] = {k - 1, k + 1, k - g->stride, k + g->stride};
+    const float *speed = a->x ? g->corner_u : g->corner_v;
     float sum = 0, rest = 0;
     for (int n = 0; n < 4; ++n) {
-        bool given;
-        const float c = between(a, others[n], (n < 2) == a->x, n < 2 ? a->across : a->along, &given);
-        sum += c;
-        rest += c * u[others[n]];
+        const float factor = n < 2 ? a->across : a->along;
+        const size_t other = others[n];
+        if ((n < 2) == a->x) {
+            const float c = a->side[other] > 0 || !(a->open[other] > 0) ? factor : 0;
+            sum += c;
+            rest += c * u[other];
+            continue;
+        }
+        const beside b = beside_of(a, k, n);
+        const float free = a->side[other] > 0 ? factor * (1 - b.closed) : 0;
+        const float held = 2 * factor * b.closed * g->stick[b.corner];
+        sum += free + held;
+        rest += free * u[other] + held * walls * speed[b.corner];
     }
     *diagonal = 1 + sum;
     return (1 + sum) * u[k] - rest;
@@ -64,7 +85,7 @@ static void solve(const axis *a, float *u)
     for (size_t k = 0; k < g->size; ++k)
         way[k] = scaled[k] = rest[k] = 0;
     FOR_UNKNOWN(a, k)
-    rest[k] = u[k] - apply(a, u, k, &diagonal[k]);
+    rest[k] = u[k] - apply(a, u, k, 1, &diagonal[k]);
     const double bound = LEFT * LEFT * product(a, u, u);
     double before = 0;
     for (int n = 0; n < MOST_ITERATIONS && product(a, rest, rest) > bound; ++n) {
@@ -76,7 +97,7 @@ static void solve(const axis *a, float *u)
         way[k] = scaled[k] + keep * way[k];
         sph2d__level_wrap(g, l, way);
         FOR_UNKNOWN(a, k)
-        image[k] = apply(a, way, k, &diagonal[k]);
+        image[k] = apply(a, way, k, 0, &diagonal[k]);
         const float part = (float)(now / product(a, way, image));
         FOR_UNKNOWN(a, k)
         {
