@@ -277,6 +277,78 @@ START_TEST(a_source_fills_what_was_empty)
 }
 END_TEST
 
+/* ---- bodies ------------------------------------------------------------------------------------------------------ */
+
+static sph2d_body raft;
+
+/** A box 0.3 m wide and 0.2 m high whose middle is at `y`, in a basin 0.5 m deep. */
+static void float_box(double y, double density)
+{
+    basin(1.2, 0.5);
+    raft = sph2d_body_default();
+    raft.outline.kind = SPH2D_OUTLINE_BOX;
+    raft.outline.box = (sph2d_box){{0.45, y - 0.1}, {0.75, y + 0.1}};
+    raft.density = density;
+    tank.scene.bodies = &raft;
+    tank.scene.body_count = 1;
+    tank.scene.spacing = DX / 2;
+    tank.scene.method.cfl = density > 1000 ? 0.3 : 0; /* a body that falls a spacing in a step compresses liquid */
+    tank_start();
+}
+
+START_TEST(a_box_floats_by_its_weight)
+{
+    /* 0.5 of it under water: the level is 0.5 m and what the box lifts, 0.03/1.2. */
+    float_box(0.5, 500);
+    run_until(4);
+    const sph2d_body_state b = sph2d_sim_body(tank.sim, 0);
+    const double level = tank_middle() * 2, blocked = 0.3 * 0.1 / 1.2;
+    ck_assert_double_eq_tol(b.center.y, 0.5, 0.012); /* its block left room for it */
+    ck_assert_double_eq_tol(level, 0.5 - blocked, 0.03);
+    ck_assert_double_le(hypot(b.velocity.x, b.velocity.y), 0.02);
+    ck_assert_double_le(fabs(b.angle), 0.05);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(bodies_of_any_mass_are_stable)
+{
+    /* From 0.05 to 20 times as dense as the liquid, let go under water: the liquid that it sets in motion holds it back. */
+    static const double density[] = {50, 500, 2000, 20000};
+    const bool light = _i < 2;
+    float_box(light ? 0.25 : 0.35, density[_i]);
+    while (sph2d_sim_time(tank.sim) < (light ? 1 : 0.2)) {
+        test_steps(tank.sim, 1);
+        const double fall = G * sph2d_sim_time(tank.sim);
+        ck_assert_double_le(fabs(sph2d_sim_body(tank.sim, 0).velocity.y), light ? 2.5 : fall);
+    }
+    const sph2d_body_state b = sph2d_sim_body(tank.sim, 0);
+    if (light)
+        ck_assert_double_ge(b.center.y, 0.4);
+    else
+        ck_assert_double_le(b.velocity.y, -G * 0.2 * (_i == 2 ? 0.2 : 0.8));
+    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_p99, 0.05);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(a_thin_wall_holds_a_tank)
+{
+    basin(1, 0.4);
+    tank.blocks[0] = test_block(0, 0, 0.5, 0.4);
+    tank.obstacle = sph2d_obstacle_default();
+    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
+    tank.obstacle.outline.box = (sph2d_box){{0.5, 0}, {0.5 + 0.1 * DX, 0.7}};
+    tank.scene.obstacles = &tank.obstacle;
+    tank.scene.obstacle_count = 1;
+    tank_start();
+    run_until(2);
+    ck_assert_double_le(tank_fastest(), 0.05);
+    ck_assert_double_eq_tol(tank_middle(), 0.2, 0.006);
+    tank_finish();
+}
+END_TEST
+
 /* ---- the solver -------------------------------------------------------------------------------------------------- */
 
 /** What is left of a right side after iterations from 0, over the right side. */
@@ -407,7 +479,7 @@ Suite *suite_hybrid(void)
 {
     Suite *suite = suite_create("hybrid");
     TCase *motions = tcase_create("known motions"), *walls = tcase_create("walls");
-    TCase *solver = tcase_create("solver"), *bits = tcase_create("same bits");
+    TCase *bodies = tcase_create("bodies"), *solver = tcase_create("solver"), *bits = tcase_create("same bits");
     tcase_add_test(motions, free_liquid_falls_on_a_parabola);
     tcase_add_test(motions, a_tank_comes_to_rest_at_its_level);
     tcase_add_test(motions, a_wave_keeps_its_period_and_height);
@@ -418,12 +490,16 @@ Suite *suite_hybrid(void)
     tcase_add_test(walls, liquid_is_held_by_a_circle);
     tcase_add_test(walls, drops_cross_several_spacings_in_a_step);
     tcase_add_test(walls, a_source_fills_what_was_empty);
+    tcase_add_test(bodies, a_box_floats_by_its_weight);
+    tcase_add_loop_test(bodies, bodies_of_any_mass_are_stable, 0, 4);
+    tcase_add_test(walls, a_thin_wall_holds_a_tank);
     tcase_add_loop_test(solver, the_solver_converges, 0, 2);
     tcase_add_test(solver, the_grid_has_no_divergence_left);
     tcase_add_test(bits, the_same_bits);
     tcase_add_loop_test(bits, what_it_lacks_is_refused, 0, 4);
     suite_add_tcase(suite, motions);
     suite_add_tcase(suite, walls);
+    suite_add_tcase(suite, bodies);
     suite_add_tcase(suite, solver);
     suite_add_tcase(suite, bits);
     return suite;

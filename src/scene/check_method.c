@@ -164,6 +164,11 @@ static void check_options(sph2d__checker *c)
                     NULL);
     check_slips(c);
     require_feature(c, "bodies", c->scene->body_count > 0, SPH2D_FEATURE_BODIES, NULL);
+    if (m->name == SPH2D_METHOD_HYBRID && c->scene->body_count > 0 &&
+        (c->scene->boundary.left == SPH2D_SIDE_PERIODIC || c->scene->boundary.bottom == SPH2D_SIDE_PERIODIC))
+        sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "bodies",
+                                                 "not available between periodic sides with method hybrid"),
+                              "use sides that are walls or open, or `method: constraint`");
     for (size_t i = 0; i < c->scene->probe_count; ++i) {
         const sph2d_probe_kind kind = c->scene->probes[i].kind;
         char path[SPH2D__PATH_SIZE];

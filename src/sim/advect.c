@@ -197,6 +197,8 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__
         end before = {to, v};
         double to_bodies = 0;
         pushed = sweep_moving(sim, near, who, from, &to, &v, &to_bodies);
+        if (pushed > 0 && sim->method->walls_hold)
+            stopped += sweep_fixed(sim, from, &to, &v);
         if (pushed > 0) {
             int64_t bodies = quanta_of(sim, to_bodies);
             met->driven += quanta_between(sim, who, (end){to, v}, before) - bodies;

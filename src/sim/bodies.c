@@ -232,7 +232,8 @@ static void accelerate(const sph2d_sim *sim, sph2d__rigid *r, double time)
 
 void sph2d__bodies_start(sph2d_sim *sim)
 {
-    sph2d__bodies_press(sim);
+    if (sim->method->wall_force) /* else the first step's solution tells what the liquid does */
+        sph2d__bodies_press(sim);
     for (size_t k = 0; k < sim->bodies.count; ++k)
         accelerate(sim, &sim->bodies.items[k], 0);
 }
@@ -287,6 +288,38 @@ sph2d_status sph2d__bodies_project(sph2d_sim *sim, double dt, double split)
         r->state->velocity = r->way;
         r->way = sph2d__twist_add(r->way, 2 * dt * split, sph2d__rigid_accelerate(r, r->state->pressed));
     }
+    return status;
+}
+
+/* ---- methods with a grid ----------------------------------------------------------------------------------------- */
+
+void sph2d__bodies_fall(sph2d_sim *sim, double dt)
+{
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d__rigid *r = &sim->bodies.items[k];
+        r->start = sim->record.time;
+        r->meeting = r->start + dt;
+        r->from = r->state->place;
+        r->other = sph2d__bodies_other_force(sim, r, r->start);
+        r->state->acceleration = sph2d__rigid_accelerate(r, r->other);
+        r->way = sph2d__twist_add(r->state->velocity, dt, r->state->acceleration);
+    }
+}
+
+sph2d_status sph2d__bodies_push(sph2d_sim *sim, double dt, const sph2d__twist *impulses, double *work)
+{
+    *work = 0;
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d__rigid *r = &sim->bodies.items[k];
+        const sph2d__twist force = sph2d__twist_add((sph2d__twist){0, 0, 0}, 1 / dt, impulses[k]);
+        r->state->pressed = r->state->pushed = r->state->liquid = force;
+        r->state->acceleration = sph2d__rigid_accelerate(r, sph2d__twist_add(r->other, 1, force));
+        r->way = sph2d__twist_add(r->state->velocity, dt, r->state->acceleration);
+        *work += sph2d__twist_dot(impulses[k], sph2d__twist_add(r->way, 1, r->state->velocity)) / 2;
+    }
+    const sph2d_status status = sim->bodies.count > 0 ? meet(sim, dt) : SPH2D_OK;
+    for (size_t k = 0; k < sim->bodies.count; ++k)
+        sim->bodies.items[k].state->velocity = sim->bodies.items[k].way;
     return status;
 }
 

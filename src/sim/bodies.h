@@ -68,6 +68,12 @@ void sph2d__bodies_press(sph2d_sim *sim);
 void sph2d__bodies_add_work(const sph2d_sim *sim, double dt, sph2d__slab_sum *sum);
 sph2d_status sph2d__bodies_project(sph2d_sim *sim, double dt, double split);
 
+/** Methods with a grid, whose liquid has its impulses at the end of a step: the ways without these; then, with the impulses
+ *  of pressure [N s/m], one a body, velocities and ways, and the work of these impulses. Errors: those of the solver for
+ *  contacts. */
+void sph2d__bodies_fall(sph2d_sim *sim, double dt);
+sph2d_status sph2d__bodies_push(sph2d_sim *sim, double dt, const sph2d__twist *impulses, double *work);
+
 /** Ends a step: impulses of contacts with particles, and the boundary particles' velocities. */
 void sph2d__bodies_close(sph2d_sim *sim, double dt);
 

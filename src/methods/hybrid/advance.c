@@ -165,7 +165,7 @@ typedef struct energies {
 
 static energies energies_of(const sph2d_sim *sim)
 {
-    return (energies){sph2d__sim_energy_of_all(sim), sph2d__sim_power_of_forces(sim)};
+    return (energies){sph2d__sim_energy_of_all(sim), sph2d__sim_power_of_forces(sim) - sph2d__bodies_power(sim)};
 }
 
 /** Sorts and evaluates again when particles came or went since the last step: at its end, both are of those there were. */
@@ -199,18 +199,27 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     const double booked = r->energy_stopped - r->energy_walls;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
     kick(&s->fluid, dt);
+    sph2d__bodies_fall(sim, dt);
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
     sph2d__grid_cut(sim, s->grid);
     sph2d__grid_sum(sim, s->grid, dt);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
+    double on_bodies = 0;
+    if (s->grid->body_count > 0) {
+        sph2d__grid_impulses(s->grid, s->rest_density, s->grid->impulses);
+        status = sph2d__bodies_push(sim, dt, s->grid->impulses, &on_bodies);
+        if (status != SPH2D_OK)
+            return status;
+        sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
+    }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
     status = sph2d__advect(sim, dt, move, NULL);
     if (status != SPH2D_OK)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
     const energies after = energies_of(sim);
-    r->work_pressed += after.energy - before.energy - dt * (before.power + after.power) / 2 +
+    r->work_pressed += on_bodies + after.energy - before.energy - dt * (before.power + after.power) / 2 +
                        (r->energy_stopped - r->energy_walls - booked);
     status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)

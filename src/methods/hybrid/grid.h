@@ -39,6 +39,19 @@ typedef struct sph2d__sums {
     sph2d__quad *middle; /**< in squares: weight, rho/rho0 - 1, q */
 } sph2d__sums;
 
+/** A body among the equations: its centre of mass [m], and 1 over its mass, where it is free, and over its moment of inertia,
+ *  times the density of the liquid. */
+typedef struct sph2d__grid_body {
+    double x, y;
+    double inverse[3];
+} sph2d__grid_body;
+
+/** How much more flows into a square when a body moves by 1 m/s, or turns by 1 rad/s: an element of its column. */
+typedef struct sph2d__element {
+    uint32_t square, body;
+    float by[3];
+} sph2d__element;
+
 typedef struct sph2d__grid {
     int nx, ny, levels;
     size_t stride, size;
@@ -71,6 +84,13 @@ typedef struct sph2d__grid {
     sph2d__quad *face_x, *face_y;
     sph2d__sums sums;
 
+    sph2d__grid_body *bodies;
+    sph2d__element *elements; /**< of the columns of bodies (grid_bodies.c) */
+    double *push;             /**< of each body three sums */
+    struct sph2d__twist *impulses;
+    uint32_t *owner;           /**< of corners: the body whose solid is nearest, from 1; 0: none */
+    uint32_t *thin_x, *thin_y; /**< of faces that pass between squares through a thin body: its number */
+    size_t body_count, element_count, body_size;
     const struct sph2d__multigrid *solver;
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
@@ -101,6 +121,12 @@ typedef struct sph2d__grid_passes {
     void (*solve)(sph2d__grid *grid, double viscosity);
 } sph2d__grid_passes;
 SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes, )
+
+/** Lists the elements of bodies, once the liquid is known; adds G M^-1 G' p to `out`, G their columns; and the impulses of
+ *  pressure on bodies, as three numbers each (grid_bodies.c) [N s/m]. */
+void sph2d__grid_list_bodies(sph2d__grid *grid);
+void sph2d__grid_add_bodies(const sph2d__grid *grid, const float *p, float *out);
+void sph2d__grid_impulses(const sph2d__grid *grid, double density, struct sph2d__twist *impulses);
 
 /** Finds the pockets of the equations of level 0, and takes its mean out of a field in each (pockets.c). */
 void sph2d__grid_find_pockets(sph2d__grid *grid);

@@ -13,7 +13,7 @@ static const float NEAREST = 0.25F;
 /* Bounds of the density that is put right in a step; at a surface the density that is tolerated. */
 static const float MOST = 0.1F, SURFACE = 0.02F;
 /* Iterations for pressure, which starts from that of the step before, and for displacements. */
-enum { PRESSURE_ITERATIONS = 3, VOLUME_ITERATIONS = 2 };
+enum { PRESSURE_ITERATIONS = 3, VOLUME_ITERATIONS = 2, BODY_ITERATIONS = 3 };
 
 static inline float ratio(float value, float weight)
 {
@@ -280,11 +280,15 @@ static void solve(sph2d__grid *g, double viscosity)
     g->solver->prepare(g);
     for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 1); ++k)
         g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
-    g->solver->solve(g, g->q, g->rest, PRESSURE_ITERATIONS);
+    sph2d__grid_list_bodies(g);
+    g->solver->solve(g, g->q, g->rest, PRESSURE_ITERATIONS + BODY_ITERATIONS * (int)g->body_count);
     sph2d__grid_level_pockets(g, g->q);
+    const size_t elements = g->element_count;
+    g->element_count = 0; /* the volume is put right around bodies where they are */
     set_volumes(g);
     sph2d__grid_level_pockets(g, g->rest);
     g->solver->solve(g, g->s, g->rest, VOLUME_ITERATIONS);
+    g->element_count = elements;
     sph2d__level_wrap(g, l, g->q);
     sph2d__level_wrap(g, l, g->s);
     set_faces(g);

@@ -138,5 +138,7 @@ const sph2d__method sph2d__hybrid = {
     .evaluate = evaluate,
     .elastic = elastic,
     .books_pressure = true,
+    .couples_bodies = true,
+    .walls_hold = true,
     .stable_step = stable_step,
 };

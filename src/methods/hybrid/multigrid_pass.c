@@ -180,6 +180,7 @@ static void solve(sph2d__grid *g, float *restrict value, float *restrict rest, i
     const sph2d__level *l = g->level;
     float *restrict way = g->way, *restrict image = g->image, *restrict z = g->z;
     multiply(g, l, value, z);
+    sph2d__grid_add_bodies(g, value, z);
     for (int j = 1; j <= l->ny; ++j)
         FOR_LIQUID(l, j, k)
     rest[k] = l->inverse[k] > 0 ? rest[k] - z[k] : 0;
@@ -195,6 +196,7 @@ static void solve(sph2d__grid *g, float *restrict value, float *restrict rest, i
             FOR_LIQUID(l, j, k)
         way[k] = n > 0 ? z[k] + keep * way[k] : z[k];
         multiply(g, l, way, image);
+        sph2d__grid_add_bodies(g, way, image);
         const float part = (float)(now / dot(l, way, image));
         for (int j = 1; j <= l->ny; ++j)
             FOR_LIQUID(l, j, k)
