@@ -464,13 +464,15 @@ START_TEST(what_it_lacks_is_refused)
     sph2d_report report = {0};
     basin(1, 0.5);
     tank.scene.method.support_ratio = _i == 0 ? 1.9 : _i == 1 ? 2.7 : 0;
+    tank.scene.domain.max.y = _i == 4 ? 1e6 : 1;
     tank.scene.wall_slip = _i == 2 ? SPH2D_SLIP_SMOOTH : SPH2D_SLIP_FREE;
     tank.scene.fluid.surface_tension = _i == 3 ? 0.07 : 0;
     static const char *const paths[] = {"method.support_ratio", "method.support_ratio", "wall_slip",
-                                        "fluid.surface_tension"};
+                                        "fluid.surface_tension", "domain"};
     ck_assert_int_eq(sph2d_scene_check(&tank.scene, &report), SPH2D_SCENE);
     ck_assert_uint_eq(report.errors, 1);
-    ck_assert(test_report_has(&report, _i < 2 ? SPH2D_CODE_OUT_OF_RANGE : SPH2D_CODE_UNSUPPORTED, paths[_i]));
+    ck_assert(
+        test_report_has(&report, _i < 2 || _i == 4 ? SPH2D_CODE_OUT_OF_RANGE : SPH2D_CODE_UNSUPPORTED, paths[_i]));
     sph2d_report_clear(&report);
 }
 END_TEST
@@ -496,7 +498,7 @@ Suite *suite_hybrid(void)
     tcase_add_loop_test(solver, the_solver_converges, 0, 2);
     tcase_add_test(solver, the_grid_has_no_divergence_left);
     tcase_add_test(bits, the_same_bits);
-    tcase_add_loop_test(bits, what_it_lacks_is_refused, 0, 4);
+    tcase_add_loop_test(bits, what_it_lacks_is_refused, 0, 5);
     suite_add_tcase(suite, motions);
     suite_add_tcase(suite, walls);
     suite_add_tcase(suite, bodies);

@@ -269,6 +269,25 @@ static void check_grid_support(sph2d__checker *c)
     sph2d_diagnostic_hint(d, "use 2 to 2.6, or leave it out for 2.4");
 }
 
+/* Squares of the grid of method hybrid: some 250 bytes each, so that these have 4 GB. */
+static const double MOST_SQUARES = 1.6e7;
+
+/** The grid covers the domain, with liquid or without. */
+static void check_grid_size(sph2d__checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    const double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    const double squares = width / (SPH2D__SQUARE * scene->spacing) * (height / (SPH2D__SQUARE * scene->spacing));
+    if (scene->method.name != SPH2D_METHOD_HYBRID || !(squares > MOST_SQUARES))
+        return;
+    char message[160];
+    snprintf(message, sizeof message,
+             "the grid of method hybrid, over all of it, would have %.3g squares; it may have %.3g", squares,
+             MOST_SQUARES);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "domain", message);
+    sph2d_diagnostic_hint(d, "a domain around the liquid, a larger spacing, or another method");
+}
+
 static void check_support(sph2d__checker *c)
 {
     sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
@@ -458,6 +477,7 @@ void sph2d__check_method(sph2d__checker *c)
     check_options(c);
     check_support(c);
     check_grid_support(c);
+    check_grid_size(c);
     check_fitted_support(c);
     check_projected_step(c);
     check_acoustic_step(c);

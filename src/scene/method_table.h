@@ -6,6 +6,10 @@
 
 #include "sph2d/method.h"
 
+/** Side of a square of the grid of method hybrid [spacings]: with 3 the 99th percentile of the density is 2.8 % too high
+ *  instead of 1.7, at the same cost; fewer than 1.5 leave holes in squares. */
+static const double SPH2D__SQUARE = 1.9;
+
 typedef struct sph2d__method_row {
     sph2d_method_info info;
 

@@ -8,20 +8,18 @@
 
 #include "scene/bodies.h"
 #include "scene/liquid_side.h"
+#include "scene/method_table.h"
 #include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/wall_names.h"
 #include "sim/bodies.h"
 
-/* Side of a square [spacings]: with 3 the 99th percentile of the density is 2.8 % too high instead of 1.7, at the same
- * cost; fewer than 1.5 leave holes in squares. */
-static const double SQUARE = 1.9;
 /* Squares of a periodic direction are a multiple of this, so that levels divide them. */
 enum { PERIODIC_SQUARES = 8, SMALLEST = 4 };
 
 static int squares_of(double length, double spacing, bool wraps)
 {
-    const double wanted = length / (SQUARE * spacing);
+    const double wanted = length / (SPH2D__SQUARE * spacing);
     const int multiple = wraps ? PERIODIC_SQUARES : 1, n = multiple * (int)lround(wanted / multiple);
     return n < multiple ? multiple : n;
 }

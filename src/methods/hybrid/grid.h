@@ -90,7 +90,7 @@ typedef struct sph2d__grid {
     struct sph2d__twist *impulses;
     uint32_t *owner;           /**< of corners: the body whose solid is nearest, from 1; 0: none */
     uint32_t *thin_x, *thin_y; /**< of faces that pass between squares through a thin body: its number */
-    size_t body_count, element_count, body_size;
+    size_t body_count, element_count;
     const struct sph2d__multigrid *solver;
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
