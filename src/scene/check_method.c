@@ -38,7 +38,7 @@ static void require_feature(sph2d__checker *c, const char *path, bool used, sph2
     const sph2d_method_info *method = sph2d_method_of(&c->scene->method);
     if (!used || sph2d_method_has(method, feature))
         return;
-    char message[160];
+    char message[200];
     snprintf(message, sizeof message, "not available with method %s", method->name);
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, message);
     if (hint)
@@ -232,7 +232,7 @@ static void check_projected_step(sph2d__checker *c)
     sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
     if (!sph2d__method_row_of(&m)->cfl_by_spacing || !(m.cfl * m.support_ratio > 1))
         return;
-    char message[160];
+    char message[200];
     snprintf(message, sizeof message,
              "with this support radius fast particles move %.3g spacings in a step, past others",
              m.cfl * m.support_ratio);
@@ -272,18 +272,22 @@ static void check_grid_support(sph2d__checker *c)
 /* Squares of the grid of method hybrid: some 250 bytes each, so that these have 4 GB. */
 static const double MOST_SQUARES = 1.6e7;
 
-/** The grid covers the domain, with liquid or without. */
+/** The grid covers the domain, with liquid or without, and as much again beyond each open side. */
 static void check_grid_size(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
     const double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
-    const double squares = width / (SPH2D__SQUARE * scene->spacing) * (height / (SPH2D__SQUARE * scene->spacing));
+    const sph2d_boundary *b = &scene->boundary;
+    const int across = 1 + (b->left == SPH2D_SIDE_OPEN) + (b->right == SPH2D_SIDE_OPEN);
+    const int along = 1 + (b->bottom == SPH2D_SIDE_OPEN) + (b->top == SPH2D_SIDE_OPEN);
+    const double side = SPH2D__SQUARE * scene->spacing, squares = across * (width / side) * (along * (height / side));
     if (scene->method.name != SPH2D_METHOD_HYBRID || !(squares > MOST_SQUARES))
         return;
-    char message[160];
-    snprintf(message, sizeof message,
-             "the grid of method hybrid, over all of it, would have %.3g squares; it may have %.3g", squares,
-             MOST_SQUARES);
+    char message[200];
+    snprintf(
+        message, sizeof message,
+        "the grid of method hybrid, over all of it and beyond open sides, would have %.3g squares; it may have %.3g",
+        squares, MOST_SQUARES);
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "domain", message);
     sph2d_diagnostic_hint(d, "a domain around the liquid, a larger spacing, or another method");
 }
@@ -295,7 +299,7 @@ static void check_support(sph2d__checker *c)
     if (!sph2d__method_row_of(&m)->convergence_hint || !in_range ||
         !(self_contribution(m.kernel, m.support_ratio) > MAX_SELF))
         return;
-    char message[160];
+    char message[200];
     snprintf(message, sizeof message,
              "with this kernel %.0f %% of a particle's density is its own contribution, too much for a pressure solver",
              100 * self_contribution(m.kernel, m.support_ratio));
@@ -393,7 +397,7 @@ static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form
         form > SPH2D_WALL_DEFAULT && form <= SPH2D_WALL_GENERALISED; /* others were reported by the range checks */
     if (!known || (method->wall_forms >> form & 1))
         return;
-    char message[160];
+    char message[200];
     snprintf(message, sizeof message, "not available with method %s", method->name);
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, message);
     sph2d_diagnostic_hint(d, "leave it out for the method's own form");

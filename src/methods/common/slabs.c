@@ -46,10 +46,24 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const
     return over(s, sph2d__slabs(s->fluid.count), walls, work, with);
 }
 
+static void over_slab(sph2d__system *s, size_t k, size_t count, sph2d__span_work *work)
+{
+    const size_t first = k * SPH2D__SLAB, last = first + SPH2D__SLAB;
+    work(s, first, last < count ? last : count);
+}
+
 void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
 {
     size_t slabs = sph2d__slabs(count);
 #pragma omp taskloop num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
     for (size_t k = 0; k < slabs; ++k)
-        work(s, k * SPH2D__SLAB, (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count);
+        over_slab(s, k, count, work);
+}
+
+void sph2d__begin_over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
+{
+    size_t slabs = sph2d__slabs(count);
+#pragma omp taskloop nogroup num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
+    for (size_t k = 0; k < slabs; ++k)
+        over_slab(s, k, count, work);
 }

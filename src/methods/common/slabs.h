@@ -31,4 +31,7 @@ typedef void sph2d__span_work(sph2d__system *system, size_t first, size_t last);
 /** Calls `work` on particles 0 to count - 1, in slabs that threads share. */
 void sph2d__over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);
 
+/** Begins the same, and returns while threads may still be at it: the caller waits for them by `omp taskwait`. */
+void sph2d__begin_over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);
+
 #endif

@@ -82,6 +82,8 @@ static void lay_out(sph2d__grid *g, room *r)
     g->member = take(r, g->size, sizeof *g->member);
     g->pocket_end = take(r, g->size, sizeof *g->pocket_end);
     g->seen = take(r, g->size, sizeof *g->seen);
+    g->begin = take(r, (size_t)g->ny + 4, sizeof *g->begin);
+    g->end = take(r, (size_t)g->ny + 4, sizeof *g->end);
     g->face_x = take(r, g->size, sizeof(sph2d__quad));
     g->face_y = take(r, g->size, sizeof(sph2d__quad));
     lay_out_sums(&g->sums, g->size, r);
@@ -107,14 +109,15 @@ static void set_shape(const sph2d_sim *sim, sph2d__grid *g)
     g->open[1] = b->right == SPH2D_SIDE_OPEN;
     g->open[2] = b->bottom == SPH2D_SIDE_OPEN;
     g->open[3] = b->top == SPH2D_SIDE_OPEN;
-    g->nx = squares_of(width, scene->spacing, g->wraps_x);
-    g->ny = squares_of(height, scene->spacing, g->wraps_y);
-    g->low_x = scene->domain.min.x;
-    g->low_y = scene->domain.min.y;
-    g->inverse_x = g->nx / width;
-    g->inverse_y = g->ny / height;
-    g->hx = (float)(width / g->nx);
-    g->hy = (float)(height / g->ny);
+    const int nx = squares_of(width, scene->spacing, g->wraps_x), ny = squares_of(height, scene->spacing, g->wraps_y);
+    g->nx = nx * (1 + g->open[0] + g->open[1]);
+    g->ny = ny * (1 + g->open[2] + g->open[3]);
+    g->low_x = scene->domain.min.x - g->open[0] * width;
+    g->low_y = scene->domain.min.y - g->open[2] * height;
+    g->inverse_x = nx / width;
+    g->inverse_y = ny / height;
+    g->hx = (float)(width / nx);
+    g->hy = (float)(height / ny);
 }
 
 void sph2d__grid_free(sph2d__system *s)
@@ -257,15 +260,23 @@ static float closed_velocity(float a, float b, float u, float v)
     return a <= 0 && b <= 0 ? (u + v) / 2 : a <= 0 ? u : b <= 0 ? v : 0;
 }
 
+/** Squares of a row that are cut: all, or those that a step sets. */
+static corners row_to_cut(const sph2d__grid *g, int j, bool all)
+{
+    const int from = all || g->begin[j] < 1 ? 1 : g->begin[j],
+              to = all || g->end[j] > g->nx + 1 ? g->nx + 1 : g->end[j] - 1;
+    return (corners){from, to, j, j};
+}
+
 /** Open parts of faces, velocities of the closed ones, and room of squares. */
-static void cut_squares(sph2d__grid *g, double spacing)
+static void cut_squares(sph2d__grid *g, double spacing, bool all)
 {
     const float full = g->hx * g->hy / (float)(spacing * spacing), unit = 2 / (g->hx + g->hy);
     const size_t up = g->stride;
     const bool *open = g->open;
     g->cut_count = 0;
     for (int j = 1; j <= g->ny + 1; ++j)
-        for (int i = 1; i <= g->nx + 1; ++i) {
+        for (int i = row_to_cut(g, j, all).left, to = row_to_cut(g, j, all).right; i <= to; ++i) {
             const size_t k = sph2d__at(g, i, j);
             const float *d = g->distance + k;
             const bool left = i == 1 && !g->wraps_x && !open[0], right = i == g->nx + 1 && !g->wraps_x && !open[1];
@@ -310,11 +321,12 @@ static bool passes(const sph2d__grid *g, size_t from, size_t to, const sph2d__ba
 
 /** Closes the faces that a barrier passes between squares. `owner`: of a body, from 1. */
 static void close_thin(sph2d__grid *g, const corners *c, const sph2d__barrier *barrier, const sph2d__pose *pose,
-                       uint32_t owner)
+                       uint32_t owner, bool all)
 {
     const size_t up = g->stride;
-    for (int j = c->bottom > 1 ? c->bottom : 1; j <= c->top && j <= g->ny; ++j)
-        for (int i = c->left > 1 ? c->left : 1; i <= c->right && i <= g->nx; ++i) {
+    for (int j = c->bottom > 1 ? c->bottom : 1; j <= c->top && j <= g->ny; ++j) {
+        const corners row = row_to_cut(g, j, all);
+        for (int i = c->left > row.left ? c->left : row.left; i <= c->right && i <= row.right && i <= g->nx; ++i) {
             const size_t k = sph2d__at(g, i, j);
             const double x = g->low_x + (i - 1) * (double)g->hx, y = g->low_y + (j - 1) * (double)g->hy;
             if (i > 1 && g->open_x[k] > 0 && passes(g, k - 1, k, barrier, pose)) {
@@ -330,6 +342,7 @@ static void close_thin(sph2d__grid *g, const corners *c, const sph2d__barrier *b
                     g->thin_y[k] = owner;
             }
         }
+    }
 }
 
 /** The number of a body, from 1; 0: it is none. */
@@ -349,11 +362,11 @@ static void add_all(sph2d_sim *sim, sph2d__grid *g, bool moving)
         add_solid(sim, g, sim->moving[k].obstacle, &sim->moving[k].to, owner_of(sim, &sim->moving[k]));
     for (int side = 0; side < 4; ++side)
         add_side(sim, g, side);
-    cut_squares(g, sim->scene.spacing);
-    close_thin(g, &(corners){1, g->nx, 1, g->ny}, &sim->barrier, &still, 0);
+    cut_squares(g, sim->scene.spacing, !moving);
+    close_thin(g, &(corners){1, g->nx, 1, g->ny}, &sim->barrier, &still, 0, !moving);
     for (size_t k = 0; k < sim->moving_count && moving; ++k) {
         const corners c = corners_near(sim, g, sim->moving[k].obstacle, &sim->moving[k].to);
-        close_thin(g, &c, &sim->moving[k].barrier, &sim->moving[k].to, owner_of(sim, &sim->moving[k]));
+        close_thin(g, &c, &sim->moving[k].barrier, &sim->moving[k].to, owner_of(sim, &sim->moving[k]), !moving);
     }
 }
 
@@ -361,13 +374,15 @@ void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *g)
 {
     if (sim->moving_count == 0)
         return;
-    memcpy(g->distance, g->still, g->size * sizeof *g->distance);
-    memcpy(g->stick, g->still_stick, g->size * sizeof *g->stick);
-    memset(g->corner_u, 0, g->size * sizeof *g->corner_u);
-    memset(g->corner_v, 0, g->size * sizeof *g->corner_v);
+    const size_t from = sph2d__at(g, 0, g->first),
+                 count = sph2d__at(g, 0, g->last < g->ny + 2 ? g->last + 2 : g->ny + 4) - from;
+    memcpy(g->distance + from, g->still + from, count * sizeof *g->distance);
+    memcpy(g->stick + from, g->still_stick + from, count * sizeof *g->stick);
+    memset(g->corner_u + from, 0, count * sizeof *g->corner_u);
+    memset(g->corner_v + from, 0, count * sizeof *g->corner_v);
     uint32_t *const owners[] = {g->owner, g->thin_x, g->thin_y};
     for (size_t n = 0; n < sizeof owners / sizeof *owners && g->body_count > 0; ++n)
-        memset(owners[n], 0, g->size * sizeof *owners[n]);
+        memset(owners[n] + from, 0, count * sizeof *owners[n]);
     add_all(sim, g, true);
     for (size_t k = 0; k < sim->moving_count; ++k) {
         const sph2d__rigid *r = sim->moving[k].rigid;

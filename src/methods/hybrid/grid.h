@@ -2,11 +2,15 @@
 /** @file grid.h
  *  The grid of method `hybrid`: squares over the domain, velocities on their faces.
  *
+ *  Beyond an open side it goes on for the width or height of the domain, where particles leave the scene.
+ *
  *  Square (i, j), from 1 to nx and ny, has its left face at column i and its lower one at row j; around them is a ring of
- *  squares outside: closed walls, air beyond open sides, or the squares of the opposite side where the domain is
+ *  squares outside: closed walls, air beyond open ends, or the squares of the opposite side where the domain is
  *  periodic. The side of a square is about 1.9 spacings, divides the domain, and may differ between x and y. */
 #ifndef SPH2D_METHODS_HYBRID_GRID_H
 #define SPH2D_METHODS_HYBRID_GRID_H
+
+#include <string.h>
 
 #include "sim/simulation.h"
 #include "simd/isa.h"
@@ -56,9 +60,10 @@ typedef struct sph2d__grid {
     int nx, ny, levels;
     size_t stride, size;
     bool wraps_x, wraps_y;
-    int first, last;             /**< rows with particles, and two more on each side: all that a step sets and reads */
-    bool open[4];                /**< sides beyond which there is air: left, right, bottom, top */
-    double low_x, low_y;         /**< of the domain [m] */
+    int first, last;     /**< rows that a step sets: those with particles, and some around them */
+    int *begin, *end;    /**< of these rows the first square, and the one behind the last; elsewhere fields are 0 */
+    bool open[4];        /**< sides beyond which there is air: left, right, bottom, top */
+    double low_x, low_y; /**< its lower left corner [m] */
     double inverse_x, inverse_y; /**< 1 over the sides of a square [1/m] */
     float hx, hy;                /**< these sides [m] */
     sph2d__level level[SPH2D__LEVELS];
@@ -94,7 +99,8 @@ typedef struct sph2d__grid {
     const struct sph2d__multigrid *solver;
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
-    void *block; /**< all arrays */
+    size_t packed; /**< places of the particles are in floats, too, in arrays of this capacity (hybrid.c); 0: not */
+    void *block;   /**< all arrays */
     size_t block_size;
 } sph2d__grid;
 
@@ -104,15 +110,33 @@ static inline size_t sph2d__at(const sph2d__grid *g, int i, int j)
     return (size_t)j * g->stride + (size_t)i;
 }
 
+/** Runs the statement behind it for the squares k of row j that a step sets. */
+#define SPH2D__FOR_SPAN(g, j, k)                                                                                       \
+    for (size_t k = sph2d__at(g, (g)->begin[j], j), last_##k = sph2d__at(g, (g)->end[j], j); k < last_##k; ++k)
+
 /** Makes the grid of a simulation, if it has none yet. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__grid_prepare(sph2d_sim *sim);
 void sph2d__grid_free(sph2d__system *system);
 
-/** Sets the open parts of the faces, by the solids where they are at the end of the drift (grid.c). */
+/** Finds the squares that a step sets, by the cells with particles, and clears those of the last step (to_grid.c). */
+void sph2d__grid_find_spans(const sph2d_sim *sim, sph2d__grid *grid);
+
+/** Sets the open parts of these squares' faces, by the solids where they are at the end of the drift (grid.c). */
 void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
 
 /** Sums velocities, densities and pressures of the particles (to_grid.c). */
 void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *grid, double dt);
+
+struct sph2d__batch;
+
+/** Loops over particles beside the grid, compiled once for each instruction set (transfer_pass.c). */
+typedef struct sph2d__transfer_passes {
+    /** Sums velocities, densities and pressures of the particles on rows `first` to `last` - 1. */
+    void (*sum)(const sph2d_sim *sim, int first, int last, double dt);
+    /** Sets velocities, their slopes, and displacements of a batch by what faces say. */
+    void (*move)(sph2d_sim *sim, double dt, struct sph2d__batch *batch);
+} sph2d__transfer_passes;
+SPH2D__COPIES(sph2d__transfer_passes, sph2d__transfer_passes, )
 
 /** Loops over squares, compiled once for each instruction set. */
 typedef struct sph2d__grid_passes {
@@ -144,6 +168,13 @@ typedef struct sph2d__multigrid {
     void (*solve)(sph2d__grid *grid, float *value, float *rest, int iterations);
 } sph2d__multigrid;
 SPH2D__COPIES(sph2d__multigrid, sph2d__multigrid, )
+
+/** Sets rows `first` to `last` of a field to 0, and what the loops over faces and the next level read around them. */
+static inline void sph2d__level_clear(const sph2d__level *l, float *field, int first, int last)
+{
+    const int from = first > 1 ? first - 1 : 0, to = last + 4 < l->ny + 4 ? last + 4 : l->ny + 4;
+    memset(field + (size_t)from * l->stride, 0, (size_t)(to - from) * l->stride * sizeof *field);
+}
 
 /** Sets the squares of the ring of a periodic domain. */
 void sph2d__level_wrap(const sph2d__grid *grid, const sph2d__level *level, float *field);

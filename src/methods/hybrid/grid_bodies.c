@@ -51,8 +51,10 @@ void sph2d__grid_list_bodies(sph2d__grid *g)
     const size_t up = g->stride;
     g->element_count = 0;
     for (int j = 1; g->body_count > 0 && j <= g->ny; ++j)
-        for (size_t k = sph2d__at(g, 1, j), end = sph2d__at(g, g->nx, j); k <= end && j >= g->first && j <= g->last;
-             ++k) {
+        SPH2D__FOR_SPAN(g, j, k)
+        {
+            if (k < sph2d__at(g, 1, j) || k > sph2d__at(g, g->nx, j))
+                continue;
             const double x = g->low_x + ((double)(k % up) - 1) * (double)g->hx, y = g->low_y + (j - 1) * (double)g->hy;
             const uint32_t across = g->thin_x[k], along = g->thin_y[k];
             if (across > 0)

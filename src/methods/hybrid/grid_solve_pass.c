@@ -25,14 +25,16 @@ static inline float ratio(float value, float weight)
 static void take_means(const sph2d__grid *g)
 {
     const sph2d__sums *s = &g->sums;
-    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 1); ++k) {
-        const sph2d__quad m = s->middle[k];
-        g->mass[k] = m[0] * g->room[k];
-        g->excess[k] = ratio(m[1], m[0]);
-        g->q[k] = ratio(m[2], m[0]);
-        g->u[k] = g->open_x[k] > 0 ? ratio(s->x[k].value, s->x[k].weight) : g->wall_x[k];
-        g->v[k] = g->open_y[k] > 0 ? ratio(s->y[k].value, s->y[k].weight) : g->wall_y[k];
-    }
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+        {
+            const sph2d__quad m = s->middle[k];
+            g->mass[k] = m[0] * g->room[k];
+            g->excess[k] = ratio(m[1], m[0]);
+            g->q[k] = ratio(m[2], m[0]);
+            g->u[k] = g->open_x[k] > 0 ? ratio(s->x[k].value, s->x[k].weight) : g->wall_x[k];
+            g->v[k] = g->open_y[k] > 0 ? ratio(s->y[k].value, s->y[k].weight) : g->wall_y[k];
+        }
 }
 
 /** Whether a face leads to a square with liquid (1), without (-1), or is closed (0). */
@@ -50,7 +52,7 @@ static void fill_cut_squares(const sph2d__grid *g)
         const uint32_t k = g->cut[n];
         const int around = beyond(g, g->open_x[k], k - 1) + beyond(g, g->open_x[k + 1], k + 1) +
                            beyond(g, g->open_y[k], k - up) + beyond(g, g->open_y[k + up], k + up);
-        if (k >= sph2d__at(g, 0, g->first) && k < sph2d__at(g, 0, g->last) && g->mass[k] <= LIQUID && around > 0)
+        if (g->mass[k] <= LIQUID && around > 0)
             g->filled[filled++] = k;
     }
     for (size_t n = 0; n < filled; ++n) {
@@ -70,7 +72,7 @@ static void find_liquid(const sph2d__grid *g)
     const sph2d__level *l = g->level;
     for (int j = 1; j <= g->ny; ++j) {
         const size_t row = sph2d__at(g, 0, j);
-        int from = 1, to = j >= g->first && j <= g->last ? g->nx : 0;
+        int from = g->begin[j] > 1 ? g->begin[j] : 1, to = g->end[j] <= g->nx ? g->end[j] - 1 : g->nx;
         while (!(g->wraps_x || g->wraps_y) && to >= 1 && !is_liquid(g, row + (size_t)to))
             --to;
         while (!(g->wraps_x || g->wraps_y) && from < to && !is_liquid(g, row + (size_t)from))
@@ -115,10 +117,10 @@ static inline void couple_face(float one, float other, float open, float factor,
     *wet = both + *air;
 }
 
-/** Sets the rows of a field that a step reads to 0. */
 static void clear(const sph2d__grid *g, float *field)
 {
-    memset(field + sph2d__at(g, 0, g->first), 0, (size_t)(g->last + 2 - g->first) * g->stride * sizeof *field);
+    for (int j = g->first; j <= g->last; ++j)
+        memset(field + sph2d__at(g, g->begin[j], j), 0, (size_t)(g->end[j] - g->begin[j]) * sizeof *field);
 }
 
 /** Couplings of the faces. */
@@ -127,9 +129,6 @@ static void couple(sph2d__grid *g)
     const sph2d__level *l = g->level;
     const float across = g->hy / g->hx, along = g->hx / g->hy;
     const size_t up = g->stride;
-    float *const all[] = {l->left, l->below, l->air, l->inverse, g->air_x, g->air_y, g->wet_x, g->wet_y};
-    for (size_t n = 0; n < sizeof all / sizeof *all; ++n)
-        memset(all[n], 0, g->size * sizeof *all[n]);
     for (int j = 1; j <= g->ny + 1; ++j)
         FOR_FACES(g, j, k)
         {
@@ -194,7 +193,7 @@ static void close_sides(sph2d__grid *g)
         for (int m = 1; m <= n; ++m) {
             const size_t k = vertical ? sph2d__at(g, at, m) : sph2d__at(g, m, at);
             const size_t in = side % 2 == 0 ? k : vertical ? k - 1 : k - g->stride;
-            if (in >= sph2d__at(g, 0, g->first) && in < sph2d__at(g, 0, g->last + 1) && is_liquid(g, in))
+            if (is_liquid(g, in))
                 (vertical ? g->face_x : g->face_y)[k][SPH2D__KNOWN] = 1;
         }
     }
@@ -213,31 +212,29 @@ static void continue_pressure(sph2d__grid *g)
         FOR_FACES(g, j, k)
         {
             const sph2d__pair2 u = g->sums.x[k], v = g->sums.y[k];
-            const float x = g->hx * (g->wall_x[k] - ratio(u.value, u.weight)),
-                        y = g->hy * (g->wall_y[k] - ratio(v.value, v.weight));
             if (!(g->open_x[k] > 0) && is_liquid(g, k) != is_liquid(g, k - 1)) {
+                const float x = g->hx * (g->wall_x[k] - ratio(u.value, u.weight));
                 const size_t to = is_liquid(g, k) ? k - 1 : k;
                 sum[to] += is_liquid(g, k) ? g->q[k] + x : g->q[k - 1] - x;
                 count[to] += 1;
             }
             if (!(g->open_y[k] > 0) && is_liquid(g, k) != is_liquid(g, k - up)) {
+                const float y = g->hy * (g->wall_y[k] - ratio(v.value, v.weight));
                 const size_t to = is_liquid(g, k) ? k - up : k;
                 sum[to] += is_liquid(g, k) ? g->q[k] + y : g->q[k - up] - y;
                 count[to] += 1;
             }
         }
-    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 2); ++k)
-        if (count[k] > 0 && !(l->inverse[k] > 0))
-            g->q[k] = sum[k] / count[k];
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    if (count[k] > 0 && !(l->inverse[k] > 0))
+        g->q[k] = sum[k] / count[k];
 }
 
 static void set_faces(sph2d__grid *g)
 {
     const float nx = 1 / g->hx, ny = 1 / g->hy;
     const size_t up = g->stride;
-    const size_t from = sph2d__at(g, 0, g->first), count = sph2d__at(g, 0, g->last + 2) - from;
-    memset(g->face_x + from, 0, count * sizeof *g->face_x);
-    memset(g->face_y + from, 0, count * sizeof *g->face_y);
     for (int j = 1; j <= g->ny + 1; ++j)
         FOR_FACES(g, j, k)
         {
@@ -278,8 +275,9 @@ static void solve(sph2d__grid *g, double viscosity)
     sph2d__grid_find_pockets(g);
     sph2d__grid_level_pockets(g, g->rest);
     g->solver->prepare(g);
-    for (size_t k = sph2d__at(g, 0, g->first); k < sph2d__at(g, 0, g->last + 1); ++k)
-        g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
     sph2d__grid_list_bodies(g);
     g->solver->solve(g, g->q, g->rest, PRESSURE_ITERATIONS + BODY_ITERATIONS * (int)g->body_count);
     sph2d__grid_level_pockets(g, g->q);

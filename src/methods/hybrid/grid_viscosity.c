@@ -62,10 +62,21 @@ static float apply(const axis *a, const float *u, size_t k, float walls, float *
     return (1 + sum) * u[k] - rest;
 }
 
+/** First and last face of row j that may be unknown. */
+static size_t first_of(const axis *a, int j)
+{
+    return sph2d__at(a->g, a->g->begin[j] > 1 ? a->g->begin[j] : 1, j);
+}
+
+static size_t last_of(const axis *a, int j)
+{
+    return sph2d__at(a->g, a->g->end[j] <= a->last_i ? a->g->end[j] - 1 : a->last_i, j);
+}
+
 /** Runs the statement behind it for each unknown face k. */
 #define FOR_UNKNOWN(a, k)                                                                                              \
     for (int j_ = (a)->first_j; j_ <= (a)->last_j; ++j_)                                                               \
-        for (size_t k = sph2d__at((a)->g, 1, j_), end_ = sph2d__at((a)->g, (a)->last_i, j_); k <= end_; ++k)           \
+        for (size_t k = first_of(a, j_), end_ = last_of(a, j_) + 1; k < end_; ++k)                                     \
             if ((a)->side[k] > 0)
 
 static double product(const axis *a, const float *p, const float *q)
@@ -82,8 +93,9 @@ static void solve(const axis *a, float *u)
     const sph2d__grid *g = a->g;
     const sph2d__level *l = g->level; /* arrays that are free before the pressure */
     float *rest = g->rest, *way = g->way, *image = g->image, *scaled = g->z, *diagonal = l->product;
-    for (size_t k = 0; k < g->size; ++k)
-        way[k] = scaled[k] = rest[k] = 0;
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    way[k] = scaled[k] = rest[k] = 0;
     FOR_UNKNOWN(a, k)
     rest[k] = u[k] - apply(a, u, k, 1, &diagonal[k]);
     const double bound = LEFT * LEFT * product(a, u, u);

@@ -52,13 +52,17 @@ static void pack_places(const sph2d__store *t, const sph2d__cells *cells, double
 
 static void pack_fluid(sph2d__system *s, size_t first, size_t last)
 {
+    pack_places(&s->fluid, &s->fluid_cells, APART * s->spacing, first, last);
+}
+
+static void pack_densities(sph2d__system *s, size_t first, size_t last)
+{
     const sph2d__store *f = &s->fluid;
     float *excess = sph2d__floats(f, f->packed_state, 0), *inside = sph2d__floats(f, f->packed_state, 1);
-    pack_places(f, &s->fluid_cells, APART * s->spacing, first, last);
+    const double unit = 1 / s->rest_density;
     for (size_t i = first; i < last; ++i) {
-        const double density = f->density[i] / s->rest_density;
-        const double deep = 15 * (density - 0.9);
-        excess[i] = density > 1 ? (float)(0.5 * (density - 1)) : 0;
+        const double more = unit * f->density[i] - 1, deep = 15 * (more + 0.1);
+        excess[i] = more > 0 ? (float)(0.5 * more) : 0;
         inside[i] = deep < 0 ? 0 : deep > 1 ? 1 : (float)deep;
     }
 }
@@ -72,32 +76,39 @@ static void pack_walls(sph2d__system *s, size_t first, size_t last)
         weight[b] = (float)(w->mass[b] / s->mass);
 }
 
-void sph2d__hybrid_pack(sph2d__system *s)
+static void pack(sph2d__system *s)
 {
     sph2d__over_particles(s, s->fluid.count, pack_fluid);
     sph2d__over_particles(s, s->walls.count, pack_walls);
+    if (s->grid)
+        s->grid->packed = s->fluid.capacity;
 }
 
 /* ---- the method -------------------------------------------------------------------------------------------------- */
 
-void sph2d__hybrid_order(sph2d__system *s)
+void sph2d__hybrid_begin_order(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);
+    if (s->grid->packed != s->fluid.capacity) /* none were, or a source made room */
+        pack(s);
+    s->grid->packed = 0; /* until the places at the end of the step are */
+    sph2d__over_particles(s, s->fluid.count, pack_densities);
+    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);
 }
 
 static void accelerate(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
+    const sph2d__body body = s->body; /* a copy, so that what it lacks is looked at once */
     for (size_t i = first; i < last; ++i) {
         f->ax[i] = f->ay[i] = 0;
-        sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
+        sph2d__body_add(&body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
     }
 }
 
 static bool evaluate(sph2d__system *s)
 {
     const sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
-    sph2d__hybrid_pack(s);
+    pack(s);
     sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->density);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, accelerate);

@@ -38,11 +38,9 @@
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt);
 
-/** Copies places and densities into floats, for the pair loops; the cells are up to date. */
-void sph2d__hybrid_pack(sph2d__system *system);
-
-/** Sets the displacements e_i, in shift_x and shift_y [m], from the densities. */
-void sph2d__hybrid_order(sph2d__system *system);
+/** Begins to set the displacements e_i, in shift_x and shift_y [m], from places and densities at the start of a step: threads
+ *  are at it while the caller is at the grid, and then waits for them by `omp taskwait`. */
+void sph2d__hybrid_begin_order(sph2d__system *system);
 
 /** The pair loops, in floats, compiled once for each instruction set. */
 typedef struct sph2d__hybrid_passes {

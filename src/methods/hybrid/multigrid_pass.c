@@ -136,9 +136,14 @@ static inline void couple(const sph2d__level *l, const sph2d__level *c, int i, i
 static void coarsen(const sph2d__level *l, const sph2d__level *c)
 {
     float *const all[] = {c->left, c->below, c->air, c->inverse};
-    for (size_t n = 0; n < sizeof all / sizeof *all; ++n)
-        memset(all[n], 0, c->size * sizeof *all[n]);
     coarsen_rows(l, c);
+    int first = 1, last = c->ny;
+    while (first < last && c->to[first] < c->from[first])
+        ++first;
+    while (last > first && c->to[last] < c->from[last])
+        --last;
+    for (size_t n = 0; n < sizeof all / sizeof *all; ++n)
+        sph2d__level_clear(c, all[n], first, last);
     for (int j = 1; j <= c->ny + 1; ++j)
         for (int i = lower(c->from[j], c->from[j - 1]); i <= higher(c->to[j], c->to[j - 1]) + 1; ++i)
             couple(l, c, i, j);

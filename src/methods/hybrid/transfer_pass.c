@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+/** @file transfer_pass.c
+ *  Velocities from the particles to the grid of method `hybrid`, and back: hybrid.h has the equations. Compiled once for
+ *  each instruction set, named by SPH2D__ISA. */
+#include "methods/hybrid/grid.h"
+#include "sim/stages.h"
+
+/* ---- to the grid ------------------------------------------------------------------------------------------------- */
+
+/** Four floats at any place. */
+typedef float any_quad __attribute__((vector_size(16), aligned(4), may_alias));
+
+/** Adds, with weights that are bilinear, a value that grows by `slope` from one place to the next. */
+static inline void add_pair(sph2d__pair2 *to, float x, float weight, float value, float slope)
+{
+    const int i = (int)x;
+    const float part = x - (float)i, b = weight * part, a = weight - b;
+    any_quad *two = (any_quad *)(to + i);
+    *two += (any_quad){a, a, b, b} * (any_quad){value - part * slope, 1, value + (1 - part) * slope, 1};
+}
+
+static inline void add_quad(sph2d__quad *to, float x, float weight, sph2d__quad value)
+{
+    const int i = (int)x;
+    const float b = weight * (x - (float)i), a = weight - b;
+    to[i] += a * value;
+    to[i + 1] += b * value;
+}
+
+/** Rows of the grid, from `first` to `last` - 1. */
+typedef struct band {
+    const sph2d__grid *grid;
+    int first, last;
+} band;
+
+static inline bool has(const band *b, int row)
+{
+    return row >= b->first && row < b->last;
+}
+
+/** Velocity of a particle, and its slopes a square further on: APIC (Jiang, Schroeder, Selle, Teran & Stomakhin, The affine
+ *  particle-in-cell method, ACM TOG 34 (2015) 51). */
+typedef struct motion {
+    float u, v, u_x, u_y, v_x, v_y;
+} motion;
+
+/** Adds a particle at (x, y), in squares, to those of the two rows around it that are the band's. */
+static inline void add_particle(const band *b, float x, float y, const motion *p, sph2d__quad middle)
+{
+    const sph2d__grid *g = b->grid;
+    const int j = (int)(y + 0.5F), k = (int)y + 1; /* middles of row j are at j - 1/2, lower faces at j - 1 */
+    const float up = y + 0.5F - (float)j, above = y + 1 - (float)k;
+    for (int n = 0; n < 2; ++n) {
+        if (has(b, j + n)) {
+            const float weight = n == 0 ? 1 - up : up;
+            add_pair(g->sums.x + (size_t)(j + n) * g->stride, x + 1, weight, p->u + ((float)n - up) * p->u_y, p->u_x);
+            add_quad(g->sums.middle + (size_t)(j + n) * g->stride, x + 0.5F, weight, middle);
+        }
+        if (has(b, k + n))
+            add_pair(g->sums.y + (size_t)(k + n) * g->stride, x + 0.5F, n == 0 ? 1 - above : above,
+                     p->v + ((float)n - above) * p->v_y, p->v_x);
+    }
+}
+
+/** The row of cells at y, in squares above the domain's lower side. */
+static size_t row_at(const sph2d__cells *c, const sph2d__grid *g, double y)
+{
+    const double row = (g->low_y + y / g->inverse_y - c->origin_y) * c->inverse_y;
+    return row > 0 ? row < c->ny - 1.0 ? (size_t)row : c->ny - 1 : 0;
+}
+
+static void sum(const sph2d_sim *sim, int first, int last, double dt)
+{
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    const sph2d__grid *g = s->grid;
+    const band b = {g, first, last};
+    const float pressing = (float)(dt / s->rest_density), unit = (float)(1 / s->rest_density);
+    const float nx = (float)g->nx, ny = (float)g->ny, hx = g->hx, hy = g->hy;
+    const sph2d__cells *c = &s->fluid_cells;
+    if (c->nx == 0 || c->ny == 0)
+        return;
+    const size_t end = c->start[(row_at(c, g, last - 0.5) + 1) * c->nx];
+    for (size_t i = c->start[row_at(c, g, first - 2.0) * c->nx]; i < end; ++i) {
+        const float x = (float)((f->x[i] - g->low_x) * g->inverse_x), y = (float)((f->y[i] - g->low_y) * g->inverse_y);
+        if (!(x >= 0 && x <= nx && y >= 0 && y <= ny))
+            continue;
+        const float stretch = (float)f->stretch[i], shear = (float)f->shear[i], rotation = (float)f->rotation[i];
+        const motion p = {(float)f->vx[i],         (float)f->vy[i],         hx * stretch,
+                          hy * (shear - rotation), hx * (shear + rotation), -hy * stretch};
+        add_particle(&b, x, y, &p,
+                     (sph2d__quad){1, unit * (float)f->density[i] - 1, pressing * (float)f->pressure[i], 0});
+    }
+}
+
+/* ---- back -------------------------------------------------------------------------------------------------------- */
+
+/* Bounds of the displacements by particles and by the grid in a step [spacings]. */
+static const double MOST_OF_ORDER = 0.2, MOST_OF_GRID = 0.3;
+
+/** What the grid says at a place, along one axis. */
+typedef struct reading {
+    float value, displacement; /**< means over the faces that say something [m/s, m] */
+    float known;               /**< their weight */
+    float off_x, off_y;        /**< their middle, from the place [m] */
+    float dx, dy;              /**< slopes of the velocity [1/s], */
+    bool has_dx, has_dy;       /**< where faces on both sides say something */
+} reading;
+
+/** Reads between four faces of which some are not known. */
+static reading read_some(const sph2d__grid *g, const sph2d__quad *low, float a, float b, sph2d__quad mean)
+{
+    const sph2d__quad *high = low + g->stride;
+    const float known = mean[SPH2D__KNOWN];
+    if (!(known > 0.01F))
+        return (reading){0};
+    const sph2d__quad one = mean / known;
+    reading r = {.value = one[SPH2D__NEW], .displacement = one[SPH2D__DISPLACEMENT], .known = known};
+    const float is[4] = {low[0][SPH2D__KNOWN], low[1][SPH2D__KNOWN], high[0][SPH2D__KNOWN], high[1][SPH2D__KNOWN]};
+    const float dx[2] = {(1 - b) * is[0] * is[1], b * is[2] * is[3]},
+                dy[2] = {(1 - a) * is[0] * is[2], a * is[1] * is[3]};
+    r.has_dx = dx[0] + dx[1] > 0.01F;
+    r.has_dy = dy[0] + dy[1] > 0.01F;
+    if (r.has_dx)
+        r.dx =
+            (dx[0] * (low[1][SPH2D__NEW] - low[0][SPH2D__NEW]) + dx[1] * (high[1][SPH2D__NEW] - high[0][SPH2D__NEW])) /
+            ((dx[0] + dx[1]) * g->hx);
+    if (r.has_dy)
+        r.dy =
+            (dy[0] * (high[0][SPH2D__NEW] - low[0][SPH2D__NEW]) + dy[1] * (high[1][SPH2D__NEW] - low[1][SPH2D__NEW])) /
+            ((dy[0] + dy[1]) * g->hy);
+    r.off_x = (a * ((1 - b) * is[1] + b * is[3]) / known - a) * g->hx;
+    r.off_y = (b * ((1 - a) * is[2] + a * is[3]) / known - b) * g->hy;
+    return r;
+}
+
+/** Reads at column `x` and row `y` of the faces. */
+static inline reading read_at(const sph2d__grid *g, const sph2d__quad *faces, float x, float y)
+{
+    const int i = (int)x, j = (int)y;
+    const float a = x - (float)i, b = y - (float)j;
+    const sph2d__quad *low = faces + (size_t)j * g->stride + (size_t)i, *high = low + g->stride;
+    const sph2d__quad below = low[1] - low[0], above = high[1] - high[0];
+    const sph2d__quad left = low[0] + a * below, up = high[0] + a * above - left, mean = left + b * up;
+    const float unit_x = (float)g->inverse_x, unit_y = (float)g->inverse_y;
+    if ((low[0] * low[1] * high[0] * high[1])[SPH2D__KNOWN] > 0)
+        return (reading){.value = mean[SPH2D__NEW],
+                         .displacement = mean[SPH2D__DISPLACEMENT],
+                         .known = 1,
+                         .dx = unit_x * (below + b * (above - below))[SPH2D__NEW],
+                         .dy = unit_y * up[SPH2D__NEW],
+                         .has_dx = true,
+                         .has_dy = true};
+    return read_some(g, low, a, b, mean);
+}
+
+/** Slopes of the velocity (u, v) at a particle [1/s]. */
+typedef struct slopes {
+    double u_x, u_y, v_x, v_y;
+} slopes;
+
+/** The slopes from the grid. One that it does not know, at a surface, is that without divergence, or that with which the
+ *  particle keeps its rotation: without viscosity liquid does (Helmholtz). */
+static inline slopes slopes_of(const reading *u, const reading *v, double rotation)
+{
+    slopes s = {(double)u->dx, (double)u->dy, (double)v->dx, (double)v->dy};
+    if (!u->has_dx && v->has_dy)
+        s.u_x = -s.v_y;
+    if (!v->has_dy && u->has_dx)
+        s.v_y = -s.u_x;
+    if (!u->has_dy && v->has_dx)
+        s.u_y = s.v_x - 2 * rotation;
+    if (!v->has_dx && u->has_dy)
+        s.v_x = s.u_y + 2 * rotation;
+    return s;
+}
+
+/* fmax and fmin are calls, as they look for values that are no numbers. */
+static inline double within(double bound, double value)
+{
+    return value > bound ? bound : value < -bound ? -bound : value;
+}
+
+/** The pressure at a place of the grid, in units of q; air has none. */
+static float pressure_at(const sph2d__grid *g, float x, float y)
+{
+    const int i = (int)x, j = (int)y;
+    const float a = x - (float)i, b = y - (float)j;
+    const float *at = g->q + sph2d__at(g, i, j);
+    const float low = at[0] + a * (at[1] - at[0]), high = at[g->stride] + a * (at[g->stride + 1] - at[g->stride]);
+    return low + b * (high - low);
+}
+
+/** Where no pressure acts, a displacement e that keeps a particle from where its velocity takes it stops that velocity, by
+ *  at most e/dt: else particles that lie on others would fall for ever, and get faster. */
+static inline void stop(sph2d__batch *w, size_t k, double e_x, double e_y, double part, double dt)
+{
+    if (!(part > 0))
+        return;
+    const double e2 = e_x * e_x + e_y * e_y, against = -(w->vx[k] * e_x + w->vy[k] * e_y);
+    if (!(against > 0 && e2 > 0))
+        return;
+    const double change = part * (against < e2 / dt ? against / e2 : 1 / dt);
+    w->vx[k] += change * e_x;
+    w->vy[k] += change * e_y;
+}
+
+/** Velocity, its slopes and displacement of particle i, which is at (x, y) in squares: k of the batch. */
+static void take(sph2d_sim *sim, sph2d__batch *w, size_t k, float x, float y, double dt)
+{
+    const sph2d__grid *g = sim->system.grid;
+    sph2d__store *f = &sim->system.fluid;
+    const size_t i = w->first + k;
+    const double bound = MOST_OF_GRID * sim->system.spacing;
+    const reading ru = read_at(g, g->face_x, x + 1, y + 0.5F), rv = read_at(g, g->face_y, x + 0.5F, y + 1);
+    const slopes s = ru.known > 0 && rv.known > 0 ? slopes_of(&ru, &rv, f->rotation[i]) : (slopes){0};
+    if (ru.known > 0)
+        w->vx[k] = (double)ru.value - s.u_x * (double)ru.off_x - s.u_y * (double)ru.off_y;
+    if (rv.known > 0)
+        w->vy[k] = (double)rv.value - s.v_x * (double)rv.off_x - s.v_y * (double)rv.off_y;
+    f->stretch[i] = (s.u_x - s.v_y) / 2;
+    f->shear[i] = (s.u_y + s.v_x) / 2;
+    f->rotation[i] = (s.v_x - s.u_y) / 2;
+    /* Liquid moves by the new velocity: by the mean of both, waves would grow by (omega dt)^2/4 a step. Spray falls on
+     * parabolas. */
+    const double u = w->vx[k], v = w->vy[k], known = 4 * (double)(ru.known + rv.known) - 1;
+    const double inside = known > 1 ? 1 : known < 0 ? 0 : known, outside = (1 - inside) * dt / 2;
+    w->dx[k] = dt * (u + inside * dt / 2 * (u * s.u_x + v * s.u_y) - outside * f->ax[i]) +
+               within(bound, (double)ru.displacement) + f->shift_x[i];
+    w->dy[k] = dt * (v + inside * dt / 2 * (u * s.v_x + v * s.v_y) - outside * f->ay[i]) +
+               within(bound, (double)rv.displacement) + f->shift_y[i];
+    stop(w, k, f->shift_x[i], f->shift_y[i], 1 - inside, dt);
+    f->pressure[i] = (double)pressure_at(g, x + 0.5F, y + 0.5F) * sim->system.rest_density / dt;
+}
+
+static void move(sph2d_sim *sim, double dt, sph2d__batch *w)
+{
+    const sph2d__grid *g = sim->system.grid;
+    sph2d__store *f = &sim->system.fluid;
+    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
+        const double x = (f->x[i] - g->low_x) * g->inverse_x, y = (f->y[i] - g->low_y) * g->inverse_y;
+        w->vx[k] = f->vx[i];
+        w->vy[k] = f->vy[i];
+        f->shift_x[i] = within(MOST_OF_ORDER * sim->system.spacing, f->shift_x[i]);
+        f->shift_y[i] = within(MOST_OF_ORDER * sim->system.spacing, f->shift_y[i]);
+        if (x >= 0 && x <= g->nx && y >= 0 && y <= g->ny)
+            take(sim, w, k, (float)x, (float)y, dt);
+        else {
+            w->dx[k] = dt * (w->vx[k] - dt / 2 * f->ax[i]) + f->shift_x[i];
+            w->dy[k] = dt * (w->vy[k] - dt / 2 * f->ay[i]) + f->shift_y[i];
+            stop(w, k, f->shift_x[i], f->shift_y[i], 1, dt);
+            f->pressure[i] = f->stretch[i] = f->shear[i] = f->rotation[i] = 0;
+        }
+    }
+}
+
+const sph2d__transfer_passes SPH2D__OF_ISA(sph2d__transfer_passes) = {sum, move};
