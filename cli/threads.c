@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -38,6 +39,18 @@ thread_choice threads_choose(const cli_options *options)
     snprintf(count, sizeof count, "%d", choice.count);
     setenv("LP_NUM_THREADS", count, 0); /* if it fails, Mesa chooses */
     return choice;
+}
+
+void threads_wait_passively(char **argv)
+{
+#ifdef _OPENMP
+    if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT") || setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
+        return;
+#if defined(__linux__) && !defined(__clang__) /* LLVM's asks later */
+    execv("/proc/self/exe", argv);
+#endif
+#endif
+    (void)argv;
 }
 
 int threads_for_frames(const cli_options *options, size_t frames)

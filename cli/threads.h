@@ -18,6 +18,11 @@ typedef struct thread_choice {
  *  the software renderer, unless the environment does (LP_NUM_THREADS). */
 thread_choice threads_choose(const cli_options *options);
 
+/** Starts the program again with OMP_WAIT_POLICY=passive, unless the environment says how threads wait: those of GNU's OpenMP
+ *  spin, and take the processors from threads that draw; it asks only when a program is loaded. Returns where that is
+ *  not possible. To be called before anything else. */
+void threads_wait_passively(char **argv);
+
 /** The number of threads that draw `frames` frames in parallel; the software renderer then uses one thread for each. */
 int threads_for_frames(const cli_options *options, size_t frames);
 

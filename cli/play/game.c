@@ -78,10 +78,37 @@ sph2d_status game_open_text(game *g, const char *text, size_t length, const char
     return game_open_file(g, file, report);
 }
 
+static bool has_spacing(const cli_options *options)
+{
+    size_t k = 0;
+    while (k < options->override_count && strcmp(options->overrides[k].path, "spacing") != 0)
+        ++k;
+    return k < options->override_count;
+}
+
 sph2d_status game_open_number(game *g, size_t number, sph2d_report *report)
 {
+    enum { LOOKED_AT = 10 }; /* pictures */
     const play_scene *from = &play_scenes[number];
-    return game_open_text(g, from->text, strlen(from->text), from->name, report);
+    const sph2d_status status = game_open_text(g, from->text, strlen(from->text), from->name, report);
+    g->fits_in = status == SPH2D_OK && !has_spacing(g->options) ? LOOKED_AT : 0;
+    return status;
+}
+
+void game_fit(game *g, double part)
+{
+    static const double most_spacing = 1.5; /* that of the scene: solids have few spacings */
+    enum { FEWEST = 1000, MOST = 16384 };
+    const double count = (double)sph2d_sim_fluid(g->live.sim).count, now = g->live.scene.spacing;
+    const double fitting = live_fitting_spacing(&g->live, part);
+    if (count < FEWEST || !(fitting > 0)) /* it has not begun: a tap */
+        return;
+    sph2d_report report = {0};
+    const double spacing = fmin(fmax(fitting, now * sqrt(count / MOST)), now * most_spacing);
+    const sph2d_status status = live_restart(&g->live, spacing, &report);
+    game_tell_report(g, status, &report);
+    if (status == SPH2D_OK)
+        game_take_scene(g);
 }
 
 void game_close(game *g)

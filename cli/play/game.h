@@ -22,6 +22,7 @@ typedef struct game {
     sph2d_vec2 color_range; /**< of all that was shown of this field */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
+    int fits_in;         /**< pictures until game_fit(); 0: never */
     bool leaks;          /**< that liquid left was told */
     bool told_elsewhere; /**< messages are not for the picture */
     char message[400];   /**< the last thing to tell ... */
@@ -45,8 +46,11 @@ sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *repor
 /** Starts the scene of a text under a name. Errors: as sph2d_scene_file_parse and game_open_file. */
 sph2d_status game_open_text(game *g, const char *text, size_t length, const char *name, sph2d_report *report);
 
-/** Starts one of play_scenes. Errors: as game_open_text. */
+/** Starts one of play_scenes, to be fitted after some pictures unless `-s spacing` is given. Errors: as game_open_text. */
 sph2d_status game_open_number(game *g, size_t number, sph2d_report *report);
+
+/** Starts again with as many particles as step in this part of the time of the clock, 16,384 at most. */
+void game_fit(game *g, double part);
 
 /** Sets what follows from a new scene: style, reach of the hand. */
 void game_take_scene(game *g);

@@ -103,8 +103,7 @@ static void restart(game *g)
         past_drop(&g->live.past);
 }
 
-/* Starts again at the spacing at which this machine follows the clock: in two dimensions the cost of simulated time goes
- * with the third power of the number of particles along a side. */
+/* Starts again at the spacing at which this machine follows the clock. */
 static void fit(game *g)
 {
     static const double part = 0.7, most = 4; /* of the clock for steps; of change at once */
@@ -113,8 +112,8 @@ static void fit(game *g)
         return;
     }
     sph2d_report report = {0};
-    const double factor = cbrt(g->rate / (part * g->live.pace));
-    const double spacing = g->live.scene.spacing * fmin(fmax(factor, 1 / most), most);
+    const double now = g->live.scene.spacing;
+    const double spacing = fmin(fmax(live_fitting_spacing(&g->live, part / g->rate), now / most), now * most);
     live_remember(&g->live, "fit");
     const sph2d_status status = live_restart(&g->live, spacing, &report);
     game_tell_report(g, status, &report);

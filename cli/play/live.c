@@ -107,6 +107,12 @@ sph2d_status live_restart(live *l, double spacing, sph2d_report *report)
     return SPH2D_OK;
 }
 
+double live_fitting_spacing(const live *l, double part)
+{
+    /* In two dimensions the cost of simulated time goes with the third power of the number of particles along a side. */
+    return l->pace > 0 ? l->scene.spacing * cbrt(1 / (part * l->pace)) : 0;
+}
+
 /* ---- the clock --------------------------------------------------------------------------------------------------- */
 
 sph2d_status live_step(live *l, sph2d_report *report)

@@ -36,6 +36,9 @@ void live_close(live *l);
  *  same). */
 sph2d_status live_restart(live *l, double spacing, sph2d_report *report);
 
+/** The spacing at which steps take this part of the time of the clock, by those there were; 0: there were none. */
+double live_fitting_spacing(const live *l, double part);
+
 /** Steps until `seconds` more are simulated, or `budget` seconds of the clock have passed; what is not reached then is
  *  left out, but for a tenth of a second. Errors: as sph2d_sim_step, once; it stands still then. */
 sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *report);

@@ -10,6 +10,9 @@
 /* Pictures a second for which steps are cut short where the machine is slow; but steps have this long in any case [s]. */
 static const double WANTED_PICTURES = 34, LEAST_STEPPING = 0.006;
 
+/* The part of the time left by pictures that a scene of play takes for steps at first; a splash takes more. */
+static const double STEPPED = 0.6;
+
 /* The longest that is taken for one turn, as after the window was dragged [s]. */
 static const double LONGEST_TURN = 0.1;
 
@@ -50,6 +53,8 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
     if (visible)
         game_hand(g, t->renderer, input);
     game_advance(g, passed, fmax(1 / WANTED_PICTURES - t->drawing, LEAST_STEPPING));
+    if (g->fits_in > 0 && --g->fits_in == 0)
+        game_fit(g, STEPPED * fmax(1 - WANTED_PICTURES * t->drawing, LEAST_STEPPING * WANTED_PICTURES));
     t->played += g->paused ? 0 : passed * g->rate;
     t->simulated += fmax(sph2d_sim_time(g->live.sim) - from, 0);
     t->draws = clock_wall();

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "methods/hybrid/grid.h"
 #include "methods/hybrid/hybrid.h"
+#include "methods/terms/tension.h"
 #include "sim/stages.h"
 
 static void kick(sph2d__store *f, double dt)
@@ -27,6 +28,17 @@ static energies energies_of(const sph2d_sim *sim)
     return (energies){sph2d__sim_energy_of_all(sim), sph2d__sim_power_of_forces(sim) - sph2d__bodies_power(sim)};
 }
 
+/** Evaluates densities and accelerations, then the energy of the surface; returns how much more that is [J/m]. */
+static sph2d_status evaluate(sph2d_sim *sim, double *more)
+{
+    sph2d__grid *g = sim->system.grid;
+    const double before = g->surface_energy;
+    const bool ok = sim->method->evaluate(&sim->system);
+    g->surface_energy = sim->system.surface_tension > 0 ? sph2d__tension_energy(&sim->system) : 0;
+    *more = g->surface_energy - before;
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
+}
+
 /** Sorts and evaluates again when particles came or went since the last step: at its end, both are of those there were. */
 static sph2d_status take_in(sph2d_sim *sim)
 {
@@ -38,7 +50,8 @@ static sph2d_status take_in(sph2d_sim *sim)
         return status;
     g->next_id = sim->record.next_id;
     g->count = sim->system.fluid.count;
-    return sim->method->evaluate(&sim->system) ? SPH2D_OK : SPH2D_NOMEM;
+    double brought;
+    return evaluate(sim, &brought);
 }
 
 sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
@@ -77,14 +90,18 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     status = sph2d__advect(sim, dt, sph2d__transfer_passes_find(s->isa)->move, NULL);
     if (status != SPH2D_OK)
         return status;
+    status = sph2d__sort_fluid(sim);
+    if (status != SPH2D_OK)
+        return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
     const energies after = energies_of(sim);
     r->work_pressed += on_bodies + after.energy - before.energy - dt * (before.power + after.power) / 2 +
                        (r->energy_stopped - r->energy_walls - booked);
-    status = sph2d__sort_fluid(sim);
-    if (status == SPH2D_OK)
-        status = sph2d__sim_update_forcing(sim, r->time + dt);
+    status = sph2d__sim_update_forcing(sim, r->time + dt);
     if (status != SPH2D_OK)
         return status;
-    return sim->method->evaluate(s) ? SPH2D_OK : SPH2D_NOMEM;
+    double more;
+    status = evaluate(sim, &more);
+    r->work_pressed += more;
+    return status;
 }

@@ -99,6 +99,7 @@ typedef struct sph2d__grid {
     const struct sph2d__multigrid *solver;
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
+    double surface_energy; /**< at the last evaluation [J/m] */
     size_t packed; /**< places of the particles are in floats, too, in arrays of this capacity (hybrid.c); 0: not */
     void *block;   /**< all arrays */
     size_t block_size;

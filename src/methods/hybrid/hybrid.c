@@ -9,6 +9,7 @@
 #include "kernels/kernel.h"
 #include "methods/common/packed.h"
 #include "methods/hybrid/grid.h"
+#include "methods/terms/tension.h"
 
 /* Lattice sites on either side of a particle. */
 enum { REACH = 4 };
@@ -55,16 +56,11 @@ static void pack_fluid(sph2d__system *s, size_t first, size_t last)
     pack_places(&s->fluid, &s->fluid_cells, APART * s->spacing, first, last);
 }
 
+/** For a state that was read: evaluate() sets them otherwise. */
 static void pack_densities(sph2d__system *s, size_t first, size_t last)
 {
-    const sph2d__store *f = &s->fluid;
-    float *excess = sph2d__floats(f, f->packed_state, 0), *inside = sph2d__floats(f, f->packed_state, 1);
-    const double unit = 1 / s->rest_density;
-    for (size_t i = first; i < last; ++i) {
-        const double more = unit * f->density[i] - 1, deep = 15 * (more + 0.1);
-        excess[i] = more > 0 ? (float)(0.5 * more) : 0;
-        inside[i] = deep < 0 ? 0 : deep > 1 ? 1 : (float)deep;
-    }
+    for (size_t i = first; i < last; ++i)
+        sph2d__hybrid_set_density(s, i, s->fluid.density[i]);
 }
 
 static void pack_walls(sph2d__system *s, size_t first, size_t last)
@@ -88,10 +84,11 @@ static void pack(sph2d__system *s)
 
 void sph2d__hybrid_begin_order(sph2d__system *s)
 {
-    if (s->grid->packed != s->fluid.capacity) /* none were, or a source made room */
+    if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
         pack(s);
+        sph2d__over_particles(s, s->fluid.count, pack_densities);
+    }
     s->grid->packed = 0; /* until the places at the end of the step are */
-    sph2d__over_particles(s, s->fluid.count, pack_densities);
     sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);
 }
 
@@ -112,6 +109,7 @@ static bool evaluate(sph2d__system *s)
     sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->density);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, accelerate);
+    sph2d__tension_add(s);
     sph2d__profile_enter(&s->profile, before);
     return true;
 }
@@ -131,7 +129,8 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     (void)acceleration;
     const double fall = sqrt(2 * s->head);
     *limit = SPH2D__LIMIT_FIXED;
-    return s->method.cfl * s->support / (fall > 0 ? fall : speed > 0 ? speed : s->support);
+    const double fastest = fall > 0 ? fall : speed > 0 ? speed : s->support;
+    return fmin(s->method.cfl * s->support / fastest, sph2d__tension_step(s));
 }
 
 const sph2d__method sph2d__hybrid = {

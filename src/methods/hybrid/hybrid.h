@@ -32,6 +32,7 @@
 #define SPH2D_METHODS_HYBRID_HYBRID_H
 
 #include "methods/common/method.h"
+#include "methods/common/packed.h"
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
@@ -41,6 +42,16 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt);
 /** Begins to set the displacements e_i, in shift_x and shift_y [m], from places and densities at the start of a step: threads
  *  are at it while the caller is at the grid, and then waits for them by `omp taskwait`. */
 void sph2d__hybrid_begin_order(sph2d__system *system);
+
+/** Sets the density of particle i, and l and b in floats. */
+static inline void sph2d__hybrid_set_density(const sph2d__system *system, size_t i, double density)
+{
+    const sph2d__store *f = &system->fluid;
+    const double more = density / system->rest_density - 1, deep = 15 * (more + 0.1);
+    f->density[i] = density;
+    sph2d__floats(f, f->packed_state, 0)[i] = more > 0 ? (float)(0.5 * more) : 0;
+    sph2d__floats(f, f->packed_state, 1)[i] = deep < 0 ? 0 : deep > 1 ? 1 : (float)deep;
+}
 
 /** The pair loops, in floats, compiled once for each instruction set. */
 typedef struct sph2d__hybrid_passes {

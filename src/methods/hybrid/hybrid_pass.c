@@ -51,7 +51,7 @@ static void density(sph2d__system *s, size_t first, size_t last)
         if (sph2d__group_others(&by, &g, &ranges))
             sum += value_sum(f, &g, &ranges, &walls, walls.first, unit);
         SPH2D__FOR_LANES (g, l)
-            f->density[g.first + (size_t)l] = full * (double)sum[l];
+            sph2d__hybrid_set_density(s, g.first + (size_t)l, full * (double)sum[l]);
     }
 }
 

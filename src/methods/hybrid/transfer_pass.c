@@ -2,6 +2,8 @@
 /** @file transfer_pass.c
  *  Velocities from the particles to the grid of method `hybrid`, and back: hybrid.h has the equations. Compiled once for
  *  each instruction set, named by SPH2D__ISA. */
+#include <string.h>
+
 #include "methods/hybrid/grid.h"
 #include "sim/stages.h"
 
@@ -175,10 +177,11 @@ static inline slopes slopes_of(const reading *u, const reading *v, double rotati
     return s;
 }
 
-/* fmax and fmin are calls, as they look for values that are no numbers. */
+/* In this form it is two instructions; fmax and fmin are calls. */
 static inline double within(double bound, double value)
 {
-    return value > bound ? bound : value < -bound ? -bound : value;
+    const double low = value > -bound ? value : -bound;
+    return low < bound ? low : bound;
 }
 
 /** The pressure at a place of the grid, in units of q; air has none. */
@@ -195,8 +198,6 @@ static float pressure_at(const sph2d__grid *g, float x, float y)
  *  at most e/dt: else particles that lie on others would fall for ever, and get faster. */
 static inline void stop(sph2d__batch *w, size_t k, double e_x, double e_y, double part, double dt)
 {
-    if (!(part > 0))
-        return;
     const double e2 = e_x * e_x + e_y * e_y, against = -(w->vx[k] * e_x + w->vy[k] * e_y);
     if (!(against > 0 && e2 > 0))
         return;
@@ -205,53 +206,82 @@ static inline void stop(sph2d__batch *w, size_t k, double e_x, double e_y, doubl
     w->vy[k] += change * e_y;
 }
 
-/** Velocity, its slopes and displacement of particle i, which is at (x, y) in squares: k of the batch. */
-static void take(sph2d_sim *sim, sph2d__batch *w, size_t k, float x, float y, double dt)
+/** What the grid says at the particles of a batch. */
+typedef struct taken {
+    double u_x[SPH2D__BATCH], u_y[SPH2D__BATCH], v_x[SPH2D__BATCH], v_y[SPH2D__BATCH]; /**< slopes [1/s] */
+    double e_x[SPH2D__BATCH], e_y[SPH2D__BATCH];                                       /**< displacements [m] */
+    double inside[SPH2D__BATCH];                                                       /**< 1 in liquid, 0 in spray */
+    double q[SPH2D__BATCH];
+} taken;
+
+/** Velocity, its slopes and more of particle k of a batch, which is at (x, y) in squares. */
+static inline void take(const sph2d_sim *sim, sph2d__batch *w, size_t k, float x, float y, taken *t)
 {
     const sph2d__grid *g = sim->system.grid;
-    sph2d__store *f = &sim->system.fluid;
-    const size_t i = w->first + k;
-    const double bound = MOST_OF_GRID * sim->system.spacing;
     const reading ru = read_at(g, g->face_x, x + 1, y + 0.5F), rv = read_at(g, g->face_y, x + 0.5F, y + 1);
-    const slopes s = ru.known > 0 && rv.known > 0 ? slopes_of(&ru, &rv, f->rotation[i]) : (slopes){0};
+    const slopes s =
+        ru.known > 0 && rv.known > 0 ? slopes_of(&ru, &rv, sim->system.fluid.rotation[w->first + k]) : (slopes){0};
     if (ru.known > 0)
         w->vx[k] = (double)ru.value - s.u_x * (double)ru.off_x - s.u_y * (double)ru.off_y;
     if (rv.known > 0)
         w->vy[k] = (double)rv.value - s.v_x * (double)rv.off_x - s.v_y * (double)rv.off_y;
-    f->stretch[i] = (s.u_x - s.v_y) / 2;
-    f->shear[i] = (s.u_y + s.v_x) / 2;
-    f->rotation[i] = (s.v_x - s.u_y) / 2;
-    /* Liquid moves by the new velocity: by the mean of both, waves would grow by (omega dt)^2/4 a step. Spray falls on
-     * parabolas. */
-    const double u = w->vx[k], v = w->vy[k], known = 4 * (double)(ru.known + rv.known) - 1;
-    const double inside = known > 1 ? 1 : known < 0 ? 0 : known, outside = (1 - inside) * dt / 2;
-    w->dx[k] = dt * (u + inside * dt / 2 * (u * s.u_x + v * s.u_y) - outside * f->ax[i]) +
-               within(bound, (double)ru.displacement) + f->shift_x[i];
-    w->dy[k] = dt * (v + inside * dt / 2 * (u * s.v_x + v * s.v_y) - outside * f->ay[i]) +
-               within(bound, (double)rv.displacement) + f->shift_y[i];
-    stop(w, k, f->shift_x[i], f->shift_y[i], 1 - inside, dt);
-    f->pressure[i] = (double)pressure_at(g, x + 0.5F, y + 0.5F) * sim->system.rest_density / dt;
+    t->u_x[k] = s.u_x;
+    t->u_y[k] = s.u_y;
+    t->v_x[k] = s.v_x;
+    t->v_y[k] = s.v_y;
+    t->e_x[k] = (double)ru.displacement;
+    t->e_y[k] = (double)rv.displacement;
+    const double known = 4 * (double)(ru.known + rv.known) - 1;
+    t->inside[k] = known > 1 ? 1 : known > 0 ? known : 0;
+    t->q[k] = (double)pressure_at(g, x + 0.5F, y + 0.5F);
+}
+
+/** Sets slopes, pressures and displacements of a batch. Liquid moves by the new velocity: by the mean of both, waves would
+ *  grow by (omega dt)^2/4 a step. Spray falls on parabolas. */
+static void set_displacements(const sph2d_sim *sim, double dt, sph2d__batch *w, const taken *t)
+{
+    const sph2d__store *f = &sim->system.fluid;
+    const size_t first = w->first;
+    const double *restrict ax = f->ax + first, *restrict ay = f->ay + first, *restrict vx = w->vx, *restrict vy = w->vy;
+    double *restrict shift_x = f->shift_x + first, *restrict shift_y = f->shift_y + first, *restrict dx = w->dx,
+                     *restrict dy = w->dy, *restrict stretch = f->stretch + first, *restrict shear = f->shear + first,
+                     *restrict rotation = f->rotation + first, *restrict pressure = f->pressure + first;
+    const double of_order = MOST_OF_ORDER * sim->system.spacing, of_grid = MOST_OF_GRID * sim->system.spacing;
+    const double pressing = sim->system.rest_density / dt, half = dt / 2;
+    for (size_t k = 0; k < w->count; ++k) {
+        const double u = vx[k], v = vy[k], inside = t->inside[k], outside = 1 - inside;
+        const double u_x = t->u_x[k], u_y = t->u_y[k], v_x = t->v_x[k], v_y = t->v_y[k];
+        shift_x[k] = within(of_order, shift_x[k]);
+        shift_y[k] = within(of_order, shift_y[k]);
+        dx[k] = dt * (u + half * (inside * (u * u_x + v * u_y) - outside * ax[k])) + within(of_grid, t->e_x[k]) +
+                shift_x[k];
+        dy[k] = dt * (v + half * (inside * (u * v_x + v * v_y) - outside * ay[k])) + within(of_grid, t->e_y[k]) +
+                shift_y[k];
+        stretch[k] = (u_x - v_y) / 2;
+        shear[k] = (u_y + v_x) / 2;
+        rotation[k] = (v_x - u_y) / 2;
+        pressure[k] = pressing * t->q[k];
+    }
 }
 
 static void move(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__grid *g = sim->system.grid;
-    sph2d__store *f = &sim->system.fluid;
+    const sph2d__store *f = &sim->system.fluid;
+    taken t;
+    memcpy(w->vx, f->vx + w->first, w->count * sizeof *w->vx);
+    memcpy(w->vy, f->vy + w->first, w->count * sizeof *w->vy);
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         const double x = (f->x[i] - g->low_x) * g->inverse_x, y = (f->y[i] - g->low_y) * g->inverse_y;
-        w->vx[k] = f->vx[i];
-        w->vy[k] = f->vy[i];
-        f->shift_x[i] = within(MOST_OF_ORDER * sim->system.spacing, f->shift_x[i]);
-        f->shift_y[i] = within(MOST_OF_ORDER * sim->system.spacing, f->shift_y[i]);
         if (x >= 0 && x <= g->nx && y >= 0 && y <= g->ny)
-            take(sim, w, k, (float)x, (float)y, dt);
-        else {
-            w->dx[k] = dt * (w->vx[k] - dt / 2 * f->ax[i]) + f->shift_x[i];
-            w->dy[k] = dt * (w->vy[k] - dt / 2 * f->ay[i]) + f->shift_y[i];
-            stop(w, k, f->shift_x[i], f->shift_y[i], 1, dt);
-            f->pressure[i] = f->stretch[i] = f->shear[i] = f->rotation[i] = 0;
-        }
+            take(sim, w, k, (float)x, (float)y, &t);
+        else
+            t.u_x[k] = t.u_y[k] = t.v_x[k] = t.v_y[k] = t.e_x[k] = t.e_y[k] = t.inside[k] = t.q[k] = 0;
     }
+    set_displacements(sim, dt, w, &t);
+    for (size_t k = 0; k < w->count; ++k)
+        if (t.inside[k] < 1)
+            stop(w, k, f->shift_x[w->first + k], f->shift_y[w->first + k], 1 - t.inside[k], dt);
 }
 
 const sph2d__transfer_passes SPH2D__OF_ISA(sph2d__transfer_passes) = {sum, move};

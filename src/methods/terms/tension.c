@@ -80,6 +80,52 @@ static bool gather(neighbourhood *c, const sph2d__system *s, const sph2d__store 
     return true;
 }
 
+/** A convex polygon around a particle, in spacings. With more corners it counts as open. */
+enum { MOST_CORNERS = 24 };
+typedef struct polygon {
+    int count;
+    double x[MOST_CORNERS], y[MOST_CORNERS];
+} polygon;
+
+/** The part of a polygon that is nearer to the particle than to a neighbour at (x, y). */
+static void cut(const polygon *from, double x, double y, polygon *to)
+{
+    const double middle = (x * x + y * y) / 2;
+    to->count = 0;
+    for (int k = 0; k < from->count && to->count + 2 <= MOST_CORNERS; ++k) {
+        const int next = k + 1 < from->count ? k + 1 : 0;
+        const double here = middle - (x * from->x[k] + y * from->y[k]);
+        const double there = middle - (x * from->x[next] + y * from->y[next]);
+        if (here >= 0) {
+            to->x[to->count] = from->x[k];
+            to->y[to->count++] = from->y[k];
+        }
+        if ((here > 0 && there < 0) || (here < 0 && there > 0)) {
+            const double part = here / (here - there);
+            to->x[to->count] = from->x[k] + part * (from->x[next] - from->x[k]);
+            to->y[to->count++] = from->y[k] + part * (from->y[next] - from->y[k]);
+        }
+    }
+}
+
+/** Whether a part of a particle's cell is farther from it than the inner radius, and has energy: inside the liquid none is. */
+static bool is_open(const neighbourhood *c)
+{
+    polygon cells[2] = {{4, {OUTER, -OUTER, -OUTER, OUTER}, {OUTER, OUTER, -OUTER, -OUTER}}};
+    for (int k = 0; k < c->count; ++k) {
+        const polygon *cell = &cells[(k + 1) % 2];
+        cut(&cells[k % 2], c->x[k], c->y[k], &cells[(k + 1) % 2]);
+        if (cell->count + 2 > MOST_CORNERS)
+            return true;
+        bool open = false;
+        for (int n = 0; n < cell->count; ++n)
+            open |= cell->x[n] * cell->x[n] + cell->y[n] * cell->y[n] > INNER * INNER;
+        if (!open)
+            return false;
+    }
+    return true;
+}
+
 /** Gathers the neighbours of particle i; false if it is not at the surface or has too many. */
 static bool gather_around(neighbourhood *c, const sph2d__system *s, size_t i, sph2d__cursor *liquid,
                           sph2d__cursor *walls)
@@ -91,7 +137,7 @@ static bool gather_around(neighbourhood *c, const sph2d__system *s, size_t i, sp
     bool fits = !sph2d__cursor_move(liquid, &s->fluid_cells, x, y) || gather(c, s, &s->fluid, &liquid->ranges, x, y);
     if (s->walls_press && sph2d__cursor_move(walls, &s->wall_cells, x, y))
         fits &= gather(c, s, &s->walls, &walls->ranges, x, y);
-    return fits;
+    return fits && is_open(c);
 }
 
 /** The edge with neighbour k, within the outer radius. Clipping stops once the edge is within `clear` of its foot: it
