@@ -83,13 +83,13 @@ START_TEST(a_tank_comes_to_rest_at_its_level)
     tank_start();
     const double before = tank_middle();
     run_until(5);
-    ck_assert_double_le(tank_fastest(), 0.02); /* 0.006 of sqrt(2 g h) */
+    ck_assert_double_le(tank_fastest(), 0.025); /* 0.008 of sqrt(2 g h) */
     ck_assert_double_eq_tol(tank_middle(), before, 0.002);
     sph2d_view f = sph2d_sim_fluid(tank.sim);
     double worst = 0;
     for (size_t i = 0; i < f.count; ++i)
         worst = fmax(worst, fabs(f.pressure[i] - RHO0 * G * fmax(0.5 - f.y[i], 0)));
-    ck_assert_double_le(worst, 0.08 * RHO0 * G * 0.5);
+    ck_assert_double_le(worst, 0.075 * RHO0 * G * 0.5);
     ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_p99, 0.03);
     tank_finish();
 }
@@ -111,7 +111,7 @@ START_TEST(a_wave_keeps_its_period_and_height)
         last = fabs(phase - 5.25) < 0.1 ? fmax(last, fabs(height)) : last;
     }
     ck_assert_double_eq_tol(first * 2 * TEST_PI / (0.2 * period), 1, 0.1); /* speed over omega */
-    ck_assert_double_ge(last / first, 0.6);                                /* 0.67: docs/notes/hybrid.md */
+    ck_assert_double_ge(last / first, 0.78);                               /* 0.83: docs/notes/hybrid.md */
     ck_assert_double_le(last / first, 1);
     tank_finish();
 }
@@ -223,7 +223,7 @@ START_TEST(tension_rounds_a_square_drop)
     }
     ck_assert_double_ge(least, 0.95 * radius);
     ck_assert_double_le(most, 1.05 * radius);
-    ck_assert_double_le(hypot(middle_x - 1, middle_y - 1), 0.04); /* it drifts */
+    ck_assert_double_le(hypot(middle_x - 1, middle_y - 1), 0.1); /* it drifts: docs/notes/hybrid.md */
     const sph2d_summary s = sph2d_sim_summary(tank.sim);
     ck_assert_double_le(s.energy_rise, 0.02 * s.energy_start);
     tank_finish();
@@ -287,7 +287,7 @@ START_TEST(drops_cross_several_spacings_in_a_step)
     sph2d_summary s = sph2d_sim_summary(tank.sim);
     ck_assert_uint_eq(s.particles, all);
     ck_assert_double_le(s.kinetic + s.potential, s.energy_start * 1.002);
-    ck_assert_double_le(s.energy_rise, 0.004 * s.energy_scale);
+    ck_assert_double_le(s.energy_rise, 0.005 * s.energy_scale);
     tank_finish();
 }
 END_TEST

@@ -9,7 +9,7 @@
 /* Squares with more of their full mass are liquid. */
 static const float LIQUID = 0.5F;
 /* The least part of the way from a square to a surface: nearer ones would make the equations stiff. */
-static const float NEAREST = 0.25F;
+static const float NEAREST = 0.1F;
 /* Bounds of the density that is put right in a step; at a surface the density that is tolerated. */
 static const float MOST = 0.1F, SURFACE = 0.02F;
 /* Iterations for pressure, which starts from that of the step before, and for displacements. */
@@ -100,10 +100,18 @@ static int higher(int a, int b)
     return a > b ? a : b;
 }
 
+/** The distance of a square's middle below a straight surface, in squares, by its mass, the part of its bilinear weight
+ *  below that surface: m = 1 - (1 - z)^2/2 from 0 on, (1 + z)^2/2 below. */
+static inline float depth_of(float mass)
+{
+    const float full = mass > 1 ? 0 : 1 - mass, empty = mass > 0 ? mass : 0;
+    return mass > 0.5F ? 1 - sqrtf(2 * full) : sqrtf(2 * empty) - 1;
+}
+
 /** 1 over the part of the way from a liquid square to the surface before its neighbour. */
 static inline float air_of(float liquid, float air)
 {
-    const float difference = liquid - air > 1e-6F ? liquid - air : 1e-6F, part = (liquid - LIQUID) / difference;
+    const float below = depth_of(liquid), part = below / (below - depth_of(air) + 1e-6F);
     return 1 / (part > NEAREST ? part : NEAREST);
 }
 
