@@ -59,12 +59,20 @@ static int find_openmp(struct dl_phdr_info *library, size_t size, void *with)
     return 1;
 }
 
+static bool is_openmp(uintptr_t caller)
+{
+    return caller >= openmp_begin && caller < openmp_end;
+}
+
+/** Whether it makes a thread here: the C library allocates for it. */
+static _Thread_local bool openmp_makes_thread;
+
 /** Counts the call of a function that is replaced here; whether it fails, with errno. */
 #define fails(k) fails_for(k, (uintptr_t)__builtin_return_address(0))
 
 static bool fails_for(int k, uintptr_t caller)
 {
-    if (!atomic_load_explicit(&armed, memory_order_relaxed) || (caller >= openmp_begin && caller < openmp_end))
+    if (!atomic_load_explicit(&armed, memory_order_relaxed) || is_openmp(caller) || openmp_makes_thread)
         return false;
     long n = atomic_fetch_add(&calls[k], 1) + 1;
     if (k != kind || (n != which && (!onwards || n < which)))
@@ -289,7 +297,11 @@ FOPEN_AS(fopen64)
 
 int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*work)(void *), void *argument)
 {
-    return fails(THREAD) ? error_number
-                         : NEXT(int, "pthread_create", pthread_t *, const pthread_attr_t *, void *(*)(void *),
-                                void *)(thread, attributes, work, argument);
+    if (fails(THREAD))
+        return error_number;
+    openmp_makes_thread = is_openmp((uintptr_t)__builtin_return_address(0));
+    const int status = NEXT(int, "pthread_create", pthread_t *, const pthread_attr_t *, void *(*)(void *),
+                            void *)(thread, attributes, work, argument);
+    openmp_makes_thread = false;
+    return status;
 }
