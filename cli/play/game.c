@@ -61,6 +61,7 @@ sph2d_status game_open_file(game *g, sph2d_scene_file *file, sph2d_report *repor
     }
     live_close(&g->live);
     g->live = next;
+    g->fits_in = 0;
     game_take_scene(g);
     return SPH2D_OK;
 }

@@ -38,7 +38,7 @@ left_out+='|sample|probes|elevation|render|drawing|shapes|balls|frame_times|null
         printf '%s\0' "CK_FORK=$fork go suite_$suite '$checks' $suite"
     done
     run="'$sph2d' run '$here/../cli/tiny.scene' --force --no-frames --quiet --threads 2 -s run.until=0.05"
-    for method in muller wcsph pcisph constraint; do
+    for method in muller wcsph pcisph constraint hybrid; do
         printf '%s\0' "go run_$method $run -s method.name=$method -s fluid.surface_tension=0.1 -o '$folder/$method'"
     done
     printf '%s\0' "go run_mixed $run -s method.name=wcsph -s method.precision=mixed -o '$folder/mixed'"
