@@ -430,6 +430,7 @@ GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
 FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix $(BUILD)/tests/faults_,shim.so library)))
 test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
+test: export ASAN_OPTIONS ?= allocator_may_return_null=1
 test: override export CK_TIMEOUT_MULTIPLIER := $(shell echo $$(($(CK_TIMEOUT_MULTIPLIER) * $(if $(SANITIZE),5,1))))
 test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
 # A stage that fails is written down and the next one begins; the last line of a recipe tells all that failed, each by the

@@ -21,6 +21,7 @@
 #include <math.h>
 
 #include "methods/common/state_equation.h"
+#include "scene/resolve.h"
 #include "sim/simulation.h"
 
 /* Most and fewest steps between samples of friction and diffusion, each of which costs the sums of another step. Between
@@ -42,16 +43,20 @@ bool sph2d__sim_samples_energy(const sph2d_sim *sim, uint64_t steps)
     return steps % every == 0 || (steps & (steps - 1)) == 0 || steps == sim->record.sample_step;
 }
 
+/* The work of moving obstacles is booked by the forces of boundary particles, or by the method, but for that of friction. */
 bool sph2d__sim_error_is_known(const sph2d_sim *sim)
 {
-    return sim->moving_count == 0 || sim->method->wall_force;
+    bool sticks = false;
+    for (size_t k = 0; k < sim->moving_count && !sticks; ++k)
+        sticks = sph2d__obstacle_slip(&sim->scene, sim->moving[k].obstacle) != SPH2D_SLIP_FREE;
+    return sim->moving_count == 0 || sim->method->wall_force || (sim->method->books_walls && !sticks);
 }
 
 bool sph2d__sim_rise_is_known(const sph2d_sim *sim)
 {
     const sph2d_side_speeds *v = &sim->scene.wall_speeds;
     bool slide = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
-    return sim->method->wall_force || (sim->moving_count == 0 && !slide);
+    return sim->method->wall_force || (sph2d__sim_error_is_known(sim) && !slide);
 }
 
 /* ---- walls ------------------------------------------------------------------------------------------------------- */

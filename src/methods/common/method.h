@@ -58,8 +58,11 @@ typedef struct sph2d__method {
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
     /** Whether its steps book the work of pressure, which is dissipation where it is negative, and friction, too. */
     bool books_pressure;
-    /** Whether a particle that a moving wall presses against one at rest stays before that, in the moving one, until it is
-     *  put in order: its steps are too long to give way in. Else it may get behind, for a guard. */
+    /** Whether its steps book the work of moving obstacles by pressure. */
+    bool books_walls;
+    /** Whether its steps are so long that a particle may cross several spacings, and one that a moving wall
+     *  presses against one at rest stays before that, in the moving one, until it is put in order. Else it may get behind,
+     *  for a guard. */
     bool walls_hold;
     /** Whether bodies take part in the solution for the pressure of their boundary particles, so that light ones are as
      *  stable as heavy ones. */

@@ -78,6 +78,8 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     sph2d__grid_sum(sim, s->grid, dt);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
 #pragma omp taskwait
+    if (sim->moving_count > sim->bodies.count)
+        r->energy_walls += sph2d__grid_wall_work(s->grid, s->rest_density);
     double on_bodies = 0;
     if (s->grid->body_count > 0) {
         sph2d__grid_impulses(s->grid, s->rest_density, s->grid->impulses);

@@ -74,8 +74,10 @@ typedef struct sph2d__grid {
     float *corner_u, *corner_v; /**< velocity of the solid or side at a corner [m/s] */
     float *still_stick, *stick; /**< of corners: 1 where the nearest solid, or side, has no slip; at rest, and of all */
     float *room;                /**< 1 over the weight of a square that is full */
+    float *hidden;              /**< the part of it that lies in solids */
     float *mass, *excess;       /**< weight over that; mean of rho/rho0 - 1 */
-    uint32_t *cut, *filled; /**< squares that solids cut; those of them that seem empty in the liquid, for a while */
+    uint32_t *cut;              /**< squares with a part in solids */
+    float *filled;              /**< their masses, for a while */
     size_t cut_count;
     uint32_t *member, *pocket_end; /**< squares of pockets, one after the other, and where each ends (pockets.c) */
     uint8_t *seen;
@@ -111,6 +113,12 @@ static inline size_t sph2d__at(const sph2d__grid *g, int i, int j)
     return (size_t)j * g->stride + (size_t)i;
 }
 
+/** The square or corner at a place, in squares, from 0 to `last`. */
+static inline int sph2d__grid_clamp(double at, int last)
+{
+    return at > 0 ? at < last ? (int)at : last : 0;
+}
+
 /** Runs the statement behind it for the squares k of row j that a step sets. */
 #define SPH2D__FOR_SPAN(g, j, k)                                                                                       \
     for (size_t k = sph2d__at(g, (g)->begin[j], j), last_##k = sph2d__at(g, (g)->end[j], j); k < last_##k; ++k)
@@ -122,7 +130,10 @@ void sph2d__grid_free(sph2d__system *system);
 /** Finds the squares that a step sets, by the cells with particles, and clears those of the last step (to_grid.c). */
 void sph2d__grid_find_spans(const sph2d_sim *sim, sph2d__grid *grid);
 
-/** Sets the open parts of these squares' faces, by the solids where they are at the end of the drift (grid.c). */
+/** Cuts all squares by the solids at rest. */
+void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *grid);
+
+/** Sets the open parts of these squares' faces, by the solids where they are at the end of the drift (grid_cut.c). */
 void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
 
 /** Sums velocities, densities and pressures of the particles (to_grid.c). */
@@ -152,6 +163,9 @@ SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes, )
 void sph2d__grid_list_bodies(sph2d__grid *grid);
 void sph2d__grid_add_bodies(const sph2d__grid *grid, const float *p, float *out);
 void sph2d__grid_impulses(const sph2d__grid *grid, double density, struct sph2d__twist *impulses);
+
+/** The work of solids with a given motion on the liquid, by pressure [J/m]. */
+double sph2d__grid_wall_work(const sph2d__grid *grid, double density);
 
 /** Finds the pockets of the equations of level 0, and takes its mean out of a field in each (pockets.c). */
 void sph2d__grid_find_pockets(sph2d__grid *grid);

@@ -30,16 +30,15 @@ static void add_thin(sph2d__grid *g, size_t before, size_t after, uint32_t owner
 static void add_face(sph2d__grid *g, size_t before, size_t after, size_t one, size_t other, float closed, bool along_x)
 {
     const size_t corners[2] = {one, other};
-    const int solid = (g->distance[one] <= 0) + (g->distance[other] <= 0);
     for (int n = 0; n < 2; ++n) {
         const size_t c = corners[n];
         const uint32_t owner = g->owner[c];
-        if (!(g->distance[c] <= 0) || owner == 0)
+        if (owner == 0)
             continue;
         const sph2d__grid_body *b = &g->bodies[owner - 1];
         const double x = g->low_x + ((double)(c % g->stride) - 1) * (double)g->hx - b->x;
         const double y = g->low_y + ((double)(c / g->stride) - 1) * (double)g->hy - b->y;
-        const float flow = (along_x ? g->hy : g->hx) * closed / (float)solid;
+        const float flow = (along_x ? g->hy : g->hx) * closed / 2;
         const double turn = along_x ? -y * (double)flow : x * (double)flow;
         add_element(g, after, owner, along_x ? flow : 0, along_x ? 0 : flow, turn);
         add_element(g, before, owner, along_x ? -flow : 0, along_x ? 0 : -flow, -turn);
@@ -104,4 +103,31 @@ void sph2d__grid_impulses(const sph2d__grid *g, double density, sph2d__twist *im
     for (size_t k = 0; k < g->body_count; ++k)
         impulses[k] =
             (sph2d__twist){-density * g->push[3 * k], -density * g->push[3 * k + 1], -density * g->push[3 * k + 2]};
+}
+
+/** What flows into the liquid beside face k by its closed part, times its q. Bodies have an energy of their own. */
+static double pushed(const sph2d__grid *g, size_t before, size_t k, float flow, size_t one, size_t other)
+{
+    const sph2d__level *l = g->level;
+    if (flow == 0 || (g->owner && (g->owner[one] > 0 || g->owner[other] > 0)))
+        return 0;
+    return (double)flow *
+           ((l->inverse[k] > 0 ? (double)g->q[k] : 0) - (l->inverse[before] > 0 ? (double)g->q[before] : 0));
+}
+
+double sph2d__grid_wall_work(const sph2d__grid *g, double density)
+{
+    const size_t up = g->stride;
+    double sum = 0;
+    for (int j = 1; j <= g->ny; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+        {
+            if (k < sph2d__at(g, 1, j) || k > sph2d__at(g, g->nx, j))
+                continue;
+            if (!(g->body_count > 0 && g->thin_x[k] > 0))
+                sum += pushed(g, k - 1, k, g->hy * (1 - g->open_x[k]) * g->wall_x[k], k, k + up);
+            if (!(g->body_count > 0 && g->thin_y[k] > 0))
+                sum += pushed(g, k - up, k, g->hx * (1 - g->open_y[k]) * g->wall_y[k], k, k + 1);
+        }
+    return density * sum;
 }

@@ -37,28 +37,30 @@ static void take_means(const sph2d__grid *g)
         }
 }
 
-/** Whether a face leads to a square with liquid (1), without (-1), or is closed (0). */
-static int beyond(const sph2d__grid *g, float open, size_t other)
+/** Adds the mass of a square beside another, by the open part of the face between them, if its middle is not in a solid. */
+static inline void add_beside(const sph2d__grid *g, size_t k, float open, float *sum, float *weight)
 {
-    return open > 0 ? (g->mass[other] > LIQUID ? 1 : -1) : 0;
+    if (open > 0 && g->hidden[k] < 0.5F) {
+        *sum += open * g->mass[k] / (1 - g->hidden[k]);
+        *weight += open;
+    }
 }
 
-/** A square that a solid cuts, and that seems empty but lies in the liquid, is liquid: as air it would be a sink. */
+/** What a solid hides of a square is as full as what lies beside it: as air it would be a sink. */
 static void fill_cut_squares(const sph2d__grid *g)
 {
     const size_t up = g->stride;
-    size_t filled = 0;
     for (size_t n = 0; n < g->cut_count; ++n) {
         const uint32_t k = g->cut[n];
-        const int around = beyond(g, g->open_x[k], k - 1) + beyond(g, g->open_x[k + 1], k + 1) +
-                           beyond(g, g->open_y[k], k - up) + beyond(g, g->open_y[k + up], k + up);
-        if (g->mass[k] <= LIQUID && around > 0)
-            g->filled[filled++] = k;
+        float sum = 0, weight = 0;
+        add_beside(g, k - 1, g->open_x[k], &sum, &weight);
+        add_beside(g, k + 1, g->open_x[k + 1], &sum, &weight);
+        add_beside(g, k - up, g->open_y[k], &sum, &weight);
+        add_beside(g, k + up, g->open_y[k + up], &sum, &weight);
+        g->filled[n] = g->mass[k] + g->hidden[k] * ratio(sum, weight);
     }
-    for (size_t n = 0; n < filled; ++n) {
-        g->mass[g->filled[n]] = 1;
-        g->excess[g->filled[n]] = 0;
-    }
+    for (size_t n = 0; n < g->cut_count; ++n)
+        g->mass[g->cut[n]] = g->filled[n];
 }
 
 static inline bool is_liquid(const sph2d__grid *g, size_t k)
@@ -180,7 +182,8 @@ static void set_volumes(sph2d__grid *g)
         for (size_t k = sph2d__at(g, l->from[j], j), end = sph2d__at(g, l->to[j] + 1, j); k < end; ++k) {
             const float e = g->excess[k] > MOST ? MOST : g->excess[k] < -MOST ? -MOST : g->excess[k];
             const float at_air = e > SURFACE ? e - SURFACE : 0, wrong = l->air[k] > 0 ? at_air : e;
-            g->rest[k] = is_liquid(g, k) ? g->hx * g->hy * wrong : 0;
+            const float part = 0.5F + depth_of(1 - g->hidden[k]), full = part > 1 ? 1 : part > 0 ? part : 0;
+            g->rest[k] = is_liquid(g, k) ? g->hx * g->hy * full * wrong : 0;
         }
 }
 

@@ -31,29 +31,20 @@ static void prepare(sph2d__system *s)
 
 /* ---- packed copies ----------------------------------------------------------------------------------------------- */
 
-/* Particles that a corner of a wall stops at one point have no direction apart, and would stay together: copies are moved
- * by up to this part of a spacing, each by its number. */
-static const double APART = 1e-4;
-
-static double jitter(uint64_t id, unsigned shift)
-{
-    const uint64_t mixed = (id + 1) * UINT64_C(0x9E3779B97F4A7C15) >> shift & 1023;
-    return (double)mixed / 512 - 1;
-}
-
 static void pack_places(const sph2d__store *t, const sph2d__cells *cells, double apart, size_t first, size_t last)
 {
     float *x = sph2d__floats(t, t->packed_place, 0), *y = sph2d__floats(t, t->packed_place, 1);
     for (size_t i = first; i < last; ++i) {
         const uint32_t cell = cells->cell[cells->order[i]], row = cell / cells->nx;
-        x[i] = (float)(t->x[i] + apart * jitter(t->id[i], 20) - sph2d__tile_x(cells, cell - row * cells->nx));
-        y[i] = (float)(t->y[i] + apart * jitter(t->id[i], 40) - sph2d__tile_y(cells, row));
+        x[i] = (float)(t->x[i] + apart * sph2d__hybrid_jitter(t->id[i], 20) -
+                       sph2d__tile_x(cells, cell - row * cells->nx));
+        y[i] = (float)(t->y[i] + apart * sph2d__hybrid_jitter(t->id[i], 40) - sph2d__tile_y(cells, row));
     }
 }
 
 static void pack_fluid(sph2d__system *s, size_t first, size_t last)
 {
-    pack_places(&s->fluid, &s->fluid_cells, APART * s->spacing, first, last);
+    pack_places(&s->fluid, &s->fluid_cells, SPH2D__HYBRID_APART * s->spacing, first, last);
 }
 
 /** For a state that was read: evaluate() sets them otherwise. */
@@ -148,6 +139,7 @@ const sph2d__method sph2d__hybrid = {
     .evaluate = evaluate,
     .elastic = elastic,
     .books_pressure = true,
+    .books_walls = true,
     .couples_bodies = true,
     .walls_hold = true,
     .stable_step = stable_step,

@@ -55,10 +55,24 @@ static void density(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-/** Sums of grad W over its constant, with their factors. */
+/** Two values of each particle of a group. */
 typedef struct push {
     sph2d__lanes x, y;
 } push;
+
+/** How far the places of a group are moved, as those in its store's packed copy. */
+SPH2D__INLINE push apart_of(const sph2d__system *s, const sph2d__group *g)
+{
+    push p = {{0}, {0}};
+    SPH2D__FOR_LANES (*g, l) {
+        const uint64_t id = s->fluid.id[g->first + (size_t)l];
+        p.x[l] = (sph2d__real)(SPH2D__HYBRID_APART * s->spacing * sph2d__hybrid_jitter(id, 20));
+        p.y[l] = (sph2d__real)(SPH2D__HYBRID_APART * s->spacing * sph2d__hybrid_jitter(id, 40));
+    }
+    return p;
+}
+
+/* Sums of grad W over its constant, with their factors. */
 
 SPH2D__INLINE void add_push(push *sum, sph2d__lanes dx, sph2d__lanes dy, sph2d__lanes factor, sph2d__real unit)
 {
@@ -69,13 +83,13 @@ SPH2D__INLINE void add_push(push *sum, sph2d__lanes dx, sph2d__lanes dy, sph2d__
 }
 
 SPH2D__INLINE void push_by_fluid(push *sum, const sph2d__store *of, const sph2d__group *g, const sph2d__ranges *ranges,
-                                 const rows *from, sph2d__real even, sph2d__real unit)
+                                 const rows *from, const push *apart, sph2d__real even, sph2d__real unit)
 {
     const sph2d__lanes l = sph2d__lanes_load(from->first + g->first);
     const sph2d__lanes b = even * sph2d__lanes_load(from->second + g->first);
     for (int r = 0; r < ranges->count; ++r) {
-        const sph2d__lanes x = sph2d__group_lanes(of->x + g->first, ranges->x[r]);
-        const sph2d__lanes y = sph2d__group_lanes(of->y + g->first, ranges->y[r]);
+        const sph2d__lanes x = sph2d__group_lanes(of->x + g->first, ranges->x[r]) + apart->x;
+        const sph2d__lanes y = sph2d__group_lanes(of->y + g->first, ranges->y[r]) + apart->y;
         for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j)
             add_push(sum, x - from->x[j], y - from->y[j], l + from->first[j] + b * from->second[j], unit);
     }
@@ -107,7 +121,8 @@ static void order(sph2d__system *s, size_t first, size_t last)
         sph2d__ranges ranges;
         sph2d__patch_ranges(by.cells, &g.patch, &ranges);
         push sum = {{0}, {0}};
-        push_by_fluid(&sum, f, &g, &ranges, &fluid, EVEN, unit);
+        const push apart = apart_of(s, &g);
+        push_by_fluid(&sum, f, &g, &ranges, &fluid, &apart, EVEN, unit);
         if (sph2d__group_others(&by, &g, &ranges))
             push_by_walls(
                 &sum, f, &g, &ranges, &walls,

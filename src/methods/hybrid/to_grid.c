@@ -62,17 +62,14 @@ static void clear_span(const sph2d__grid *g, int j)
     memset(g->sums.y + from, 0, count * sizeof *g->sums.y);
 }
 
-static int within(double at, int last)
-{
-    return at > 0 ? at < last ? (int)at : last : 0;
-}
-
 /** Makes rows wide enough for particles between two heights and two columns, in squares above the lower left corner of the
  *  domain, and for what the equations read beside what these particles touch. */
 static void widen(sph2d__grid *g, double low, double high, double left, double right)
 {
-    const int begin = within(left - MARGIN, g->nx + 3), end = within(right + MARGIN + 3, g->nx + 3) + 1;
-    for (int j = within(low - MARGIN, g->ny + 3), last = within(high + MARGIN + 2, g->ny + 3); j <= last; ++j) {
+    const int begin = sph2d__grid_clamp(left - MARGIN, g->nx + 3),
+              end = sph2d__grid_clamp(right + MARGIN + 3, g->nx + 3) + 1;
+    for (int j = sph2d__grid_clamp(low - MARGIN, g->ny + 3), last = sph2d__grid_clamp(high + MARGIN + 2, g->ny + 3);
+         j <= last; ++j) {
         const bool is_new = !(g->end[j] > g->begin[j]);
         g->begin[j] = is_new || begin < g->begin[j] ? begin : g->begin[j];
         g->end[j] = is_new || end > g->end[j] ? end : g->end[j];
