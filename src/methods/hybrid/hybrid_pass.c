@@ -72,8 +72,7 @@ SPH2D__INLINE push apart_of(const sph2d__system *s, const sph2d__group *g)
     return p;
 }
 
-/* Sums of grad W over its constant, with their factors. */
-
+/** Adds grad W over its constant, times a factor. */
 SPH2D__INLINE void add_push(push *sum, sph2d__lanes dx, sph2d__lanes dy, sph2d__lanes factor, sph2d__real unit)
 {
     const sph2d__lanes t = sph2d__above_zero(1 - sph2d__lanes_sqrt(dx * dx + dy * dy) * unit);
