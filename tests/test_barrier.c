@@ -360,6 +360,25 @@ START_TEST(a_corner_takes_the_whole_motion)
 }
 END_TEST
 
+/* Liquid that slides along a wall passes a convex corner as if the wall behind it were not there: where that wall's line
+ * at the clearance went on past the corner, all that slid stopped there, at one spot. _i: how sharp the corner is. */
+START_TEST(sliding_goes_on_beyond_a_convex_corner)
+{
+    double angle = -TEST_PI / 8 * (_i + 1);
+    add(-1, 0, 0, 0);
+    add(0, 0, cos(angle), sin(angle));
+    build(0.1);
+    sph2d_vec2 p = {-0.01, CLEARANCE}, v = {1, 0};
+    for (int n = 0; n < 100; ++n) {
+        sph2d_vec2 to = {p.x + 0.0003 * v.x, p.y};
+        ck_assert_int_eq(sph2d__barrier_sweep(&barrier, p, &to, &v, NULL), 0);
+        p = to;
+    }
+    ck_assert_double_eq_tol(p.x, 0.02, 1e-12);
+    ck_assert_double_eq(v.x, 1);
+}
+END_TEST
+
 Suite *suite_barrier(void)
 {
     Suite *suite = suite_create("barrier");
@@ -376,6 +395,7 @@ Suite *suite_barrier(void)
     tcase_add_test(tests, walls_hold_against_what_comes_from_far_away);
     tcase_add_test(tests, sliding_is_free_over_joints);
     tcase_add_test(tests, a_corner_takes_the_whole_motion);
+    tcase_add_loop_test(tests, sliding_goes_on_beyond_a_convex_corner, 0, 7);
     suite_add_tcase(suite, tests);
     return suite;
 }

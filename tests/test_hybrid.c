@@ -378,7 +378,7 @@ START_TEST(a_box_floats_by_its_weight)
     ck_assert_double_eq_tol(b.center.y, 0.6 - draught, 0.03 * draught);
     ck_assert_double_eq_tol(level, 0.5 - blocked, 0.03);
     ck_assert_double_le(hypot(b.velocity.x, b.velocity.y), 0.02);
-    ck_assert_double_le(fabs(b.angle), 0.015);
+    ck_assert_double_le(fabs(b.angle), 0.01);
     tank_finish();
 }
 END_TEST
@@ -400,7 +400,7 @@ START_TEST(bodies_of_any_mass_are_stable)
     else
         ck_assert_double_le(b.velocity.y, -G * 0.2 * (_i == 2 ? 0.2 : 0.8));
     ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_p99, 0.05);
-    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_max, 10); /* those that gather at its corners */
+    ck_assert_double_le(sph2d_sim_summary(tank.sim).compression_max, light ? 1 : 10);
     tank_finish();
 }
 END_TEST

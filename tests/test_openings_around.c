@@ -35,9 +35,10 @@ START_TEST(a_tank_with_its_own_pressure_at_a_side_stays_at_rest)
 }
 END_TEST
 
-START_TEST(a_tank_drains_as_through_a_short_tube)
+START_TEST(a_tank_drains_as_torricelli_says)
 {
-    /* Torricelli: v = sqrt(2 g h/(1 - (a/A)^2)); through a short tube 0.8 of that, in the mean over a fall of level. */
+    /* Torricelli: v = sqrt(2 g h/(1 - (a/A)^2)), with the head down to the end of the duct, three spacings below the side.
+     * A duct that liquid fills has all of that; where the stream comes off the edges it is as little as 0.61. */
     lay_tank(0.6);
     channel.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
     channel.openings[0].from = 0.4;
@@ -46,15 +47,15 @@ START_TEST(a_tank_drains_as_through_a_short_tube)
     double past = 0, wanted = 0, time = 0, rate = 0;
     while (sph2d_sim_time(channel.sim) < 0.6) {
         test_steps(channel.sim, 1);
-        double dt = sph2d_sim_time(channel.sim) - time, level = 0.6 + channel_read(0).let_in;
+        double dt = sph2d_sim_time(channel.sim) - time, head = 0.6 + channel_read(0).let_in + 3 * CHANNEL_DX;
         time += dt;
         past += time > 0.3 ? dt : 0;
-        wanted += time > 0.3 ? dt * sqrt(2 * 9.81 * level / 0.96) : 0;
+        wanted += time > 0.3 ? dt * sqrt(2 * 9.81 * head / 0.96) : 0;
         rate += time > 0.3 ? -dt * channel_read(0).velocity : 0;
     }
     ck_assert_double_gt(past, 0.29);
-    ck_assert_double_ge(rate / wanted, 0.7);
-    ck_assert_double_le(rate / wanted, 0.9);
+    ck_assert_double_ge(rate / wanted, 0.61);
+    ck_assert_double_le(rate / wanted, 1);
     sph2d_summary s = sph2d_sim_summary(channel.sim);
     ck_assert_double_le(fabs(s.energy_error), 0.03 * s.energy_scale);
     channel_finish();
@@ -216,7 +217,7 @@ Suite *suite_openings_around(void)
     Suite *suite = suite_create("openings_around");
     TCase *test = tcase_create("openings_around");
     tcase_add_test(test, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
-    tcase_add_test(test, a_tank_drains_as_through_a_short_tube);
+    tcase_add_test(test, a_tank_drains_as_torricelli_says);
     tcase_add_test(test, a_jet_fills_an_empty_tank);
     tcase_add_test(test, volume_and_level_are_those_of_the_domain);
     tcase_add_test(test, no_void_stays_behind_a_cylinder);

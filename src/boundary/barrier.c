@@ -180,13 +180,14 @@ static bool hit_segment(const sph2d__piece *piece, double clearance, sph2d_vec2 
     double t = d0 > clearance ? (d0 - clearance) / (d0 - d1) : 0;
     double u = u0 + t * (u1 - u0);
     m->gap = d0 > clearance ? 0 : clearance - d0;
-    if (u < -clearance || u > length + clearance) {
+    if (u < 0 || u > length) { /* beyond its ends, where liquid slides on past a corner, only the wall itself stops */
+        double overlap = (1 - TOUCH) * clearance; /* so that nothing passes between two walls that meet */
         if (d1 > 0)
             return false;
         t = d0 / (d0 - d1);
         u = u0 + t * (u1 - u0);
         m->gap = clearance;
-        if (u < 0 || u > length)
+        if (u < -overlap || u > length + overlap)
             return false;
     }
     m->t = t;

@@ -66,8 +66,8 @@ double sph2d__opening_highest(const sph2d_scene *scene, const sph2d_opening *ope
 
 /** Length of the duct between the side and the reservoir of an opening with a pressure [spacings]. Liquid that leaves a
  *  tank is still gathering speed before the side; where its velocity was measured there, a tank was drained at a third
- *  of the speed that Torricelli's law gives, with a duct as long as the measurement at 0.77 to 0.81 of it, as through a
- *  short tube. */
+ *  of the speed that Torricelli's law gives. With a duct as long as the measurement it is 0.97, 0.92, 0.67 of that, down to
+ *  the duct's end, where 8, 16, 32 particles lie across: on the finest the stream comes off the edges, as water does. */
 enum { SPH2D__DUCT = 3 };
 
 /** Rows of particles in a reservoir when it is full. */
