@@ -303,7 +303,7 @@ static void check_kinds(const studio *s, int count[3])
     for (int k = 0; k < WIDE * HIGH; ++k) {
         const int column = k % WIDE, row = k / WIDE;
         const int tile = row / SPH2D__TILE * balls->kinds.width + column / SPH2D__TILE;
-        const int kind = (int)lrint(255 * kinds[4 * tile]);
+        const int kind = (int)lrintf(255 * kinds[4 * tile]);
         ck_assert(kind >= SPH2D__TILE_EMPTY && kind <= SPH2D__TILE_INSIDE);
         ++count[kind];
         if (kind == SPH2D__TILE_EMPTY)

@@ -260,7 +260,8 @@ END_TEST
 
 START_TEST(a_piston_pays_for_what_it_lifts)
 {
-    /* A floor that rises between the sides, at any height among the squares, and stops: m g h, and nothing leaks beside it. */
+    /* A floor that rises between the sides, at any height among the squares, and stops: m g h, and nothing leaks beside it.
+     * It starts at once, at 0.2 m/s: m v more, at v. */
     basin(1, 0.5);
     tank.scene.domain.max.y = 1;
     tank.blocks[0] = test_block(0, 0.1, 1, 0.5);
@@ -274,11 +275,11 @@ START_TEST(a_piston_pays_for_what_it_lifts)
     tank_start();
     run_until(2);
     const sph2d_summary s = sph2d_sim_summary(tank.sim);
-    const double lifted = 1000 * 0.4 * G * 0.2;
-    ck_assert_double_eq_tol(s.energy_walls, lifted, 0.02 * lifted);
+    const double lifted = 1000 * 0.4 * G * 0.2, set_in_motion = 1000 * 0.4 * 0.2 * 0.2;
+    ck_assert_double_eq_tol(s.energy_walls, lifted + set_in_motion, 0.01 * lifted);
     ck_assert_double_le(fabs(s.energy_error), 0.02 * lifted);
     ck_assert_double_le(s.speed_max, 0.05);
-    ck_assert_double_le(s.compression_p99, 0.02);
+    ck_assert_double_le(s.compression_p99, 0.025);
     tank_finish();
 }
 END_TEST
@@ -379,6 +380,24 @@ START_TEST(a_box_floats_by_its_weight)
     ck_assert_double_eq_tol(level, 0.5 - blocked, 0.03);
     ck_assert_double_le(hypot(b.velocity.x, b.velocity.y), 0.02);
     ck_assert_double_le(fabs(b.angle), 0.01);
+    tank_finish();
+}
+END_TEST
+
+START_TEST(a_ball_leaves_the_floor)
+{
+    /* A light cylinder on a floor under water: the liquid that it moves counts like 2.29 times its own volume, pi^2/3 - 1,
+     * as long as it touches (Lamb, Hydrodynamics, 1932, art. 99), and like once far away. */
+    const double density = 700, time = 0.3, lift = (1000 - density) * G;
+    float_box(0.25, density);
+    sph2d_sim_destroy(tank.sim);
+    raft.outline.kind = SPH2D_OUTLINE_CIRCLE;
+    raft.outline.circle = (sph2d_disc){{0.6, 0.1}, 0.1};
+    tank_start();
+    run_until(time);
+    const double t = sph2d_sim_time(tank.sim), rise = sph2d_sim_body(tank.sim, 0).center.y - 0.1;
+    ck_assert_double_ge(rise, lift / (density + 2290) * t * t / 2);
+    ck_assert_double_le(rise, lift / (density + 1000) * t * t / 2);
     tank_finish();
 }
 END_TEST
@@ -588,6 +607,7 @@ Suite *suite_hybrid(void)
     tcase_add_test(walls, a_step_is_refused_in_which_liquid_falls_further_than_it_looks);
     tcase_add_test(walls, a_source_fills_what_was_empty);
     tcase_add_loop_test(bodies, a_box_floats_by_its_weight, 0, 5);
+    tcase_add_test(bodies, a_ball_leaves_the_floor);
     tcase_add_loop_test(bodies, bodies_of_any_mass_are_stable, 0, 4);
     tcase_add_test(walls, a_thin_wall_holds_a_tank);
     tcase_add_loop_test(solver, the_solver_converges, 0, 2);

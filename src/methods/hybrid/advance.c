@@ -74,10 +74,13 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
     sph2d__grid_find_spans(sim, s->grid);
-    sph2d__grid_cut(sim, s->grid);
+    if (!sph2d__grid_cut(sim, s->grid))
+        status = SPH2D_NOMEM; /* returned once the threads are done */
     sph2d__grid_sum(sim, s->grid, dt);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
 #pragma omp taskwait
+    if (status != SPH2D_OK)
+        return status;
     if (sim->moving_count > sim->bodies.count)
         r->energy_walls += sph2d__grid_wall_work(s->grid, s->rest_density);
     double on_bodies = 0;

@@ -65,10 +65,11 @@ static void lay_out(sph2d__grid *g, room *r)
     }
     g->stride = g->level[0].stride;
     g->size = g->level[0].size;
-    float **const all[] = {&g->still,  &g->distance, &g->open_x,   &g->open_y,      &g->wall_x, &g->wall_y, &g->room,
-                           &g->hidden, &g->corner_u, &g->corner_v, &g->still_stick, &g->stick,  &g->mass,   &g->excess,
-                           &g->u,      &g->v,        &g->air_x,    &g->air_y,       &g->q,      &g->s,      &g->rest,
-                           &g->z,      &g->way,      &g->image,    &g->wet_x,       &g->wet_y};
+    float **const all[] = {&g->still,       &g->distance, &g->still_x,      &g->still_y, &g->open_x,   &g->open_y,
+                           &g->wall_x,      &g->wall_y,   &g->room,         &g->hidden,  &g->corner_u, &g->corner_v,
+                           &g->still_stick, &g->stick,    &g->still_hidden, &g->mass,    &g->excess,   &g->u,
+                           &g->v,           &g->air_x,    &g->air_y,        &g->q,       &g->s,        &g->rest,
+                           &g->z,           &g->way,      &g->image,        &g->wet_x,   &g->wet_y};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         *all[k] = take(r, g->size, sizeof(float));
     g->cut = take(r, g->size, sizeof *g->cut);
@@ -81,15 +82,9 @@ static void lay_out(sph2d__grid *g, room *r)
     g->face_x = take(r, g->size, sizeof(sph2d__quad));
     g->face_y = take(r, g->size, sizeof(sph2d__quad));
     lay_out_sums(&g->sums, g->size, r);
-    if (g->body_count == 0)
-        return;
-    g->owner = take(r, g->size, sizeof *g->owner);
-    g->thin_x = take(r, g->size, sizeof *g->thin_x);
-    g->thin_y = take(r, g->size, sizeof *g->thin_y);
-    g->bodies = take(r, g->body_count, sizeof *g->bodies);
+    g->inverse = take(r, g->body_count, sizeof *g->inverse);
     g->push = take(r, 3 * g->body_count, sizeof *g->push);
     g->impulses = take(r, g->body_count, sizeof *g->impulses);
-    g->elements = take(r, 8 * g->size, sizeof *g->elements); /* of a square two faces, of each two ends and two sides */
 }
 
 static void set_shape(const sph2d_sim *sim, sph2d__grid *g)
@@ -116,9 +111,10 @@ static void set_shape(const sph2d_sim *sim, sph2d__grid *g)
 
 void sph2d__grid_free(sph2d__system *s)
 {
-    void *block = s->grid ? s->grid->block : NULL, *grid = s->grid;
+    void *block = s->grid ? s->grid->block : NULL, *parts = s->grid ? s->grid->parts : NULL, *grid = s->grid;
     if (!grid)
         return;
+    sph2d__release(s->memory, &parts, s->grid->part_capacity, sizeof *s->grid->parts);
     sph2d__release(s->memory, &block, s->grid->block_size, 1);
     sph2d__release(s->memory, &grid, 1, sizeof *s->grid);
     s->grid = NULL;

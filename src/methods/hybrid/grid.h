@@ -43,18 +43,14 @@ typedef struct sph2d__sums {
     sph2d__quad *middle; /**< in squares: weight, rho/rho0 - 1, q */
 } sph2d__sums;
 
-/** A body among the equations: its centre of mass [m], and 1 over its mass, where it is free, and over its moment of inertia,
- *  times the density of the liquid. */
-typedef struct sph2d__grid_body {
-    double x, y;
-    double inverse[3];
-} sph2d__grid_body;
-
-/** How much more flows into a square when a body moves by 1 m/s, or turns by 1 rad/s: an element of its column. */
-typedef struct sph2d__element {
-    uint32_t square, body;
-    float by[3];
-} sph2d__element;
+/** The part of the face between two squares that a solid closes which moves. */
+typedef struct sph2d__part {
+    uint32_t before, after;      /**< the squares; `before` is on the left or below */
+    uint32_t body;               /**< the body that the solid is of, from 1; 0: its motion is given */
+    float wet_before, wet_after; /**< 1 where they are liquid, else 0 */
+    float speed;                 /**< of the part, across the face [m/s] */
+    float by[3];                 /**< what flows across when the solid moves by 1 m/s, or turns by 1 rad/s */
+} sph2d__part;
 
 typedef struct sph2d__grid {
     int nx, ny, levels;
@@ -69,12 +65,14 @@ typedef struct sph2d__grid {
     sph2d__level level[SPH2D__LEVELS];
 
     float *still, *distance;    /**< of corners from solids: from those at rest, and from all [m] */
-    float *open_x, *open_y;     /**< open part of left and lower faces */
+    float *still_x, *still_y;   /**< open part of left and lower faces beside solids at rest */
+    float *open_x, *open_y;     /**< and beside all */
     float *wall_x, *wall_y;     /**< velocity of their closed part across them [m/s] */
     float *corner_u, *corner_v; /**< velocity of the solid or side at a corner [m/s] */
     float *still_stick, *stick; /**< of corners: 1 where the nearest solid, or side, has no slip; at rest, and of all */
     float *room;                /**< 1 over the weight of a square that is full */
-    float *hidden;              /**< the part of it that lies in solids */
+    float *still_hidden;        /**< the part of it that lies in solids at rest */
+    float *hidden;              /**< and in all */
     float *mass, *excess;       /**< weight over that; mean of rho/rho0 - 1 */
     uint32_t *cut;              /**< squares with a part in solids */
     float *filled;              /**< their masses, for a while */
@@ -91,13 +89,14 @@ typedef struct sph2d__grid {
     sph2d__quad *face_x, *face_y;
     sph2d__sums sums;
 
-    sph2d__grid_body *bodies;
-    sph2d__element *elements; /**< of the columns of bodies (grid_bodies.c) */
-    double *push;             /**< of each body three sums */
+    sph2d__part *parts; /**< of faces, closed by solids that move (grid_cut.c) */
+    size_t part_count, part_capacity;
+    double (
+        *inverse)[3]; /**< of bodies: 1 over the mass, where they are free, and over the moment of inertia, times the
+                               density of the liquid */
+    double *push;     /**< of each body three sums */
     struct sph2d__twist *impulses;
-    uint32_t *owner;           /**< of corners: the body whose solid is nearest, from 1; 0: none */
-    uint32_t *thin_x, *thin_y; /**< of faces that pass between squares through a thin body: its number */
-    size_t body_count, element_count;
+    size_t body_count;
     const struct sph2d__multigrid *solver;
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
@@ -133,8 +132,9 @@ void sph2d__grid_find_spans(const sph2d_sim *sim, sph2d__grid *grid);
 /** Cuts all squares by the solids at rest. */
 void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *grid);
 
-/** Sets the open parts of these squares' faces, by the solids where they are at the end of the drift (grid_cut.c). */
-void sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
+/** Sets the open parts of these squares' faces, by the solids where they are at the end of the drift (grid_cut.c). False:
+ *  memory is short. */
+bool sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
 
 /** Sums velocities, densities and pressures of the particles (to_grid.c). */
 void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *grid, double dt);
@@ -158,9 +158,9 @@ typedef struct sph2d__grid_passes {
 } sph2d__grid_passes;
 SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes, )
 
-/** Lists the elements of bodies, once the liquid is known; adds G M^-1 G' p to `out`, G their columns; and the impulses of
- *  pressure on bodies, as three numbers each (grid_bodies.c) [N s/m]. */
-void sph2d__grid_list_bodies(sph2d__grid *grid);
+/** Notes on which sides parts are wet, once the liquid is known; adds G M^-1 G' p to `out`, G the columns of bodies; and the
+ *  impulses of pressure on bodies, as three numbers each (grid_bodies.c) [N s/m]. */
+void sph2d__grid_wet_parts(sph2d__grid *grid);
 void sph2d__grid_add_bodies(const sph2d__grid *grid, const float *p, float *out);
 void sph2d__grid_impulses(const sph2d__grid *grid, double density, struct sph2d__twist *impulses);
 

@@ -37,30 +37,74 @@ static void take_means(const sph2d__grid *g)
         }
 }
 
-/** Adds the mass of a square beside another, by the open part of the face between them, if its middle is not in a solid. */
-static inline void add_beside(const sph2d__grid *g, size_t k, float open, float *sum, float *weight)
+/* Of squares whose middle is in a solid, how full they are is not yet known. */
+static const float UNKNOWN = -1;
+
+/** How full the part of a square outside solids is, by what it says itself or, where its middle is in one, in `known`. */
+static inline float fullness(const sph2d__grid *g, const float *known, size_t k)
 {
-    if (open > 0 && g->hidden[k] < 0.5F) {
-        *sum += open * g->mass[k] / (1 - g->hidden[k]);
+    const float outside = 1 - g->hidden[k];
+    return outside > 0.5F ? g->mass[k] / outside : known[k];
+}
+
+/** Adds how full a square beside another is, by the open part of the face between them. */
+static inline void add_beside(const sph2d__grid *g, const float *known, size_t k, float open, float *sum, float *weight)
+{
+    const float full = fullness(g, known, k);
+    if (open > 0 && full >= 0) {
+        *sum += open * full;
         *weight += open;
     }
+}
+
+/** How full the squares beside one are, in the mean; UNKNOWN where there is none that tells. */
+static float mean_beside(const sph2d__grid *g, const float *known, size_t k)
+{
+    const size_t up = g->stride;
+    float sum = 0, weight = 0;
+    add_beside(g, known, k - 1, g->open_x[k], &sum, &weight);
+    add_beside(g, known, k + 1, g->open_x[k + 1], &sum, &weight);
+    add_beside(g, known, k - up, g->open_y[k], &sum, &weight);
+    add_beside(g, known, k + up, g->open_y[k + up], &sum, &weight);
+    return weight > 0 ? sum / (weight > 0 ? weight : 1) : UNKNOWN;
+}
+
+/** Tells of squares with their middle in a solid how full they are, by those beside them, one after the other: through gaps
+ *  too narrow for particles to tell. */
+static void spread_inwards(const sph2d__grid *g, float *known)
+{
+    uint32_t *left = g->member; /* squares that are not known yet; free before there are pockets */
+    size_t count = 0, before;
+    for (size_t n = 0; n < g->cut_count; ++n)
+        if (!(g->hidden[g->cut[n]] < 0.5F))
+            left[count++] = g->cut[n];
+    do {
+        before = count;
+        for (size_t n = 0; n < count; ++n)
+            g->filled[n] = mean_beside(g, known, left[n]);
+        count = 0;
+        for (size_t n = 0; n < before; ++n) {
+            known[left[n]] = g->filled[n];
+            if (g->filled[n] < 0)
+                left[count++] = left[n];
+        }
+    } while (count < before);
 }
 
 /** What a solid hides of a square is as full as what lies beside it: as air it would be a sink. */
 static void fill_cut_squares(const sph2d__grid *g)
 {
-    const size_t up = g->stride;
+    float *beside = g->rest, *known = g->s; /* free before the pressure; s is 0 where the step sets nothing */
+    for (size_t n = 0; n < g->cut_count; ++n)
+        known[g->cut[n]] = UNKNOWN;
+    for (size_t n = 0; n < g->cut_count; ++n)
+        beside[g->cut[n]] = mean_beside(g, known, g->cut[n]);
+    spread_inwards(g, known);
     for (size_t n = 0; n < g->cut_count; ++n) {
         const uint32_t k = g->cut[n];
-        float sum = 0, weight = 0;
-        add_beside(g, k - 1, g->open_x[k], &sum, &weight);
-        add_beside(g, k + 1, g->open_x[k + 1], &sum, &weight);
-        add_beside(g, k - up, g->open_y[k], &sum, &weight);
-        add_beside(g, k + up, g->open_y[k + up], &sum, &weight);
-        g->filled[n] = g->mass[k] + g->hidden[k] * ratio(sum, weight);
+        const float by = g->hidden[k] < 0.5F ? beside[k] : known[k];
+        g->mass[k] += by > 0 ? g->hidden[k] * by : 0;
     }
-    for (size_t n = 0; n < g->cut_count; ++n)
-        g->mass[g->cut[n]] = g->filled[n];
 }
 
 static inline bool is_liquid(const sph2d__grid *g, size_t k)
@@ -289,15 +333,15 @@ static void solve(sph2d__grid *g, double viscosity)
     for (int j = g->first; j <= g->last; ++j)
         SPH2D__FOR_SPAN(g, j, k)
     g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
-    sph2d__grid_list_bodies(g);
+    sph2d__grid_wet_parts(g);
     g->solver->solve(g, g->q, g->rest, PRESSURE_ITERATIONS + BODY_ITERATIONS * (int)g->body_count);
     sph2d__grid_level_pockets(g, g->q);
-    const size_t elements = g->element_count;
-    g->element_count = 0; /* the volume is put right around bodies where they are */
+    const size_t bodies = g->body_count;
+    g->body_count = 0; /* the volume is put right around bodies where they are */
     set_volumes(g);
     sph2d__grid_level_pockets(g, g->rest);
     g->solver->solve(g, g->s, g->rest, VOLUME_ITERATIONS);
-    g->element_count = elements;
+    g->body_count = bodies;
     sph2d__level_wrap(g, l, g->q);
     sph2d__level_wrap(g, l, g->s);
     set_faces(g);
