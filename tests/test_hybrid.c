@@ -300,6 +300,39 @@ START_TEST(liquid_is_held_by_a_circle)
 }
 END_TEST
 
+/* A slot of 2 and of 4 spacings between boxes, one of 2 beside a side, a wedge, and boxes that touch. */
+START_TEST(a_narrow_channel_is_told)
+{
+    static const double slots[][2] = {{0.4, 0.4 + 2 * DX}, {0.4, 0.4 + 4 * DX}, {2 * DX, 1}, {0.4, 0.4}};
+    static sph2d_vec2 wedge[] = {{0, 0}, {0.5, 0}, {0, 0.5}};
+    sph2d_obstacle boxes[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
+    basin(1, 0.4);
+    for (int k = 0; k < 2; ++k) {
+        boxes[k].outline.kind = SPH2D_OUTLINE_BOX;
+        boxes[k].outline.box = (sph2d_box){{0, 0.5}, {slots[_i % 4][0], 0.6}};
+    }
+    boxes[1].outline.box = (sph2d_box){{slots[_i % 4][1], 0.5}, {1, 0.6}};
+    if (_i == 2)
+        boxes[0].outline.box.min.x = slots[2][0], boxes[0].outline.box.max.x = 1;
+    if (_i == 4) {
+        boxes[0].outline.kind = SPH2D_OUTLINE_POLYGON;
+        boxes[0].outline.polygon = (sph2d_points){wedge, 3};
+    }
+    tank.scene.domain.max.y = 1;
+    tank.scene.block_count = 0;
+    tank_add(0.6, 0.7, 0.9, 0.9);
+    tank.scene.obstacles = boxes;
+    tank.scene.obstacle_count = _i == 2 || _i == 4 ? 1 : 2;
+    sph2d_report report = {0};
+    ck_assert_int_eq(sph2d_scene_check(&tank.scene, &report), SPH2D_OK);
+    bool told = false;
+    for (size_t k = 0; k < report.count; ++k)
+        told |= strcmp(report.items[k].path, "spacing") == 0;
+    ck_assert_int_eq(told, _i == 0 || _i == 2);
+    sph2d_report_clear(&report);
+}
+END_TEST
+
 START_TEST(drops_cross_several_spacings_in_a_step)
 {
     /* 16 m/s at 0.9 H sqrt(2 head)^-1, against a floor: nobody is behind it. */
@@ -603,6 +636,7 @@ Suite *suite_hybrid(void)
     tcase_add_test(walls, a_piston_raises_the_liquid);
     tcase_add_test(walls, a_piston_pays_for_what_it_lifts);
     tcase_add_test(walls, liquid_is_held_by_a_circle);
+    tcase_add_loop_test(walls, a_narrow_channel_is_told, 0, 5);
     tcase_add_test(walls, drops_cross_several_spacings_in_a_step);
     tcase_add_test(walls, a_step_is_refused_in_which_liquid_falls_further_than_it_looks);
     tcase_add_test(walls, a_source_fills_what_was_empty);

@@ -211,6 +211,8 @@ void sph2d__check_obstacles(checker *c)
         check_side(c, i);
     if (c->errors == 0)
         sph2d__check_motions(c);
-    if (c->errors == 0)
+    if (c->errors == 0) {
         sph2d__check_thin(c);
+        sph2d__check_narrow(c);
+    }
 }

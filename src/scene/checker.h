@@ -89,6 +89,9 @@ void sph2d__check_bodies(sph2d__checker *c);
 /** Warns of obstacles so thin that liquids on their two sides interact through them. */
 void sph2d__check_thin(sph2d__checker *c);
 
+/** Warns of channels that are too narrow for method `hybrid` (check_narrow.c). */
+void sph2d__check_narrow(sph2d__checker *c);
+
 /** Checks ranges, words and lists by the key table. */
 void sph2d__check_ranges(sph2d__checker *c);
 
