@@ -28,6 +28,9 @@ python_folders = import sys; [print(d) for d in sys.path if d.startswith("$(pref
 pythondir ?= $(or $(firstword $(shell for p in $(PYTHONS); do "$$p" -I -c '$(python_folders)' 2>/dev/null; done)), \
     $(prefix)/lib/python3/dist-packages)
 INSTALL ?= install
+ifneq ($(findstring ',$(CURDIR)$(BUILD)$(DESTDIR)$(prefix)),)
+$(error sph2d: a path has an apostrophe ('), which the commands here quote paths by: use a folder without one)
+endif
 PKG_CONFIG ?= pkg-config
 # How many times as long the limits of time of tests are, for a busy machine.
 CK_TIMEOUT_MULTIPLIER ?= 1

@@ -210,10 +210,12 @@ typedef struct scene_text {
 static void put_scene(const void *what, FILE *out)
 {
     const scene_text *s = what;
+    char file[TEXT_WORD_SIZE];
+    text_word(file, s->path);
     fprintf(out,
             "# %s\n# Check it: sph2d check %s\n# Run it:   sph2d run %s -o out\n"
             "# Units are SI. A line #KEY: is a key that is not used; remove the # to use it.\n",
-            s->template->text, s->path, s->path);
+            s->template->text, file, file);
     writer w = {out, s->template, s->name};
     write_struct(&w, sph2d_scene_keys(), "", (margin){0, ""});
 }
@@ -238,7 +240,8 @@ static int write_scene(const char *path, const scene_template *template, const c
     message_report(status, &report, NULL);
     if (status != SPH2D_OK)
         return exit_of_status(status);
-    message_note("wrote '%s'; next: sph2d check %s", path, path);
+    char file[TEXT_WORD_SIZE];
+    message_note("wrote '%s'; next: sph2d check %s", path, text_word(file, path));
     return CLI_EXIT_SUCCESS;
 }
 

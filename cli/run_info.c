@@ -212,15 +212,17 @@ static void print_state(const run_info *r, const sph2d_snapshot_info *info)
                  r->shown_name);
     else
         text_row("time", "%.6g s, after %" PRIu64 " steps, in %s", info->time, info->steps, r->shown_name);
+    char folder[TEXT_WORD_SIZE];
+    text_word(folder, r->folder.path);
     if (!r->resumable)
         text_row("resumable", "no");
     else if (r->state == RUN_FINISHED)
-        text_row("resumable", "with a later end: sph2d resume %s --set run.until=T", r->folder.path);
+        text_row("resumable", "with a later end: sph2d resume %s --set run.until=T", folder);
     else if (r->state == RUN_RUNNING)
         text_row("resumable", "when that has ended");
     else
         text_row("resumable", "yes, from t = %.6g s: sph2d resume %s", sph2d_snapshot_get_info(r->newest.snapshot).time,
-                 r->folder.path);
+                 folder);
 }
 
 static char *text_time(char out[TEXT_SIZE], time_t when)

@@ -129,13 +129,15 @@ int session_run(cli_session *s, saved_in saved)
         double deadline = s->options->max_wall > 0 ? s->begun + s->options->max_wall : 0;
         loop_result result = loop_run(s->sim, &outputs, &progress, deadline, &s->report);
         session_report(s, result.status);
+        char folder[TEXT_WORD_SIZE];
+        text_word(folder, s->folder.path);
         if (result.end == LOOP_SIGNAL || result.end == LOOP_MAX_WALL)
             message_note("stopped by %s at t = %g s; 'sph2d resume %s' continues", end_name(&result),
-                         sph2d_sim_time(s->sim), s->folder.path);
+                         sph2d_sim_time(s->sim), folder);
         if (result.end == LOOP_FAILED && outputs.saved != SAVED_NOWHERE)
             message_note("what was written before is complete; when there is room or memory again, 'sph2d resume %s' "
                          "continues",
-                         s->folder.path);
+                         folder);
         if (result.end == LOOP_GUARD)
             tell_saved(s);
         if (result.end == LOOP_FINISHED && outputs.last_only)

@@ -197,3 +197,21 @@ void text_append(char *out, size_t size, const char *format, ...)
     vsnprintf(out + used, size - used, format, values);
     va_end(values);
 }
+
+char *text_word(char out[TEXT_WORD_SIZE], const char *path)
+{
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./-+:@%,=";
+    const bool quoted = path[strspn(path, plain)] != '\0';
+    size_t n = 0;
+    if (quoted)
+        out[n++] = '"';
+    for (; *path && n + 4 < TEXT_WORD_SIZE; ++path) {
+        if (quoted && strchr("\"\\$`", *path))
+            out[n++] = '\\';
+        out[n++] = *path;
+    }
+    if (quoted)
+        out[n++] = '"';
+    out[n] = '\0';
+    return out;
+}

@@ -29,6 +29,12 @@ char *text_count(char out[TEXT_SIZE], double count);
 /** A unit from its exponents of metre, kilogram and second: "kg/m^3", "Pa", "" for none. Returns `out`. */
 char *text_unit(char out[TEXT_SIZE], const signed char unit[3]);
 
+/** Long enough for any path as text_word() quotes it. */
+#define TEXT_WORD_SIZE 8200
+
+/** A path as a shell takes it: in double quotes where it has to be. Returns `out`. */
+char *text_word(char out[TEXT_WORD_SIZE], const char *path);
+
 /** Prints a table row to stdout: the name padded to a column, then printf's text. */
 void text_row(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -390,11 +390,12 @@ START_TEST(a_blow_of_a_wall_is_warned_of)
 END_TEST
 
 /** Only what moves across a face with liquid pushes it: a gate beside a column may be lifted at once. */
+/** A wall at the right of a column goes along itself, towards it, away from it (it pushes when it stops), and turns. */
 START_TEST(a_wall_that_slides_along_itself_blows_at_nothing)
 {
     sph2d_block column = test_block(0, 0, 0.6, 0.5);
     sph2d_obstacle gate = sph2d_obstacle_default();
-    sph2d_pose_point way[2] = {{0, 0, 0, 0}, {0.4, 0, 0, 0}};
+    sph2d_pose_point way[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     sph2d_scene s = test_scene(0.02, 0, 0, 2, 2);
     s.method = sph2d_scene_default().method;
     s.method.sound_speed = 30;
@@ -407,13 +408,16 @@ START_TEST(a_wall_that_slides_along_itself_blows_at_nothing)
     s.obstacles = &gate;
     s.obstacle_count = 1;
     const struct {
-        double x, y, angle;
+        double time, x, y, angle;
         const char *warned;
-    } cases[] = {{0, 0.6, 0, NULL}, {-0.2, 0.6, 0, "by 0.5 m/s"}, {0.2, 0, 0, "by 0.5 m/s"}, {0, 0, 0.5, "by 0.5"}};
+    } cases[] = {{0.4, 0, 0.6, 0, NULL},
+                 {0.4, -0.2, 0.6, 0, "by 0.5 m/s at t = 0 s"},
+                 {0.4, 0.2, 0, 0, "by 0.5 m/s at t = 0.4 s"},
+                 {0.4, 0, 0, 0.5, "by 0.5"}};
     sph2d_particle drop = {1, 1.5, 0, 0, 1000};
     for (int k = 0; k < 5; ++k) {
         const int way_of = k < 4 ? k : 0; /* the last time liquid may be anywhere */
-        way[1] = (sph2d_pose_point){0.4, cases[way_of].x, cases[way_of].y, cases[way_of].angle};
+        way[1] = (sph2d_pose_point){cases[way_of].time, cases[way_of].x, cases[way_of].y, cases[way_of].angle};
         s.particles = (sph2d_particles){NULL, &drop, k == 4};
         sph2d_report_clear(&report);
         ck_assert_int_eq(sph2d_scene_check(&s, &report), SPH2D_OK);

@@ -13,19 +13,19 @@
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 /* A tank with a paddle that swings in the water, bodies, a source, a drain, probes of all that is kept between steps. */
-#define TANK                                                                                                           \
+#define TANK POOL "  - {name: push, kind: force, every: 0.01}\n"
+#define POOL                                                                                                           \
     "domain: {min: [0, 0], max: [1, 0.6]}\n"                                                                           \
     "spacing: 0.05\n"                                                                                                  \
     "fluid: {density: 1000, dynamic_viscosity: 1}\n"                                                                   \
+    "run: {until: 1}\n"                                                                                                \
     "blocks: [{box: {min: [0, 0], max: [1, 0.3]}}]\n"                                                                  \
     "interactions: [{path: [[0, 0.2, 0.3]], radius: 0.2, acceleration: 5}]\n"                                          \
     "sources: [{at: [0.2, 0.5], direction: [0, -1], width: 0.1, speed: 1}]\n"                                          \
     "drains: [{box: {min: [0.9, 0], max: [1, 0.05]}}]\n"                                                               \
     "probes:\n"                                                                                                        \
     "  - {name: gauge, kind: pressure, at: [0.4, 0], along: [1, 0], size: 0.1, rise_time: 0.05, every: 0.01}\n"        \
-    "  - {name: push, kind: force, every: 0.01}\n"                                                                     \
-    "  - {name: energy, kind: energy, every: 0.01}\n"                                                                  \
-    "run: {until: 1}\n"
+    "  - {name: energy, kind: energy, every: 0.01}\n"
 #define MOVING                                                                                                         \
     "obstacles: [{name: paddle, box: {min: [0.6, 0.1], max: [0.7, 0.5]}, motion: {amplitude: [0.02, 0],\n"             \
     "  frequency: 2}}]\n"
@@ -77,6 +77,8 @@ static const char *const scenes[] = {
     TANK MOVING BODIES "method: {name: pcisph}\nwalls: generalised\n",
     TANK MOVING "method: constraint\n",
     TANK MOVING BODIES "method: {name: constraint}\nwalls: generalised\n",
+    POOL MOVING "method: hybrid\n",
+    POOL BODIES "method: hybrid\n",
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 

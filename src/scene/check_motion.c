@@ -97,28 +97,29 @@ typedef struct jumper {
     double radius; /**< of the tank, about which it turns [m] */
 } jumper;
 
-/** Whether liquid may be on a face of an obstacle: where it starts, and anywhere if it comes from elsewhere. */
-static bool is_wet(const jumper *j, const sph2d__segment *face)
+/** Whether liquid may be on the left (1) or right (-1) of a face of an obstacle: where it starts, and anywhere outside the
+ *  solid if it comes from elsewhere. */
+static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
 {
     enum { SAMPLES = 16 };
     const sph2d_scene *s = j->scene;
     const double x = face->b.x - face->a.x, y = face->b.y - face->a.y, length = hypot(x, y);
     const bool bends =
         j->obstacle->outline.kind == SPH2D_OUTLINE_CIRCLE || j->obstacle->outline.kind == SPH2D_OUTLINE_ARC;
-    const double away = bends ? fmax(s->spacing, length / 8) : s->spacing; /* also from the arc of a chord */
-    const sph2d_vec2 off = {-away * y / length, away * x / length};
-    bool wet = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
-               sph2d__starts_from_snapshot(s);
-    for (int k = 0; k < 2 * SAMPLES && !wet; ++k) {
-        const double along = (k / 2 + 0.5) / SAMPLES, side = k % 2 ? 1 : -1;
-        const sph2d_vec2 p = {face->a.x + along * x + side * off.x, face->a.y + along * y + side * off.y};
-        wet = sph2d__in_block(s, p) && !sph2d__obstacle_fills(s, j->obstacle, p);
+    const double away = (bends ? fmax(s->spacing, length / 8) : s->spacing) * side; /* also from the arc of a chord */
+    const bool anywhere = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
+                          sph2d__starts_from_snapshot(s);
+    bool wet = false;
+    for (int k = 0; k < SAMPLES && !wet; ++k) {
+        const double along = (k + 0.5) / SAMPLES;
+        const sph2d_vec2 p = {face->a.x + along * x - away * y / length, face->a.y + along * y + away * x / length};
+        wet = (anywhere || sph2d__in_block(s, p)) && !sph2d__obstacle_fills(s, j->obstacle, p);
     }
     return wet;
 }
 
-/** The largest speed across faces that liquid touches, as the obstacle is drawn: a wall that slides along itself pushes
- *  nothing. */
+/** The largest speed of faces towards liquid that touches them, as the obstacle is drawn: a wall that slides along itself, or
+ *  goes away, pushes nothing. */
 static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
 {
     const sph2d_outline *outline = &j->obstacle->outline;
@@ -131,15 +132,16 @@ static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
         const double x = face.b.x - face.a.x, y = face.b.y - face.a.y, length = hypot(x, y);
         if (!(length > 0))
             continue;
-        double speed = 0;
+        double speed[2] = {0, 0}; /* to the right and left */
         for (int end = 0; end < 2; ++end) {
             const sph2d_vec2 p = end ? face.b : face.a;
             const double vx = change.x - turn * (p.y - j->course->center.y),
-                         vy = change.y + turn * (p.x - j->course->center.x);
-            speed = fmax(speed, fabs(vx * y - vy * x) / length);
+                         vy = change.y + turn * (p.x - j->course->center.x), left = (vy * x - vx * y) / length;
+            speed[left > 0] = fmax(speed[left > 0], fabs(left));
         }
-        if (speed > largest && is_wet(j, &face))
-            largest = speed;
+        for (int left = 0; left < 2; ++left)
+            if (speed[left] > largest && is_wet(j, &face, left ? 1 : -1))
+                largest = speed[left];
     }
     return largest;
 }

@@ -80,6 +80,14 @@ void sph2d__sim_act(sph2d_sim *sim)
     sim->acting = steering_of(&sim->record);
 }
 
+bool sph2d__sim_is_steered(const sph2d_sim *sim)
+{
+    const sph2d__steering by = steering_of(&sim->record), *acting = &sim->acting;
+    return by.gravity_x != acting->gravity_x || by.gravity_y != acting->gravity_y ||
+           by.pointer_x != acting->pointer_x || by.pointer_y != acting->pointer_y ||
+           by.pointer_radius != acting->pointer_radius || by.pointer_acceleration != acting->pointer_acceleration;
+}
+
 sph2d_status sph2d__sim_repeat_forcing(sph2d_sim *sim, double time)
 {
     set_forces(sim, &sim->acting, time);

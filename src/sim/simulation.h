@@ -72,6 +72,8 @@ struct sph2d_sim {
 void sph2d__sim_steer(sph2d_sim *sim);
 /** Lets the forces of the record act from now on: the next evaluation is with them. */
 void sph2d__sim_act(sph2d_sim *sim);
+/** Whether gravity or the pointer were set since the last evaluation. */
+bool sph2d__sim_is_steered(const sph2d_sim *sim);
 /** Sets the forces that act (gravity, interactions, pointer, frame) and moves the obstacles to their positions at
  *  `time`. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_repeat_forcing(sph2d_sim *sim, double time);

@@ -170,6 +170,11 @@ while read -r template; do
     expect 0 "$SPH2D" check "$template/scene.yaml" && prints "^scene *$template"
     grep -q '^# between particles \[m\]; above 0; must be given$' "$template/scene.yaml" || fail 'no comments'
 done <templates
+# A command that is printed to be copied goes through a shell as it is.
+for name in 'my tank' 'a "quoted" $HOME `x`'; do
+    expect 0 "$SPH2D" init "$name" && says 'next: sph2d check' && eval "$(sed -n 's/.*next: sph2d/"$SPH2D"/p' err) >plan"
+    grep -q 'no errors' plan || fail "the command for '$name' does not check it"
+done
 expect 73 "$SPH2D" init dam_break && says F207
 echo mine >dam_break/scene.yaml
 expect 73 "$SPH2D" init dam_break && grep -qx mine dam_break/scene.yaml

@@ -93,7 +93,7 @@ awk -F, 'NR > 1 { t[++n] = $1; p[n] = $2 }
         printf "%.3g\n", sqrt(sum / count)
     }' gauges/raw.csv >defined
 [ "$(awk '/raw: / { print $2 }' noise)" = "$(cat defined)" ] || fail "the noise is $(cat defined) by its definition"
-expect 75 "$SPH2D" run gauges.yaml -o parts --max-wall 0.1s -q && expect 0 "$SPH2D" resume parts --progress never
+expect 75 "$SPH2D" run gauges.yaml -o parts --max-wall 0.001s -q && expect 0 "$SPH2D" resume parts --progress never
 grep 'usual: \|raw: ' out | diff noise - >&2 || fail 'another noise of a run in parts'
 expect 0 "$SPH2D" run gauges.yaml -o gauges -f --json --progress never && prints '"gauges": {"usual": {"mean": [0-9.]*, "noise": [0-9.]*, "rise_time": 0.069'
 

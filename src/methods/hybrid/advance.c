@@ -39,17 +39,19 @@ static sph2d_status evaluate(sph2d_sim *sim, double *more)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-/** Sorts and evaluates again when particles came or went since the last step: at its end, both are of those there were. */
+/** Sorts and evaluates again when particles came or went since the last step, or gravity or the pointer were set: at its end,
+ *  both are of those there were. */
 static sph2d_status take_in(sph2d_sim *sim)
 {
     sph2d__grid *g = sim->system.grid;
-    if (g->next_id == sim->record.next_id && g->count == sim->system.fluid.count)
+    if (g->next_id == sim->record.next_id && g->count == sim->system.fluid.count && !sph2d__sim_is_steered(sim))
         return SPH2D_OK;
     const sph2d_status status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
         return status;
     g->next_id = sim->record.next_id;
     g->count = sim->system.fluid.count;
+    sph2d__sim_act(sim);
     double brought;
     return evaluate(sim, &brought);
 }
