@@ -139,6 +139,8 @@ static void add_springs(const sph2d_scene *scene, sph2d__derived *d)
 double sph2d__scene_reach(const sph2d_scene *scene)
 {
     double support = sph2d__method_resolve(scene->method).support_ratio;
+    if (scene->method.name == SPH2D_METHOD_HYBRID)
+        support += 2 * sqrt(2) * SPH2D__APART; /* two places, each moved along both axes */
     return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__OUTER_RADIUS : 0) * scene->spacing;
 }
 

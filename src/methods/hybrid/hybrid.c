@@ -10,6 +10,7 @@
 #include "methods/common/packed.h"
 #include "methods/hybrid/grid.h"
 #include "methods/terms/tension.h"
+#include "scene/method_table.h"
 
 /* Lattice sites on either side of a particle. */
 enum { REACH = 4 };
@@ -44,7 +45,7 @@ static void pack_places(const sph2d__store *t, const sph2d__cells *cells, double
 
 static void pack_fluid(sph2d__system *s, size_t first, size_t last)
 {
-    pack_places(&s->fluid, &s->fluid_cells, SPH2D__HYBRID_APART * s->spacing, first, last);
+    pack_places(&s->fluid, &s->fluid_cells, SPH2D__APART * s->spacing, first, last);
 }
 
 /** For a state that was read: evaluate() sets them otherwise. */

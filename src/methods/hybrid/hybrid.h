@@ -43,11 +43,7 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt);
  *  are at it while the caller is at the grid, and then waits for them by `omp taskwait`. */
 void sph2d__hybrid_begin_order(sph2d__system *system);
 
-/** Particles that a corner of a wall stops at one point have no direction apart, and would stay together: their order is
- *  found at places moved by up to this part of a spacing, each by its number. */
-#define SPH2D__HYBRID_APART 1e-4
-
-/** From -1 to 1; `shift`: another one of the same number. */
+/** How far the place of a particle is moved, over its bound; `shift`: along another axis. */
 static inline double sph2d__hybrid_jitter(uint64_t id, unsigned shift)
 {
     const uint64_t mixed = (id + 1) * UINT64_C(0x9E3779B97F4A7C15) >> shift & 1023;

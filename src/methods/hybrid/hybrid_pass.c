@@ -7,6 +7,7 @@
 #include "methods/common/group.h"
 #include "methods/common/packed.h"
 #include "methods/hybrid/hybrid.h"
+#include "scene/method_table.h"
 
 /** What the loops read of a store: places, and two values of each particle. */
 typedef struct rows {
@@ -66,8 +67,8 @@ SPH2D__INLINE push apart_of(const sph2d__system *s, const sph2d__group *g)
     push p = {{0}, {0}};
     SPH2D__FOR_LANES (*g, l) {
         const uint64_t id = s->fluid.id[g->first + (size_t)l];
-        p.x[l] = (sph2d__real)(SPH2D__HYBRID_APART * s->spacing * sph2d__hybrid_jitter(id, 20));
-        p.y[l] = (sph2d__real)(SPH2D__HYBRID_APART * s->spacing * sph2d__hybrid_jitter(id, 40));
+        p.x[l] = (sph2d__real)(SPH2D__APART * s->spacing * sph2d__hybrid_jitter(id, 20));
+        p.y[l] = (sph2d__real)(SPH2D__APART * s->spacing * sph2d__hybrid_jitter(id, 40));
     }
     return p;
 }
