@@ -10,9 +10,6 @@
  * that side in a second, or over gravity if that is more. */
 static const double REACH = 0.12, STRENGTH = 5;
 
-/* Corners of a wall are as far apart as it is thick, so that it can be mitred. */
-static const double CORNERS_APART = 6; /* [spacings] */
-
 static double smaller_side(const sph2d_scene *scene)
 {
     const sph2d_box *d = &scene->domain;
@@ -57,16 +54,24 @@ static sph2d_status wipe(const hand *h, live *l)
     return sph2d_sim_remove_particles(l->sim, &shape, NULL);
 }
 
-/* Adds a corner where the hand is far from the last one, and makes the wall when it is lifted. */
+static bool is_far(const hand *h, const live *l, size_t corner)
+{
+    const sph2d_vec2 from = h->corners[corner];
+    return hypot(h->at.x - from.x, h->at.y - from.y) > fmax(live_wall_thickness(l), l->scene.spacing);
+}
+
+/* Adds a corner where the hand is as far from the last one as the wall is thick, so that it can be mitred, and makes the wall
+ * when the hand is lifted: it ends there. */
 static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
 {
-    if (down) {
-        const sph2d_vec2 last = h->corner_count > 0 ? h->corners[h->corner_count - 1] : h->at;
-        const bool far = hypot(h->at.x - last.x, h->at.y - last.y) > CORNERS_APART * l->scene.spacing;
-        if ((h->corner_count == 0 || far) && h->corner_count < DRAWN_MOST_CORNERS)
-            h->corners[h->corner_count++] = h->at;
+    if (!down && h->corner_count == 0)
         return SPH2D_OK;
-    }
+    if ((h->corner_count == 0 || is_far(h, l, h->corner_count - 1)) && h->corner_count < DRAWN_MOST_CORNERS)
+        h->corners[h->corner_count++] = h->at;
+    if (down)
+        return SPH2D_OK;
+    if (h->corner_count > 1 && is_far(h, l, h->corner_count - 2))
+        h->corners[h->corner_count - 1] = h->at;
     const size_t count = h->corner_count;
     size_t removed = 0;
     h->corner_count = 0;
