@@ -219,7 +219,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/symbols.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -481,7 +481,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(call stage,$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || \
 	    { grep -E 'MISSED|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; })
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)"))
-	$(call stage,$(BUILD)/tests/check_all)
+	$(call stage,tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
 	$(last_stage)
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
