@@ -201,17 +201,12 @@ void text_append(char *out, size_t size, const char *format, ...)
 char *text_word(char out[TEXT_WORD_SIZE], const char *path)
 {
     static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./-+:@%,=";
-    const bool quoted = path[strspn(path, plain)] != '\0';
-    size_t n = 0;
-    if (quoted)
-        out[n++] = '"';
-    for (; *path && n + 4 < TEXT_WORD_SIZE; ++path) {
-        if (quoted && strchr("\"\\$`", *path))
-            out[n++] = '\\';
-        out[n++] = *path;
+    const char *quote = path[strspn(path, plain)] == '\0' ? "" : strpbrk(path, "\"\\$`!") ? "'" : "\"";
+    size_t n = (size_t)sprintf(out, "%s%s", path[0] == '-' ? "./" : "", quote); /* a name is no option */
+    for (; *path && n + 6 < TEXT_WORD_SIZE; ++path) {
+        const bool ends = *path == '\'' && *quote == '\'';
+        n += (size_t)(ends ? sprintf(out + n, "'\\''") : sprintf(out + n, "%c", *path));
     }
-    if (quoted)
-        out[n++] = '"';
-    out[n] = '\0';
+    strcpy(out + n, quote);
     return out;
 }

@@ -32,7 +32,8 @@ char *text_unit(char out[TEXT_SIZE], const signed char unit[3]);
 /** Long enough for any path as text_word() quotes it. */
 #define TEXT_WORD_SIZE 8200
 
-/** A path as a shell takes it: in double quotes where it has to be. Returns `out`. */
+/** A path as a shell takes it: in quotes where it has to be, which are single ones where it has signs that double ones do not
+ *  keep. Returns `out`. */
 char *text_word(char out[TEXT_WORD_SIZE], const char *path);
 
 /** Prints a table row to stdout: the name padded to a column, then printf's text. */

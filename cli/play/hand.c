@@ -70,7 +70,7 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
         h->corners[h->corner_count++] = h->at;
     if (down)
         return SPH2D_OK;
-    if (h->corner_count > 1 && is_far(h, l, h->corner_count - 2))
+    if (h->corner_count > 1 && h->corner_count < DRAWN_MOST_CORNERS && is_far(h, l, h->corner_count - 2))
         h->corners[h->corner_count - 1] = h->at;
     const size_t count = h->corner_count;
     size_t removed = 0;

@@ -151,6 +151,25 @@ static void cut_by_rest(const sph2d_sim *sim, sph2d__grid *g)
         }
 }
 
+static bool leads_out(const sph2d__grid *g, float open, size_t to)
+{
+    return open > 0 && g->still_hidden[to] < 0.5F;
+}
+
+/** Closes squares inside solids at rest that are beside none outside: slits between them into which no particle gets. */
+static void close_slits(const sph2d__grid *g)
+{
+    const size_t up = g->stride;
+    for (int j = 1; j <= g->ny; ++j)
+        for (size_t k = sph2d__at(g, 1, j), end = sph2d__at(g, g->nx, j); k <= end; ++k) {
+            if (g->still_hidden[k] < 0.5F || leads_out(g, g->still_x[k], k - 1) ||
+                leads_out(g, g->still_x[k + 1], k + 1) || leads_out(g, g->still_y[k], k - up) ||
+                leads_out(g, g->still_y[k + up], k + up))
+                continue;
+            g->still_x[k] = g->still_x[k + 1] = g->still_y[k] = g->still_y[k + up] = 0;
+        }
+}
+
 /* ---- solids that move -------------------------------------------------------------------------------------------- */
 
 /** A face closed by a part, between two squares; NULL: memory is short. */
@@ -169,10 +188,9 @@ static sph2d__part *add_part(sph2d_sim *sim, sph2d__grid *g, size_t before, size
 }
 
 /** Closes the face from square `before` to square `after`, with its middle at p, by a part. False: memory is short. */
-static bool close_face(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, size_t before, size_t after,
+static bool close_face(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, size_t before, size_t after, bool x,
                        sph2d_vec2 p, float closed)
 {
-    const bool x = after == before + 1;
     const sph2d_vec2 v = sph2d__pose_velocity(&m->to, p);
     (x ? g->open_x : g->open_y)[after] -= closed;
     (x ? g->wall_x : g->wall_y)[after] += closed * (float)(x ? v.x : v.y);
@@ -205,14 +223,16 @@ static bool cut_by(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, float
                 continue;
             g->hidden[k] += hidden_part(unit * middle(g, own, k));
             for (int axis = 0; axis < 2; ++axis) {
-                const size_t before = axis == 0 ? k - 1 : k - up, end = axis == 0 ? k + up : k + 1;
-                const bool inner = axis == 0 ? i > 1 : j > 1, has = axis == 0 ? i > c.left : j > c.bottom;
-                float closed = closed_part(unit * own[k], unit * own[end]);
-                if (inner && has && closed < 1 && passes(sim, g, &s, &m->barrier, own, before, k))
+                const bool x = axis == 0, first = x ? i == 1 : j == 1, wraps = x ? g->wraps_x : g->wraps_y;
+                const size_t beside = x ? k - 1 : k - up,
+                             other_end = x ? sph2d__at(g, g->nx, j) : sph2d__at(g, i, g->ny);
+                float closed = closed_part(unit * own[k], unit * own[x ? k + up : k + 1]);
+                if (!first && (x ? i > c.left : j > c.bottom) && closed < 1 &&
+                    passes(sim, g, &s, &m->barrier, own, beside, k))
                     closed = 1;
-                const sph2d_vec2 at = {p.x + (axis == 0 ? 0 : (double)g->hx / 2),
-                                       p.y + (axis == 0 ? (double)g->hy / 2 : 0)};
-                if (inner && closed > 0 && !close_face(sim, g, m, before, k, at, closed))
+                const sph2d_vec2 at = {p.x + (x ? 0 : (double)g->hx / 2), p.y + (x ? (double)g->hy / 2 : 0)};
+                if ((!first || wraps) && closed > 0 &&
+                    !close_face(sim, g, m, first ? other_end : beside, k, x, at, closed))
                     return false;
             }
         }
@@ -224,7 +244,7 @@ static void level_parts(sph2d__grid *g)
 {
     for (size_t n = 0; n < g->part_count; ++n) {
         sph2d__part *p = &g->parts[n];
-        const float open = (p->after == p->before + 1 ? g->open_x : g->open_y)[p->after];
+        const float open = (p->by[0] > 0 ? g->open_x : g->open_y)[p->after];
         for (int c = 0; c < 3 && open < 0; ++c)
             p->by[c] /= 1 - open;
     }
@@ -260,6 +280,19 @@ static void finish(sph2d__grid *g, bool all)
     }
 }
 
+/** The last faces of a periodic direction are the first. */
+static void wrap_faces(sph2d__grid *g)
+{
+    for (int j = 1; j <= g->ny + 1 && g->wraps_x; ++j) {
+        g->open_x[sph2d__at(g, g->nx + 1, j)] = g->open_x[sph2d__at(g, 1, j)];
+        g->wall_x[sph2d__at(g, g->nx + 1, j)] = g->wall_x[sph2d__at(g, 1, j)];
+    }
+    for (int i = 1; i <= g->nx + 1 && g->wraps_y; ++i) {
+        g->open_y[sph2d__at(g, i, g->ny + 1)] = g->open_y[sph2d__at(g, i, 1)];
+        g->wall_y[sph2d__at(g, i, g->ny + 1)] = g->wall_y[sph2d__at(g, i, 1)];
+    }
+}
+
 /** Begins with what is so at rest. */
 static void take_rest(sph2d__grid *g)
 {
@@ -287,6 +320,7 @@ bool sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *g)
         add_side(sim, g, side);
     level_parts(g);
     finish(g, false);
+    wrap_faces(g);
     for (size_t k = 0; k < sim->moving_count; ++k) {
         const sph2d__rigid *r = sim->moving[k].rigid;
         const double density = sim->system.rest_density;
@@ -313,6 +347,7 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *g)
     for (int side = 0; side < 4; ++side)
         add_side(sim, g, side);
     cut_by_rest(sim, g);
+    close_slits(g);
     memcpy(g->still, g->distance, g->size * sizeof *g->distance);
     memcpy(g->still_stick, g->stick, g->size * sizeof *g->stick);
     memcpy(g->open_x, g->still_x, g->size * sizeof *g->open_x);

@@ -69,15 +69,11 @@ static float mean_beside(const sph2d__grid *g, const float *known, size_t k)
     return weight > 0 ? sum / (weight > 0 ? weight : 1) : UNKNOWN;
 }
 
-/** Tells of squares with their middle in a solid how full they are, by those beside them, one after the other: through gaps
- *  too narrow for particles to tell. */
-static void spread_inwards(const sph2d__grid *g, float *known)
+/** Tells of `count` squares with their middle in a solid how full they are, by those beside them, one after the other: through
+ *  gaps too narrow for particles to tell. */
+static void spread_inwards(const sph2d__grid *g, float *known, uint32_t *left, size_t count)
 {
-    uint32_t *left = g->member; /* squares that are not known yet; free before there are pockets */
-    size_t count = 0, before;
-    for (size_t n = 0; n < g->cut_count; ++n)
-        if (!(g->hidden[g->cut[n]] < 0.5F))
-            left[count++] = g->cut[n];
+    size_t before;
     do {
         before = count;
         for (size_t n = 0; n < count; ++n)
@@ -91,17 +87,28 @@ static void spread_inwards(const sph2d__grid *g, float *known)
     } while (count < before);
 }
 
-/** What a solid hides of a square is as full as what lies beside it: as air it would be a sink. */
+/** What a solid hides of a square is as full as what lies beside it: as air it would be a sink. Of the squares that are cut
+ *  those count that the step sets. */
 static void fill_cut_squares(const sph2d__grid *g)
 {
     float *beside = g->rest, *known = g->s; /* free before the pressure; s is 0 where the step sets nothing */
-    for (size_t n = 0; n < g->cut_count; ++n)
-        known[g->cut[n]] = UNKNOWN;
-    for (size_t n = 0; n < g->cut_count; ++n)
-        beside[g->cut[n]] = mean_beside(g, known, g->cut[n]);
-    spread_inwards(g, known);
+    uint32_t *here = g->pocket_end, *left = g->member; /* free before there are pockets */
+    size_t count = 0, inside = 0;
     for (size_t n = 0; n < g->cut_count; ++n) {
-        const uint32_t k = g->cut[n];
+        const uint32_t k = g->cut[n], j = k / (uint32_t)g->stride, i = k - j * (uint32_t)g->stride;
+        if ((int)i >= g->begin[j] && (int)i < g->end[j]) {
+            here[count++] = k;
+            known[k] = UNKNOWN;
+        }
+    }
+    for (size_t n = 0; n < count; ++n) {
+        beside[here[n]] = mean_beside(g, known, here[n]);
+        if (!(g->hidden[here[n]] < 0.5F))
+            left[inside++] = here[n];
+    }
+    spread_inwards(g, known, left, inside);
+    for (size_t n = 0; n < count; ++n) {
+        const uint32_t k = here[n];
         const float by = g->hidden[k] < 0.5F ? beside[k] : known[k];
         g->mass[k] += by > 0 ? g->hidden[k] * by : 0;
     }

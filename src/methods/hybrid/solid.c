@@ -25,9 +25,13 @@ sph2d__solid sph2d__solid_of(const sph2d_scene *scene, const sph2d_obstacle *obs
         low = (sph2d_vec2){fmin(low.x, p.x - more), fmin(low.y, p.y - more)};
         high = (sph2d_vec2){fmax(high.x, p.x + more), fmax(high.y, p.y + more)};
     }
-    bool wall[4];
-    for (int side = 0; side < 4; ++side)
-        wall[side] = sph2d__side_of(scene, side) == SPH2D_SIDE_WALL;
+    const bool over_x = low.x < d->min.x + in && high.x > d->max.x - in,
+               over_y = low.y < d->min.y + in && high.y > d->max.y - in;
+    bool wall[4]; /* or the seam of a period, on both sides of which the solid goes on */
+    for (int side = 0; side < 4; ++side) {
+        const sph2d_side is = sph2d__side_of(scene, side);
+        wall[side] = is == SPH2D_SIDE_WALL || (is == SPH2D_SIDE_PERIODIC && (side < 2 ? over_x : over_y));
+    }
     const sph2d_box inside = {{wall[0] ? d->min.x + in : -INFINITY, wall[2] ? d->min.y + in : -INFINITY},
                               {wall[1] ? d->max.x - in : INFINITY, wall[3] ? d->max.y - in : INFINITY}};
     const bool reaches =
