@@ -91,10 +91,8 @@ typedef struct sph2d__grid {
 
     sph2d__part *parts; /**< of faces, closed by solids that move (grid_cut.c) */
     size_t part_count, part_capacity;
-    double (
-        *inverse)[3]; /**< of bodies: 1 over the mass, where they are free, and over the moment of inertia, times the
-                               density of the liquid */
-    double *push;     /**< of each body three sums */
+    double (*inverse)[3]; /**< of bodies: rest density over mass and moment of inertia; 0 where they are held */
+    double *push;         /**< of each body three sums */
     struct sph2d__twist *impulses;
     size_t body_count;
     const struct sph2d__multigrid *solver;
