@@ -39,7 +39,7 @@ static void lay_out_level(sph2d__level *l, int nx, int ny, room *r)
     l->ny = ny;
     l->stride = ((size_t)nx + 4 + 15) / 16 * 16;
     l->size = l->stride * ((size_t)ny + 4);
-    float **const all[] = {&l->left, &l->below, &l->air, &l->inverse, &l->value, &l->rest, &l->product};
+    float **const all[] = {&l->left, &l->below, &l->air, &l->inverse};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         *all[k] = take(r, l->size, sizeof(float));
     l->from = take(r, (size_t)ny + 4, sizeof(int));
@@ -51,6 +51,18 @@ static void lay_out_sums(sph2d__sums *s, size_t size, room *r)
     s->x = take(r, size, sizeof *s->x);
     s->y = take(r, size, sizeof *s->y);
     s->middle = take(r, size, sizeof *s->middle);
+}
+
+static void lay_out_work(const sph2d__grid *g, sph2d__work *w, room *r)
+{
+    float **const finest[] = {&w->rest, &w->z, &w->way, &w->image, &w->cycle[0].product};
+    for (size_t k = 0; k < sizeof finest / sizeof *finest; ++k)
+        *finest[k] = take(r, g->size, sizeof(float));
+    for (int n = 1; n < g->levels; ++n) {
+        float **const all[] = {&w->cycle[n].value, &w->cycle[n].rest, &w->cycle[n].product};
+        for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
+            *all[k] = take(r, g->level[n].size, sizeof(float));
+    }
 }
 
 static void lay_out(sph2d__grid *g, room *r)
@@ -68,10 +80,12 @@ static void lay_out(sph2d__grid *g, room *r)
     float **const all[] = {&g->still,       &g->distance, &g->still_x,      &g->still_y, &g->open_x,   &g->open_y,
                            &g->wall_x,      &g->wall_y,   &g->room,         &g->hidden,  &g->corner_u, &g->corner_v,
                            &g->still_stick, &g->stick,    &g->still_hidden, &g->mass,    &g->excess,   &g->u,
-                           &g->v,           &g->air_x,    &g->air_y,        &g->q,       &g->s,        &g->rest,
-                           &g->z,           &g->way,      &g->image,        &g->wet_x,   &g->wet_y};
+                           &g->v,           &g->air_x,    &g->air_y,        &g->q,       &g->s,        &g->wet_x,
+                           &g->wet_y};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         *all[k] = take(r, g->size, sizeof(float));
+    lay_out_work(g, &g->pressure, r);
+    lay_out_work(g, &g->volume, r);
     g->cut = take(r, g->size, sizeof *g->cut);
     g->filled = take(r, g->size, sizeof *g->filled);
     g->member = take(r, g->size, sizeof *g->member);

@@ -23,10 +23,18 @@ typedef struct sph2d__level {
     int nx, ny;
     size_t stride, size;
     float *left, *below, *air;
-    float *inverse;                /**< 1 over the diagonal; 0: no liquid */
-    float *value, *rest, *product; /**< of a cycle */
-    int *from, *to;                /**< first and last liquid square of each row; to < from: none */
+    float *inverse; /**< 1 over the diagonal; 0: no liquid */
+    int *from, *to; /**< first and last liquid square of each row; to < from: none */
 } sph2d__level;
+
+/** What a solution needs beside the equations: two are found at the same time. */
+typedef struct sph2d__work {
+    float *rest;            /**< the right side, then what is left */
+    float *z, *way, *image; /**< of conjugate gradients */
+    struct {
+        float *value, *rest, *product;
+    } cycle[SPH2D__LEVELS]; /**< of multigrid, on each level; on the finest only `product` */
+} sph2d__work;
 
 /** Two and four floats that are read together. */
 typedef struct sph2d__pair2 {
@@ -84,8 +92,8 @@ typedef struct sph2d__grid {
     float *wet_x,
         *wet_y; /**< part of the difference over a square that acts: 1 between liquid, air_x beside air, else 0 */
     float *air_x, *air_y;   /**< 1 over the part of the way to the surface where one side is air, else 0 */
-    float *q, *s, *rest;    /**< p dt/rho0 [m^2/s]; potential of displacements [m^2]; what is left */
-    float *z, *way, *image; /**< of conjugate gradients */
+    float *q, *s;           /**< p dt/rho0 [m^2/s]; potential of displacements [m^2] */
+    sph2d__work pressure, volume;
     sph2d__quad *face_x, *face_y;
     sph2d__sums sums;
 
@@ -176,9 +184,9 @@ void sph2d__grid_viscosity(sph2d__grid *grid, double number);
 typedef struct sph2d__multigrid {
     /** Sets the coarser levels from the finest one. */
     void (*prepare)(sph2d__grid *grid);
-    /** Improves `value` of the equations of level 0 by `iterations` of conjugate gradients, with one cycle of multigrid
-     *  each; `rest` is the right side, then what is left. */
-    void (*solve)(sph2d__grid *grid, float *value, float *rest, int iterations);
+    /** Improves `value` of the equations of level 0, with `bodies` among them, by `iterations` of conjugate gradients, with
+     *  one cycle of multigrid each. */
+    void (*solve)(const sph2d__grid *grid, const sph2d__work *work, float *value, bool bodies, int iterations);
 } sph2d__multigrid;
 SPH2D__COPIES(sph2d__multigrid, sph2d__multigrid, )
 

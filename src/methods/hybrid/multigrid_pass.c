@@ -37,17 +37,18 @@ static void multiply(const sph2d__grid *g, const sph2d__level *l, float *p, floa
 }
 
 /** p <- p + w D^-1 (r - A p). */
-static void sweep(const sph2d__grid *g, const sph2d__level *l, float *restrict p, const float *r)
+static void sweep(const sph2d__grid *g, const sph2d__level *l, float *restrict p, const float *r, float *restrict product)
 {
-    multiply(g, l, p, l->product);
-    const float *inverse = l->inverse, *product = l->product;
+    multiply(g, l, p, product);
+    const float *inverse = l->inverse;
     for (int j = 1; j <= l->ny; ++j)
         FOR_LIQUID(l, j, k)
     p[k] += DAMPING * inverse[k] * (r[k] - product[k]);
 }
 
 /** What is left, r - A p, summed onto the coarser level. */
-static void restrict_to(const sph2d__level *l, const float *r, const sph2d__level *coarse)
+static void restrict_to(const sph2d__level *l, const float *r, const float *product, const sph2d__level *coarse,
+                        float *rest)
 {
     for (int j = 1; j <= coarse->ny; ++j)
         for (int i = coarse->from[j]; i <= coarse->to[j]; ++i) {
@@ -56,45 +57,45 @@ static void restrict_to(const sph2d__level *l, const float *r, const sph2d__leve
             const size_t of[4] = {at, at + 1, at + l->stride, at + l->stride + 1};
             float sum = 0;
             for (int k = 0; k < 4; ++k)
-                sum += l->inverse[of[k]] > 0 ? r[of[k]] - l->product[of[k]] : 0;
-            coarse->rest[to] = coarse->inverse[to] > 0 ? sum : 0;
+                sum += l->inverse[of[k]] > 0 ? r[of[k]] - product[of[k]] : 0;
+            rest[to] = coarse->inverse[to] > 0 ? sum : 0;
         }
 }
 
-static void prolong(const sph2d__level *coarse, const sph2d__level *l, float *p)
+static void prolong(const sph2d__level *coarse, const float *value, const sph2d__level *l, float *p)
 {
     for (int j = 1; j <= l->ny; ++j)
         for (int i = l->from[j]; i <= l->to[j]; ++i) {
             const size_t at = (size_t)j * l->stride + (size_t)i;
-            const float more = coarse->value[(size_t)((j + 1) / 2) * coarse->stride + (size_t)((i + 1) / 2)];
+            const float more = value[(size_t)((j + 1) / 2) * coarse->stride + (size_t)((i + 1) / 2)];
             p[at] += l->inverse[at] > 0 ? more : 0;
         }
 }
 
 /** p = about A^-1 r, from the finest level on down and up. */
-static void cycle(const sph2d__grid *g, float *finest, const float *right)
+static void cycle(const sph2d__grid *g, const sph2d__work *w, float *finest, const float *right)
 {
     for (int n = 0; n < g->levels; ++n) {
         const sph2d__level *l = &g->level[n];
-        float *p = n == 0 ? finest : l->value;
-        const float *r = n == 0 ? right : l->rest;
+        float *p = n == 0 ? finest : w->cycle[n].value, *product = w->cycle[n].product;
+        const float *r = n == 0 ? right : w->cycle[n].rest;
         for (int j = 1; j <= l->ny; ++j)
             FOR_LIQUID(l, j, k)
         p[k] = DAMPING * l->inverse[k] * r[k];
         const int more = n + 1 == g->levels ? COARSEST_SWEEPS : SWEEPS - 1;
         for (int k = 0; k < more; ++k)
-            sweep(g, l, p, r);
+            sweep(g, l, p, r, product);
         if (n + 1 < g->levels) {
-            multiply(g, l, p, l->product);
-            restrict_to(l, r, l + 1);
+            multiply(g, l, p, product);
+            restrict_to(l, r, product, l + 1, w->cycle[n + 1].rest);
         }
     }
     for (int n = g->levels - 2; n >= 0; --n) {
         const sph2d__level *l = &g->level[n];
-        float *p = n == 0 ? finest : l->value;
-        prolong(l + 1, l, p);
+        float *p = n == 0 ? finest : w->cycle[n].value;
+        prolong(l + 1, w->cycle[n + 1].value, l, p);
         for (int k = 0; k < SWEEPS; ++k)
-            sweep(g, l, p, n == 0 ? right : l->rest);
+            sweep(g, l, p, n == 0 ? right : w->cycle[n].rest, w->cycle[n].product);
     }
 }
 
@@ -180,18 +181,19 @@ static double dot(const sph2d__level *l, const float *a, const float *b)
     return sum;
 }
 
-static void solve(sph2d__grid *g, float *restrict value, float *restrict rest, int iterations)
+static void solve(const sph2d__grid *g, const sph2d__work *w, float *restrict value, bool bodies, int iterations)
 {
     const sph2d__level *l = g->level;
-    float *restrict way = g->way, *restrict image = g->image, *restrict z = g->z;
+    float *restrict rest = w->rest, *restrict way = w->way, *restrict image = w->image, *restrict z = w->z;
     multiply(g, l, value, z);
-    sph2d__grid_add_bodies(g, value, z);
+    if (bodies)
+        sph2d__grid_add_bodies(g, value, z);
     for (int j = 1; j <= l->ny; ++j)
         FOR_LIQUID(l, j, k)
     rest[k] = l->inverse[k] > 0 ? rest[k] - z[k] : 0;
     double before = 0, enough = 1e-30;
     for (int n = 0; n < iterations; ++n) {
-        cycle(g, z, rest);
+        cycle(g, w, z, rest);
         const double now = dot(l, rest, z);
         if (!(now > enough))
             return;
@@ -201,7 +203,8 @@ static void solve(sph2d__grid *g, float *restrict value, float *restrict rest, i
             FOR_LIQUID(l, j, k)
         way[k] = n > 0 ? z[k] + keep * way[k] : z[k];
         multiply(g, l, way, image);
-        sph2d__grid_add_bodies(g, way, image);
+        if (bodies)
+            sph2d__grid_add_bodies(g, way, image);
         const float part = (float)(now / dot(l, way, image));
         for (int j = 1; j <= l->ny; ++j)
             FOR_LIQUID(l, j, k)
