@@ -165,10 +165,8 @@ static void tell_leak(game *g)
     g->leaks = leaks;
 }
 
-void game_advance(game *g, double seconds, double budget)
+void game_tell_steps(game *g, sph2d_status status, sph2d_report *report)
 {
-    sph2d_report report = {0};
-    if (!g->paused)
-        game_tell_report(g, live_advance(&g->live, seconds * g->rate, budget, &report), &report);
+    game_tell_report(g, status, report);
     tell_leak(g);
 }

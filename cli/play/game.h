@@ -19,6 +19,10 @@ typedef struct game {
     double *corners; /**< of outlines, with those of the hand: x, then y */
     uint64_t *marks; /**< their numbers, then their sides of liquid */
     size_t corner_capacity;
+    sph2d_picture picture; /**< the next: all that it borrows is the game's, none the simulation's */
+    double picture_time;   /**< simulated [s] */
+    bool prepared;         /**< there is one */
+    char caption[240], notes[1200];
     sph2d_vec2 color_range; /**< of all that was shown of this field */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
@@ -64,8 +68,8 @@ enum { GAME_FILM_RATE = 30 };
 /** Keeps the scene with its liquid, and begins or ends a film: files here, downloads on a page. */
 void game_save(game *g);
 void game_film(game *g);
-/** Adds a picture to the film when its time has come. */
-void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture);
+/** Adds the prepared picture to the film when its time has come. */
+void game_film_frame(game *g, sph2d_renderer *renderer);
 
 /** What can be set while it runs: the size of gravity [m/s^2], viscosity [Pa s], surface tension [N/m], the largest
  *  compression (a part of the density), and the rate, simulated seconds for one of the clock. */
@@ -86,11 +90,14 @@ void game_key(game *g, int key);
 /** Moves the hand to where the mouse is in the last picture. */
 void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input);
 
-/** Lets the simulation follow `seconds` of the clock, for `budget` of them at most. */
-void game_advance(game *g, double seconds, double budget);
+/** Tells what came of steps: their status, and whether liquid leaves. */
+void game_tell_steps(game *g, sph2d_status status, sph2d_report *report);
 
-/** Shows the game in the window's framebuffer, with the number of pictures a second; a film that is recorded gets its
+/** Prepares a picture of the game as it is, with the number of pictures a second. */
+void game_prepare(game *g, double pictures);
+
+/** Draws it into the window's framebuffer, also while a thread steps the simulation; a film that is recorded gets its
  *  frame. */
-void game_show(game *g, sph2d_renderer *renderer, double pictures);
+void game_draw(game *g, sph2d_renderer *renderer);
 
 #endif

@@ -73,16 +73,16 @@ void game_film(game *g)
     }
 }
 
-void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
+void game_film_frame(game *g, sph2d_renderer *renderer)
 {
-    const double now = sph2d_sim_time(g->live.sim), each = g->rate / GAME_FILM_RATE;
+    const double now = g->picture_time, each = g->rate / GAME_FILM_RATE;
     g->next_frame = fmin(g->next_frame, now + each); /* time went back */
     if (g->recording[0] == '\0' || now < g->next_frame)
         return;
     sph2d_report report = {0};
     char path[64];
     snprintf(path, sizeof path, "%s/frame_%06u.png", g->recording, g->recorded);
-    sph2d_picture frame = *picture;
+    sph2d_picture frame = g->picture;
     frame.notes = NULL;
     sph2d_status status = sph2d_renderer_draw(renderer, &frame, &report);
     if (status == SPH2D_OK)

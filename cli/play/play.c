@@ -37,7 +37,7 @@ static bool turn(loop *p, game *g, sph2d_report *report, sph2d_status *status)
         return false;
     if (input.width > 0) {
         play_window_show(p->window);
-        turn_shown(&p->turning);
+        turn_shown(&p->turning, g);
     }
     return true;
 }
@@ -93,10 +93,11 @@ static int play(game *g)
                          g->options->height > 0 ? g->options->height : HEIGHT, "sph2d", &p.window, &report);
     if (status == SPH2D_OK) {
         signals_note();
+        turn_beside(&p.turning);
         p.begun = p.last = clock_wall();
         while (turn(&p, g, &report, &status))
             continue;
-        turn_end(&p.turning);
+        turn_end(&p.turning, g);
         tell_end(&p, g);
     }
     play_window_close(p.window);

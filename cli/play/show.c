@@ -102,23 +102,31 @@ static sph2d_status add_hand(game *g, sph2d_picture *picture)
     return SPH2D_OK;
 }
 
-void game_show(game *g, sph2d_renderer *renderer, double pictures)
+void game_prepare(game *g, double pictures)
 {
     sph2d_report report = {0};
     sph2d_picture picture;
-    char caption[240], notes[1200];
     sph2d_status status = make_picture(g, &picture, &report);
-    write_caption(g, pictures, caption, sizeof caption);
+    write_caption(g, pictures, g->caption, sizeof g->caption);
     const bool fresh = g->message[0] != '\0' && clock_wall() - g->told < message_time;
     const char *const told = g->told_elsewhere ? "" : fresh ? g->message : g->live.why;
-    snprintf(notes, sizeof notes, "%s%s%s", told, told[0] != '\0' && g->help ? "\n" : "", g->help ? game_help : "");
+    snprintf(g->notes, sizeof g->notes, "%s%s%s", told, told[0] != '\0' && g->help ? "\n" : "",
+             g->help ? game_help : "");
     if (status == SPH2D_OK)
         status = add_hand(g, &picture);
-    picture.caption = caption;
-    picture.notes = notes[0] != '\0' ? notes : NULL;
-    if (status == SPH2D_OK)
-        game_film_frame(g, renderer, &picture);
-    if (status == SPH2D_OK)
-        status = sph2d_renderer_draw_to(renderer, 0, 0, 0, &picture, &report);
+    picture.caption = g->caption;
+    picture.notes = g->notes[0] != '\0' ? g->notes : NULL;
+    g->picture = picture;
+    g->picture_time = sph2d_sim_time(g->live.sim);
+    g->prepared = status == SPH2D_OK;
     game_tell_report(g, status, &report);
+}
+
+void game_draw(game *g, sph2d_renderer *renderer)
+{
+    if (!g->prepared)
+        return;
+    sph2d_report report = {0};
+    game_film_frame(g, renderer);
+    game_tell_report(g, sph2d_renderer_draw_to(renderer, 0, 0, 0, &g->picture, &report), &report);
 }

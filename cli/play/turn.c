@@ -41,11 +41,50 @@ static void average(double *mean, double value)
     *mean += 0.1 * (value - *mean);
 }
 
+static void step(void *steps_)
+{
+    stepping *s = steps_;
+    const double begun = clock_wall();
+    s->status = live_advance(s->live, s->seconds, s->budget, &s->report);
+    s->taken = clock_wall() - begun;
+}
+
+/* Begins the steps of a turn; without a thread beside they are then done. */
+static void begin_steps(turning *t, game *g, double passed, bool beside)
+{
+    const double picture = 1 / WANTED_PICTURES;
+    t->from = sph2d_sim_time(g->live.sim);
+    t->steps = (stepping){.live = &g->live,
+                          .seconds = g->paused ? 0 : passed * g->rate,
+                          .budget = fmax(beside ? picture : picture - t->drawing, LEAST_STEPPING)};
+    t->played += g->paused ? 0 : passed * g->rate;
+    if (beside)
+        worker_begin(t->worker);
+    else
+        step(&t->steps);
+}
+
+/* What follows once they are done. */
+static void end_steps(turning *t, game *g)
+{
+    if (t->worker)
+        worker_wait(t->worker);
+    if (!t->steps.live)
+        return;
+    t->steps.live = NULL;
+    t->simulated += fmax(sph2d_sim_time(g->live.sim) - t->from, 0);
+    average(&t->stepping, t->steps.taken);
+    game_tell_steps(g, t->steps.status, &t->steps.report);
+    if (g->fits_in > 0 && --g->fits_in == 0)
+        game_fit(g,
+                 STEPPED * (t->worker ? 1 : fmax(1 - WANTED_PICTURES * t->drawing, LEAST_STEPPING * WANTED_PICTURES)));
+}
+
 sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_loader loader, double since,
                        sph2d_report *report)
 {
-    const double begun = clock_wall(), passed = fmin(since, LONGEST_TURN), from = sph2d_sim_time(g->live.sim);
-    const bool visible = input->width >= 16 && input->height >= 16;
+    const double passed = fmin(since, LONGEST_TURN);
+    const bool visible = input->width >= 16 && input->height >= 16, beside = visible && t->worker;
     g->hand.down &= input->left; /* a key finds the buttons as they are */
     g->hand.pushes &= input->right;
     if (input->left || input->right || input->key_count > 0) /* nobody's doing is to begin again */
@@ -54,23 +93,29 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
         game_key(g, input->keys[k]);
     if (visible)
         game_hand(g, t->renderer, input);
-    game_advance(g, passed, fmax(1 / WANTED_PICTURES - t->drawing, LEAST_STEPPING));
-    if (g->fits_in > 0 && --g->fits_in == 0)
-        game_fit(g, STEPPED * fmax(1 - WANTED_PICTURES * t->drawing, LEAST_STEPPING * WANTED_PICTURES));
-    t->played += g->paused ? 0 : passed * g->rate;
-    t->simulated += fmax(sph2d_sim_time(g->live.sim) - from, 0);
+    if (beside)
+        game_prepare(g, t->pictures);
+    begin_steps(t, g, passed, beside);
+    if (!beside)
+        end_steps(t, g);
     t->draws = clock_wall();
-    average(&t->stepping, t->draws - begun);
     if (!visible)
         return SPH2D_OK;
     const sph2d_status status = fit_renderer(t, g, input, loader, report);
     if (status != SPH2D_OK)
         return status;
-    game_show(g, t->renderer, t->pictures);
+    if (!beside)
+        game_prepare(g, t->pictures);
+    game_draw(g, t->renderer);
     return SPH2D_OK;
 }
 
-void turn_shown(turning *t)
+void turn_beside(turning *t)
+{
+    t->worker = worker_start(step, &t->steps);
+}
+
+void turn_shown(turning *t, game *g)
 {
     const double now = clock_wall();
     average(&t->drawing, now - t->draws);
@@ -82,10 +127,14 @@ void turn_shown(turning *t)
         t->counted = now;
         t->shown_then = t->shown;
     }
+    end_steps(t, g);
 }
 
-void turn_end(turning *t)
+void turn_end(turning *t, game *g)
 {
+    end_steps(t, g);
+    worker_stop(t->worker);
+    t->worker = NULL;
     sph2d_renderer_destroy(t->renderer);
     t->renderer = NULL;
 }

@@ -5,9 +5,21 @@
 #define SPH2D_CLI_PLAY_TURN_H
 
 #include "game.h"
+#include "worker.h"
 
-/** What lasts from turn to turn. Starts with {0}. */
+/** The steps of a turn. */
+typedef struct stepping {
+    live *live;
+    double seconds, budget; /**< that the liquid follows, and that it has for that [s] */
+    sph2d_status status;
+    sph2d_report report;
+    double taken; /**< by them [s] */
+} stepping;
+
+/** What lasts from turn to turn. Starts with {0}, turn_beside() may follow. */
 typedef struct turning {
+    stepping steps;
+    worker *worker; /**< takes them beside drawing; NULL: the caller does before */
     sph2d_renderer *renderer;
     unsigned width, height;   /**< of the renderer */
     sph2d_style style;        /**< ... its style ... */
@@ -17,6 +29,7 @@ typedef struct turning {
     double pictures;          /**< a second, in the last second ... */
     double counted;           /**< ... whose end this was, and the pictures before it */
     size_t shown, shown_then;
+    double from;              /**< simulated time before the steps [s] */
     double simulated, played; /**< sum of simulated time, and of the clock's while not paused [s] */
 } turning;
 
@@ -26,10 +39,14 @@ typedef struct turning {
 sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_loader loader, double since,
                        sph2d_report *report);
 
-/** Counts the picture, once it is shown. */
-void turn_shown(turning *t);
+/** Lets a thread step while pictures are drawn: each then shows what there was before its turn's steps. The turning stays
+ *  where it is. */
+void turn_beside(turning *t);
 
-/** Frees the renderer; the context is current. */
-void turn_end(turning *t);
+/** Counts the picture, once it is shown, and waits for the steps. */
+void turn_shown(turning *t, game *g);
+
+/** Waits for steps, and frees the renderer; the context is current. */
+void turn_end(turning *t, game *g);
 
 #endif

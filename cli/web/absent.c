@@ -4,6 +4,7 @@
 #include <emscripten.h>
 
 #include "../play/game.h"
+#include "../play/worker.h"
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
@@ -44,9 +45,24 @@ void game_film(game *g)
     (void)g;
 }
 
-void game_film_frame(game *g, sph2d_renderer *renderer, const sph2d_picture *picture)
+void game_film_frame(game *g, sph2d_renderer *renderer)
 {
     (void)g;
     (void)renderer;
-    (void)picture;
+}
+
+/* A page has no threads: nobody starts a worker. */
+void worker_begin(worker *w)
+{
+    (void)w;
+}
+
+void worker_wait(worker *w)
+{
+    (void)w;
+}
+
+void worker_stop(worker *w)
+{
+    (void)w;
 }

@@ -158,7 +158,7 @@ EMSCRIPTEN_KEEPALIVE int page_turn(double seconds, int width, int height, double
     page_gl_ask(the_turning.shown == 0); /* what can fail fails in the first picture, or the browser tells the page */
     const sph2d_status status = turn_take(&the_turning, &the_game, &input, page_gl_function, seconds, &report);
     game_tell_report(&the_game, status, &report);
-    turn_shown(&the_turning);
+    turn_shown(&the_turning, &the_game);
     input.key_count = 0;
     return status == SPH2D_OK;
 }

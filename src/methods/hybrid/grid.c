@@ -77,11 +77,11 @@ static void lay_out(sph2d__grid *g, room *r)
     }
     g->stride = g->level[0].stride;
     g->size = g->level[0].size;
-    float **const all[] = {&g->still,       &g->distance, &g->still_x,      &g->still_y, &g->open_x,   &g->open_y,
-                           &g->wall_x,      &g->wall_y,   &g->room,         &g->hidden,  &g->corner_u, &g->corner_v,
-                           &g->still_stick, &g->stick,    &g->still_hidden, &g->mass,    &g->excess,   &g->u,
-                           &g->v,           &g->air_x,    &g->air_y,        &g->q,       &g->s,        &g->wet_x,
-                           &g->wet_y};
+    float **const all[] = {&g->still,    &g->distance, &g->still_x,     &g->still_y, &g->open_x,
+                           &g->open_y,   &g->wall_x,   &g->wall_y,      &g->room,    &g->hidden,
+                           &g->corner_u, &g->corner_v, &g->still_stick, &g->stick,   &g->still_hidden,
+                           &g->mass,     &g->excess,   &g->u,           &g->v,       &g->air_x,
+                           &g->air_y,    &g->q,        &g->s,           &g->wet_x,   &g->wet_y};
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
         *all[k] = take(r, g->size, sizeof(float));
     lay_out_work(g, &g->pressure, r);

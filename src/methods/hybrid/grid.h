@@ -91,8 +91,8 @@ typedef struct sph2d__grid {
     float *u, *v; /**< velocities across left and lower faces [m/s] */
     float *wet_x,
         *wet_y; /**< part of the difference over a square that acts: 1 between liquid, air_x beside air, else 0 */
-    float *air_x, *air_y;   /**< 1 over the part of the way to the surface where one side is air, else 0 */
-    float *q, *s;           /**< p dt/rho0 [m^2/s]; potential of displacements [m^2] */
+    float *air_x, *air_y; /**< 1 over the part of the way to the surface where one side is air, else 0 */
+    float *q, *s;         /**< p dt/rho0 [m^2/s]; potential of displacements [m^2] */
     sph2d__work pressure, volume;
     sph2d__quad *face_x, *face_y;
     sph2d__sums sums;

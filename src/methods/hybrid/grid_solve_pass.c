@@ -218,9 +218,9 @@ static void set_equations(sph2d__grid *g)
             const float sum = l->left[k] + l->left[k + 1] + l->below[k] + l->below[k + up] + l->air[k];
             l->inverse[k] = sum > 0 ? 1 / (sum > 0 ? sum : 1) : 0;
             g->pressure.rest[k] = liquid * (g->hy * (flow(g->open_x[k], g->u[k], g->wall_x[k]) -
-                                            flow(g->open_x[k + 1], g->u[k + 1], g->wall_x[k + 1])) +
-                                   g->hx * (flow(g->open_y[k], g->v[k], g->wall_y[k]) -
-                                            flow(g->open_y[k + up], g->v[k + up], g->wall_y[k + up])));
+                                                     flow(g->open_x[k + 1], g->u[k + 1], g->wall_x[k + 1])) +
+                                            g->hx * (flow(g->open_y[k], g->v[k], g->wall_y[k]) -
+                                                     flow(g->open_y[k + up], g->v[k + up], g->wall_y[k + up])));
         }
 }
 

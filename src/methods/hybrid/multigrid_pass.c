@@ -37,7 +37,8 @@ static void multiply(const sph2d__grid *g, const sph2d__level *l, float *p, floa
 }
 
 /** p <- p + w D^-1 (r - A p). */
-static void sweep(const sph2d__grid *g, const sph2d__level *l, float *restrict p, const float *r, float *restrict product)
+static void sweep(const sph2d__grid *g, const sph2d__level *l, float *restrict p, const float *r,
+                  float *restrict product)
 {
     multiply(g, l, p, product);
     const float *inverse = l->inverse;
