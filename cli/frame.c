@@ -179,18 +179,43 @@ static void cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph
 
 /* ---- frames ------------------------------------------------------------------------------------------------------ */
 
-static sph2d_status set_outlines(const particle_source *source, sph2d_picture *picture, sph2d_report *report)
+bool frame_reserve_corners(frame_buffers *buffers, sph2d_picture *picture, size_t more)
+{
+    const size_t most = picture->outline_count + more;
+    void *const arrays[] = {&buffers->outline_x, &buffers->outline_y, &buffers->outline_id, &buffers->outline_liquid};
+    _Static_assert(sizeof(double) == sizeof(uint64_t), "the arrays have one size");
+    for (size_t k = 0; k < sizeof arrays / sizeof *arrays && most > buffers->corners; ++k) {
+        void *grown = realloc(*(void **)arrays[k], most * sizeof(double));
+        if (!grown)
+            return false;
+        *(void **)arrays[k] = grown;
+    }
+    buffers->corners = most > buffers->corners ? most : buffers->corners;
+    picture->outline_x = buffers->outline_x;
+    picture->outline_y = buffers->outline_y;
+    picture->outline_id = buffers->outline_id;
+    picture->outline_liquid = buffers->outline_liquid;
+    return true;
+}
+
+static sph2d_status set_outlines(const particle_source *source, frame_buffers *buffers, sph2d_picture *picture,
+                                 sph2d_report *report)
 {
     sph2d_array corners = frame_vectors(source, SPH2D_GROUP_OUTLINE, "Coordinates");
     sph2d_array ids = frame_field(source, SPH2D_GROUP_OUTLINE, "OutlineIDs");
     sph2d_array liquid = frame_field(source, SPH2D_GROUP_OUTLINE, "LiquidSides");
     if (!corners.name || !ids.name || !liquid.name)
         return frame_field_missing(report, "Outlines");
+    if (!frame_reserve_corners(buffers, picture, corners.count))
+        return SPH2D_NOMEM;
     picture->outline_count = corners.count;
-    picture->outline_x = corners.data[0];
-    picture->outline_y = corners.data[1];
-    picture->outline_id = ids.data[0];
-    picture->outline_liquid = liquid.data[0];
+    const size_t bytes = corners.count * sizeof(double);
+    if (bytes > 0) {
+        memcpy(buffers->outline_x, corners.data[0], bytes);
+        memcpy(buffers->outline_y, corners.data[1], bytes);
+        memcpy(buffers->outline_id, ids.data[0], bytes);
+        memcpy(buffers->outline_liquid, liquid.data[0], bytes);
+    }
     return SPH2D_OK;
 }
 
@@ -257,7 +282,7 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
     };
     if (style->frames.caption != SPH2D_SWITCH_OFF)
         set_caption(source, style, buffers, picture);
-    sph2d_status status = set_outlines(source, picture, report);
+    sph2d_status status = set_outlines(source, buffers, picture, report);
     if (status == SPH2D_OK)
         status = frame_find_view(source, style, picture, report);
     return status == SPH2D_OK ? set_arrays(source, style, buffers, picture, report) : status;
@@ -279,5 +304,9 @@ sph2d_status frame_widen_range(const particle_source *source, const frame_style 
 void frame_free(frame_buffers *buffers)
 {
     free(buffers->block);
+    free(buffers->outline_x);
+    free(buffers->outline_y);
+    free(buffers->outline_id);
+    free(buffers->outline_liquid);
     *buffers = (frame_buffers){0};
 }

@@ -26,10 +26,14 @@ frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot);
 /** Checks the fields to draw. Errors: SPH2D_SCENE, at the key. */
 sph2d_status frame_style_check(const frame_style *style, sph2d_report *report);
 
-/** Values that a picture borrows. Initialise with {0}, keep it as long as the picture, free it with frame_free. */
+/** All that a picture borrows, so that it needs nothing of its source. Initialise with {0}, keep it as long as the picture,
+ *  free it with frame_free. */
 typedef struct frame_buffers {
     double *block; /**< arrays of the particles, one after the other */
     size_t capacity;
+    double *outline_x, *outline_y;
+    uint64_t *outline_id, *outline_liquid;
+    size_t corners;   /**< for which these have room */
     sph2d_vec2 range; /**< of the values in the view, where the style has none; (INFINITY, -INFINITY) without values */
     char label[96], level_label[96], caption[160];
 } frame_buffers;
@@ -43,5 +47,8 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
 sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_vec2 *range, sph2d_report *report);
 void frame_free(frame_buffers *buffers);
+
+/** Makes room for more corners behind those of the outlines of a picture. False: memory is short. */
+bool frame_reserve_corners(frame_buffers *buffers, sph2d_picture *picture, size_t more);
 
 #endif

@@ -58,15 +58,11 @@ const unsigned char *frame_writer_pixels(const frame_writer *w)
     return NULL;
 }
 
-sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_background background, sph2d_report *report)
+sph2d_status frame_writer_save(frame_writer *w, const sph2d_picture *picture, const char *path, frame_times *times,
+                               sph2d_report *report)
 {
-    (void)path;
-    (void)pixels;
-    (void)width;
-    (void)height;
-    (void)report;
-    return SPH2D_RENDER;
+    (void)picture;
+    return frame_writer_write(w, NULL, NULL, path, times, report);
 }
 
 char *frame_writer_describe(const frame_writer *w, char *out, size_t size)
@@ -104,7 +100,7 @@ sph2d_status frame_writer_create(const frame_style *style, const cli_options *op
     render.background = style->frames.background;
     render.gl = options->gl;
     render.shader_dir = options->shader_dir;
-    threads_check_mesa();
+    threads_draw_here();
     sph2d_status status = sph2d_renderer_create(&render, &w->renderer, report);
     if (status != SPH2D_OK) {
         free(w);
@@ -131,13 +127,9 @@ bool frame_writer_accepts(const frame_writer *w, const frame_style *style)
            w->made_for.background == style->frames.background;
 }
 
-sph2d_status frame_writer_draw(frame_writer *w, const particle_source *source, const frame_style *style,
-                               frame_times *times, sph2d_report *report)
+static sph2d_status draw(frame_writer *w, const sph2d_picture *picture, frame_times *times, sph2d_report *report)
 {
-    sph2d_picture picture;
-    sph2d_status status = frame_make(source, style, &w->buffers, &picture, report);
-    if (status == SPH2D_OK)
-        status = sph2d_renderer_draw(w->renderer, &picture, report);
+    const sph2d_status status = sph2d_renderer_draw(w->renderer, picture, report);
     if (status == SPH2D_OK && times) {
         const frame_times one = {1, sph2d_renderer_times(w->renderer)};
         frame_times_add(times, &one);
@@ -145,26 +137,36 @@ sph2d_status frame_writer_draw(frame_writer *w, const particle_source *source, c
     return status;
 }
 
+sph2d_status frame_writer_draw(frame_writer *w, const particle_source *source, const frame_style *style,
+                               frame_times *times, sph2d_report *report)
+{
+    sph2d_picture picture;
+    const sph2d_status status = frame_make(source, style, &w->buffers, &picture, report);
+    return status == SPH2D_OK ? draw(w, &picture, times, report) : status;
+}
+
 const unsigned char *frame_writer_pixels(const frame_writer *w)
 {
     return sph2d_renderer_pixels(w->renderer);
 }
 
-sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_background background, sph2d_report *report)
+sph2d_status frame_writer_save(frame_writer *w, const sph2d_picture *picture, const char *path, frame_times *times,
+                               sph2d_report *report)
 {
-    return sph2d_png_write(path, pixels, width, height, background, report);
-}
-
-sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,
-                                const char *path, frame_times *times, sph2d_report *report)
-{
-    sph2d_status status = frame_writer_draw(w, source, style, times, report);
+    sph2d_status status = draw(w, picture, times, report);
     if (status == SPH2D_OK)
         status = sph2d_renderer_write_png(w->renderer, path, report);
     if (status == SPH2D_OK && times)
         times->sum.encode += sph2d_renderer_times(w->renderer).encode;
     return status;
+}
+
+sph2d_status frame_writer_write(frame_writer *w, const particle_source *source, const frame_style *style,
+                                const char *path, frame_times *times, sph2d_report *report)
+{
+    sph2d_picture picture;
+    const sph2d_status status = frame_make(source, style, &w->buffers, &picture, report);
+    return status == SPH2D_OK ? frame_writer_save(w, &picture, path, times, report) : status;
 }
 
 char *frame_writer_describe(const frame_writer *w, char *out, size_t size)

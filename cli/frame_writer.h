@@ -25,21 +25,20 @@ typedef struct frame_times {
     sph2d_frame_times sum; /**< [s] */
 } frame_times;
 
-/** Draws the particles, and adds the times to `times`, which may be NULL. Errors: SPH2D_FORMAT, SPH2D_RENDER,
- *  SPH2D_NOMEM. */
+/** Draws the particles, and adds the times to `times`, which may be NULL. One thread at a time may draw. Errors:
+ *  SPH2D_FORMAT, SPH2D_RENDER, SPH2D_NOMEM. */
 sph2d_status frame_writer_draw(frame_writer *writer, const particle_source *source, const frame_style *style,
                                frame_times *times, sph2d_report *report);
 
 /** What was drawn last: pixels of 4 bytes, top row first, valid until the next call. */
 const unsigned char *frame_writer_pixels(const frame_writer *writer);
 
-/** Writes such pixels as a PNG file, atomically; any thread may do that. Errors: SPH2D_CANTCREAT, SPH2D_IO,
- *  SPH2D_NOMEM. */
-sph2d_status frame_encode(const char *path, const unsigned char *pixels, unsigned width, unsigned height,
-                          sph2d_background background, sph2d_report *report);
+/** Draws a picture, writes the file atomically, and adds the times to `times`. Errors: SPH2D_RENDER, SPH2D_CANTCREAT,
+ *  SPH2D_IO, SPH2D_NOMEM. */
+sph2d_status frame_writer_save(frame_writer *writer, const sph2d_picture *picture, const char *path, frame_times *times,
+                               sph2d_report *report);
 
-/** Draws the particles, writes the file atomically, and adds the times to `times`, which may be NULL. Errors:
- *  SPH2D_FORMAT, SPH2D_RENDER, SPH2D_CANTCREAT, SPH2D_IO, SPH2D_NOMEM. */
+/** The same of particles; `times` may be NULL. Errors: also SPH2D_FORMAT. */
 sph2d_status frame_writer_write(frame_writer *writer, const particle_source *source, const frame_style *style,
                                 const char *path, frame_times *times, sph2d_report *report);
 

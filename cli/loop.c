@@ -133,9 +133,7 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
     }
     result.output_wall += clock_wall() - wall;
     result.output_cpu += cpu_here(o) - cpu + outputs_cpu_beside(o);
-    result.frames = o->frames;
-    if (o->queue)
-        result.frames.sum.encode += output_queue_encoding(o->queue);
+    result.frames = o->queue ? output_queue_times(o->queue) : o->frames;
     sph2d_summary after = sph2d_sim_summary(sim);
     result.steps = after.steps - before.steps;
     result.particle_steps = after.particle_steps - before.particle_steps;

@@ -13,7 +13,6 @@
 #include "help.h"
 #include "message.h"
 #include "text.h"
-#include "threads.h"
 
 /* The number of a closed standard stream would go to the first file that is opened, which would then receive messages.
  * So it is opened here, in a mode in which every write fails and is reported. */
@@ -101,8 +100,6 @@ static int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1 && strcmp(argv[1], "play") == 0)
-        threads_wait_passively(argv);
     breakdown_watch();
     open_standard_streams();
     return breakdown_leave(close_output(run(argc, argv)));

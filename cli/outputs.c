@@ -55,8 +55,7 @@ sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, co
 void outputs_work_beside(cli_outputs *o)
 {
     if (o->writer)
-        o->queue = output_queue_start((unsigned)o->style.frames.size[0], (unsigned)o->style.frames.size[1],
-                                      o->style.frames.background);
+        o->queue = output_queue_start(o->writer);
 }
 
 double outputs_cpu_beside(const cli_outputs *o)
@@ -91,10 +90,8 @@ static sph2d_status write_frame(cli_outputs *o, sph2d_report *report)
     if (!path)
         return SPH2D_NOMEM;
     particle_source source = {.sim = o->sim};
-    if (!o->queue)
-        return frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
-    sph2d_status status = frame_writer_draw(o->writer, &source, &o->style, &o->frames, report);
-    return status == SPH2D_OK ? output_queue_frame(o->queue, frame_writer_pixels(o->writer), path, report) : status;
+    return o->queue ? output_queue_frame(o->queue, &source, &o->style, path, report)
+                    : frame_writer_write(o->writer, &source, &o->style, path, &o->frames, report);
 }
 
 /* When all that comes before it is written. */

@@ -38,7 +38,7 @@ bool outputs_want_frames(const sph2d_scene *scene);
 sph2d_status outputs_open(cli_outputs *o, cli_folder *folder, sph2d_sim *sim, const sph2d_scene_file *file,
                           frame_writer *writer, saved_in saved, sph2d_report *report);
 
-/** From now on frames are encoded, and snapshots synced, in a thread beside the steps, in their order: a snapshot gets its
+/** From now on frames are drawn, and snapshots synced, in a thread beside the steps, in their order: a snapshot gets its
  *  name after the frame before it. Where no thread can be started all is as before. */
 void outputs_work_beside(cli_outputs *o);
 

@@ -15,7 +15,7 @@
 enum { THREADS_MAX = 1024 };
 
 /* As every program with OpenMP: OMP_NUM_THREADS, else the processors that this process may use. */
-static thread_choice choose(const cli_options *options)
+thread_choice threads_choose(const cli_options *options)
 {
 #ifdef _OPENMP
     const int wanted = options->threads, most = omp_get_thread_limit();
@@ -32,38 +32,21 @@ static thread_choice choose(const cli_options *options)
 #endif
 }
 
-thread_choice threads_choose(const cli_options *options)
+void threads_count_caller(void)
 {
-    thread_choice choice = choose(options);
-    char count[16];
-    snprintf(count, sizeof count, "%d", choice.count);
-    setenv("LP_NUM_THREADS", count, 0); /* if it fails, Mesa chooses */
-    return choice;
-}
-
-void threads_wait_passively(char **argv)
-{
-#ifdef _OPENMP
-    if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT") || setenv("OMP_WAIT_POLICY", "passive", 1) != 0)
-        return;
-#if defined(__linux__) && !defined(__clang__) /* LLVM's asks later */
-    execv("/proc/self/exe", argv);
-#endif
-#endif
-    (void)argv;
+#pragma omp parallel num_threads(2) /* has one more */
+    {
+#pragma omp barrier /* an empty region would be left out */
+    }
 }
 
 int threads_for_frames(const cli_options *options, size_t frames)
 {
     int count = 1;
 #ifdef _OPENMP
-    count = choose(options).count;
+    count = threads_choose(options).count;
     count = frames < (size_t)count ? (int)frames : count;
 #endif
-    if (count > 1)
-        setenv("LP_NUM_THREADS", "0", 0); /* Mesa draws in the calling thread */
-    else
-        threads_choose(options);
     return count > 1 ? count : 1;
 }
 
@@ -89,14 +72,14 @@ static bool can_start(int count)
     return n >= count || n == THREADS_MAX;
 }
 
-void threads_check_mesa(void)
+void threads_draw_here(void)
 {
     enum { OTHERS = 4 }; /* its caches and queues have threads, too */
     const char *text = getenv("LP_NUM_THREADS");
     long wanted = text ? strtol(text, NULL, 10) : 0;
     int count = wanted < THREADS_MAX ? (int)(wanted < 0 ? 0 : wanted) : THREADS_MAX;
-    if (count > 0 && !can_start(count + OTHERS))
-        setenv("LP_NUM_THREADS", "0", 1);
+    if (!text || (count > 0 && !can_start(count + OTHERS)))
+        setenv("LP_NUM_THREADS", "0", 1); /* if it fails, Mesa chooses */
 }
 
 const char *threads_source(int in_use, const thread_choice *choice)

@@ -14,21 +14,20 @@ typedef struct thread_choice {
     const char *source; /**< where it is from */
 } thread_choice;
 
-/** -j, else what OpenMP says: OMP_NUM_THREADS, else the processors that this process may use. Also sets the threads of
- *  the software renderer, unless the environment does (LP_NUM_THREADS). */
+/** -j, else what OpenMP says: OMP_NUM_THREADS, else the processors that this process may use. */
 thread_choice threads_choose(const cli_options *options);
 
-/** Starts the program again with OMP_WAIT_POLICY=passive, unless the environment says how threads wait: those of GNU's OpenMP
- *  spin, and take the processors from threads that draw; it asks only when a program is loaded. Returns where that is
- *  not possible. To be called before anything else. */
-void threads_wait_passively(char **argv);
+/** Has OpenMP count the calling thread, which is to draw while another one steps. GNU's threads spin while they wait, and take
+ *  processors from others, unless it counts more of them than there are processors; then they sleep (GOMP_SPINCOUNT in the
+ *  manual of libgomp). */
+void threads_count_caller(void);
 
-/** The number of threads that draw `frames` frames in parallel; the software renderer then uses one thread for each. */
+/** The number of threads that draw `frames` frames in parallel. */
 int threads_for_frames(const cli_options *options, size_t frames);
 
-/** Where the threads of Mesa's renderer cannot be started, it draws in the calling thread: it would wait for them for
- *  ever. To be called before drawing is prepared. */
-void threads_check_mesa(void);
+/** Has Mesa's software renderer draw in the calling thread, unless the environment gives it threads (LP_NUM_THREADS) that
+ *  can be started: it would wait for them for ever. To be called before drawing is prepared. */
+void threads_draw_here(void);
 
 /** Why so many are in use. */
 const char *threads_source(int in_use, const thread_choice *choice);

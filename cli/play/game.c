@@ -116,8 +116,6 @@ void game_close(game *g)
 {
     live_close(&g->live);
     frame_free(&g->buffers);
-    free(g->corners);
-    free(g->marks);
 }
 
 /* ---- the loop's turns -------------------------------------------------------------------------------------------- */

@@ -16,10 +16,7 @@ typedef struct game {
     hand hand;
     frame_style style;
     frame_buffers buffers;
-    double *corners; /**< of outlines, with those of the hand: x, then y */
-    uint64_t *marks; /**< their numbers, then their sides of liquid */
-    size_t corner_capacity;
-    sph2d_picture picture; /**< the next: all that it borrows is the game's, none the simulation's */
+    sph2d_picture picture; /**< the next, of `buffers`, caption and notes */
     double picture_time;   /**< simulated [s] */
     bool prepared;         /**< there is one */
     char caption[240], notes[1200];

@@ -88,11 +88,13 @@ static int play(game *g)
 {
     sph2d_report report = {0};
     loop p = {0};
+    threads_draw_here();
     sph2d_status status =
         play_window_open(g->options->width > 0 ? g->options->width : WIDTH,
                          g->options->height > 0 ? g->options->height : HEIGHT, "sph2d", &p.window, &report);
     if (status == SPH2D_OK) {
         signals_note();
+        threads_count_caller();
         turn_beside(&p.turning);
         p.begun = p.last = clock_wall();
         while (turn(&p, g, &report, &status))

@@ -46,36 +46,18 @@ static sph2d_status make_picture(game *g, sph2d_picture *picture, sph2d_report *
     return frame_make(&source, &style, &g->buffers, picture, report);
 }
 
-static bool reserve_corners(game *g, size_t most)
-{
-    double *corners = realloc(g->corners, 2 * most * sizeof *corners);
-    if (!corners)
-        return false;
-    g->corners = corners;
-    uint64_t *marks = realloc(g->marks, 2 * most * sizeof *marks);
-    if (!marks)
-        return false;
-    g->marks = marks;
-    g->corner_capacity = most;
-    return true;
-}
-
 /* Adds the reach of the hand while it acts, as a line, and the wall that it draws, as thick as it will be. */
 static sph2d_status add_hand(game *g, sph2d_picture *picture)
 {
     enum { CIRCLE = 49 };
     const hand *h = &g->hand;
     const double thickness = live_wall_thickness(&g->live);
-    const size_t own = picture->outline_count, most = own + CIRCLE + 4 * DRAWN_MOST_CORNERS;
-    if (most > g->corner_capacity && !reserve_corners(g, most))
+    if (!frame_reserve_corners(&g->buffers, picture, CIRCLE + 4 * DRAWN_MOST_CORNERS))
         return SPH2D_NOMEM;
-    double *x = g->corners, *y = x + most;
-    uint64_t *id = g->marks, *liquid = id + most, next = own > 0 ? picture->outline_id[own - 1] + 1 : 0;
-    size_t count = own;
-    memcpy(x, picture->outline_x, own * sizeof *x);
-    memcpy(y, picture->outline_y, own * sizeof *y);
-    memcpy(id, picture->outline_id, own * sizeof *id);
-    memcpy(liquid, picture->outline_liquid, own * sizeof *liquid);
+    double *x = g->buffers.outline_x, *y = g->buffers.outline_y;
+    uint64_t *id = g->buffers.outline_id, *liquid = g->buffers.outline_liquid;
+    size_t count = picture->outline_count;
+    const uint64_t next = count > 0 ? id[count - 1] + 1 : 0;
     for (size_t k = 0; k < CIRCLE && (h->down || h->pushes) && h->tool != HAND_WALL && !h->grip.holds; ++k, ++count) {
         const double angle = 6.283185307179586 * (double)(k % (CIRCLE - 1)) / (CIRCLE - 1);
         x[count] = h->at.x + h->radius * cos(angle);
@@ -95,10 +77,6 @@ static sph2d_status add_hand(game *g, sph2d_picture *picture)
         }
     }
     picture->outline_count = count;
-    picture->outline_x = x;
-    picture->outline_y = y;
-    picture->outline_id = id;
-    picture->outline_liquid = liquid;
     return SPH2D_OK;
 }
 
