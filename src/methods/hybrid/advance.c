@@ -66,19 +66,20 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
+#pragma omp task
+    sph2d__grid_find_spans(sim, s->grid);
     const energies before = energies_of(sim);
-    sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__hybrid_begin_order(s);
     const double booked = r->energy_stopped - r->energy_walls;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
     kick(&s->fluid, dt);
     sph2d__bodies_fall(sim, dt);
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
-    sph2d__grid_find_spans(sim, s->grid);
+#pragma omp taskwait
     if (!sph2d__grid_cut(sim, s->grid))
         status = SPH2D_NOMEM; /* returned once the threads are done */
     sph2d__grid_sum(sim, s->grid, dt);
+    sph2d__hybrid_begin_order(s);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
 #pragma omp taskwait
     if (status != SPH2D_OK)

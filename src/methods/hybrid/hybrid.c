@@ -48,13 +48,6 @@ static void pack_fluid(sph2d__system *s, size_t first, size_t last)
     pack_places(&s->fluid, &s->fluid_cells, SPH2D__APART * s->spacing, first, last);
 }
 
-/** For a state that was read: evaluate() sets them otherwise. */
-static void pack_densities(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i)
-        sph2d__hybrid_set_density(s, i, s->fluid.density[i]);
-}
-
 static void pack_walls(sph2d__system *s, size_t first, size_t last)
 {
     const sph2d__store *w = &s->walls;
@@ -78,7 +71,7 @@ void sph2d__hybrid_begin_order(sph2d__system *s)
 {
     if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
         pack(s);
-        sph2d__over_particles(s, s->fluid.count, pack_densities);
+        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->pack);
     }
     s->grid->packed = 0; /* until the places at the end of the step are */
     sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);

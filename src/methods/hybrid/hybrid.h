@@ -50,20 +50,10 @@ static inline double sph2d__hybrid_jitter(uint64_t id, unsigned shift)
     return (double)mixed / 512 - 1;
 }
 
-/** Sets the density of particle i, and l and b in floats. */
-static inline void sph2d__hybrid_set_density(const sph2d__system *system, size_t i, double density)
-{
-    const sph2d__store *f = &system->fluid;
-    const double more = density / system->rest_density - 1, deep = 15 * (more + 0.1);
-    f->density[i] = density;
-    sph2d__floats(f, f->packed_state, 0)[i] = more > 0 ? (float)(0.5 * more) : 0;
-    sph2d__floats(f, f->packed_state, 1)[i] = deep < 0 ? 0 : deep > 1 ? 1 : (float)deep;
-}
-
 /** The pair loops, in floats, compiled once for each instruction set. */
 typedef struct sph2d__hybrid_passes {
-    /** Sets the density of the fluid. */
-    sph2d__span_work *density;
+    /** Sets the density of the fluid, and l and b in floats; these of densities that were read. */
+    sph2d__span_work *density, *pack;
     /** Sets the displacements of the fluid. */
     sph2d__span_work *order;
 } sph2d__hybrid_passes;

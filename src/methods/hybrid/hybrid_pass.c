@@ -38,12 +38,39 @@ SPH2D__INLINE sph2d__lanes value_sum(const sph2d__store *of, const sph2d__group 
     return sum;
 }
 
+/** Sets l and b of particles `first` to first + count - 1, by their density over that at rest. */
+SPH2D__INLINE void set_terms(const sph2d__store *f, size_t first, int count, sph2d__lanes relative)
+{
+    const sph2d__lanes more = relative - 1, deep = sph2d__above_zero(15 * more + (sph2d__real)1.5);
+    const sph2d__lanes l = (sph2d__real)0.5 * sph2d__above_zero(more);
+    const sph2d__lanes b = -sph2d__lanes_max(-deep, sph2d__lanes_all(-1));
+    sph2d__real *const to_l = sph2d__floats(f, f->packed_state, 0) + first,
+                      *const to_b = sph2d__floats(f, f->packed_state, 1) + first;
+    for (int k = 0; k < SPH2D__LANES && k < count; ++k) {
+        to_l[k] = l[k];
+        to_b[k] = b[k];
+    }
+}
+
+/** The density over that at rest is a float: the quotient of one that was stored has its bits. */
+static void pack(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; i += SPH2D__LANES) {
+        sph2d__lanes relative = {0};
+        const int count = last - i < SPH2D__LANES ? (int)(last - i) : SPH2D__LANES;
+        for (int k = 0; k < count; ++k)
+            relative[k] = (sph2d__real)(f->density[i + (size_t)k] / s->rest_density);
+        set_terms(f, i, count, relative);
+    }
+}
+
 static void density(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
     const rows fluid = rows_of(f), walls = rows_of(&s->walls);
     const sph2d__real unit = (sph2d__real)(1 / s->support);
-    const double full = s->rest_density / s->lattice_values;
+    const sph2d__real full = (sph2d__real)(1 / s->lattice_values);
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls.count > 0 ? &s->wall_cells : NULL);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;
@@ -51,8 +78,10 @@ static void density(sph2d__system *s, size_t first, size_t last)
         sph2d__lanes sum = value_sum(f, &g, &ranges, &fluid, NULL, unit);
         if (sph2d__group_others(&by, &g, &ranges))
             sum += value_sum(f, &g, &ranges, &walls, walls.first, unit);
+        const sph2d__lanes relative = full * sum;
+        set_terms(f, g.first, g.count, relative);
         SPH2D__FOR_LANES (g, l)
-            sph2d__hybrid_set_density(s, g.first + (size_t)l, full * (double)sum[l]);
+            f->density[g.first + (size_t)l] = s->rest_density * (double)relative[l];
     }
 }
 
@@ -134,4 +163,4 @@ static void order(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-const sph2d__hybrid_passes SPH2D__OF_ISA(sph2d__hybrid_passes) = {density, order};
+const sph2d__hybrid_passes SPH2D__OF_ISA(sph2d__hybrid_passes) = {density, pack, order};
