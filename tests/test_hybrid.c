@@ -505,14 +505,14 @@ static double left_after(sph2d__grid *g, int iterations)
     double before = 0, after = 0;
     memset(g->s, 0, g->size * sizeof *g->s);
     for (size_t k = 0; k < g->size; ++k) {
-        g->rest[k] = g->level->inverse[k] > 0 ? (float)test_random(&state, -1, 1) : 0;
-        before += (double)g->rest[k] * (double)g->rest[k];
+        g->pressure.rest[k] = g->level->inverse[k] > 0 ? (float)test_random(&state, -1, 1) : 0;
+        before += (double)g->pressure.rest[k] * (double)g->pressure.rest[k];
     }
-    sph2d__grid_level_pockets(g, g->rest);
+    sph2d__grid_level_pockets(g, g->pressure.rest);
     g->solver->prepare(g);
-    g->solver->solve(g, g->s, g->rest, iterations);
+    g->solver->solve(g, &g->pressure, g->s, true, iterations);
     for (size_t k = 0; k < g->size; ++k)
-        after += (double)g->rest[k] * (double)g->rest[k];
+        after += (double)g->pressure.rest[k] * (double)g->pressure.rest[k];
     return sqrt(after / before);
 }
 

@@ -44,8 +44,9 @@ SPH2D__INLINE void set_terms(const sph2d__store *f, size_t first, int count, sph
     const sph2d__lanes more = relative - 1, deep = sph2d__above_zero(15 * more + (sph2d__real)1.5);
     const sph2d__lanes l = (sph2d__real)0.5 * sph2d__above_zero(more);
     const sph2d__lanes b = -sph2d__lanes_max(-deep, sph2d__lanes_all(-1));
-    sph2d__real *const to_l = sph2d__floats(f, f->packed_state, 0) + first,
-                      *const to_b = sph2d__floats(f, f->packed_state, 1) + first;
+    sph2d__real *const to_l = sph2d__floats(f, f->packed_state, 0) + first, *const to_b =
+                                                                                sph2d__floats(f, f->packed_state, 1) +
+                                                                                first;
     for (int k = 0; k < SPH2D__LANES && k < count; ++k) {
         to_l[k] = l[k];
         to_b[k] = b[k];

@@ -9,24 +9,16 @@
 
 /* ---- to the grid ------------------------------------------------------------------------------------------------- */
 
-/** Four floats at any place. */
+/** Four and eight floats, and the same at any place. */
+typedef sph2d__quad quad;
+typedef float pair __attribute__((vector_size(32)));
 typedef float any_quad __attribute__((vector_size(16), aligned(4), may_alias));
+typedef float any_pair __attribute__((vector_size(32), aligned(4), may_alias));
 
-/** Adds, with weights that are bilinear, a value that grows by `slope` from one place to the next. */
-static inline void add_pair(sph2d__pair2 *to, float x, float weight, float value, float slope)
+/** Bilinear weights of two neighbours, in as many floats each, by the place between them. */
+static inline quad weights_of(float part)
 {
-    const int i = (int)x;
-    const float part = x - (float)i, b = weight * part, a = weight - b;
-    any_quad *two = (any_quad *)(to + i);
-    *two += (any_quad){a, a, b, b} * (any_quad){value - part * slope, 1, value + (1 - part) * slope, 1};
-}
-
-static inline void add_quad(sph2d__quad *to, float x, float weight, sph2d__quad value)
-{
-    const int i = (int)x;
-    const float b = weight * (x - (float)i), a = weight - b;
-    to[i] += a * value;
-    to[i + 1] += b * value;
+    return (quad){1, 1, 0, 0} + part * (quad){-1, -1, 1, 1};
 }
 
 /** Rows of the grid, from `first` to `last` - 1. */
@@ -46,22 +38,38 @@ typedef struct motion {
     float u, v, u_x, u_y, v_x, v_y;
 } motion;
 
-/** Adds a particle at (x, y), in squares, to those of the two rows around it that are the band's. */
-static inline void add_particle(const band *b, float x, float y, const motion *p, sph2d__quad middle)
+/** Adds a velocity, `value` at the left one of two faces, to a row of the band; it grows from face to face by `slope`. */
+static inline void add_faces(const band *b, sph2d__pair2 *sums, int row, int column, quad weights, float value,
+                             float slope)
 {
-    const sph2d__grid *g = b->grid;
-    const int j = (int)(y + 0.5F), k = (int)y + 1; /* middles of row j are at j - 1/2, lower faces at j - 1 */
-    const float up = y + 0.5F - (float)j, above = y + 1 - (float)k;
-    for (int n = 0; n < 2; ++n) {
-        if (has(b, j + n)) {
-            const float weight = n == 0 ? 1 - up : up;
-            add_pair(g->sums.x + (size_t)(j + n) * g->stride, x + 1, weight, p->u + ((float)n - up) * p->u_y, p->u_x);
-            add_quad(g->sums.middle + (size_t)(j + n) * g->stride, x + 0.5F, weight, middle);
-        }
-        if (has(b, k + n))
-            add_pair(g->sums.y + (size_t)(k + n) * g->stride, x + 0.5F, n == 0 ? 1 - above : above,
-                     p->v + ((float)n - above) * p->v_y, p->v_x);
-    }
+    if (has(b, row))
+        *(any_quad *)(sums + sph2d__at(b->grid, column, row)) += weights * (quad){value, 1, value + slope, 1};
+}
+
+static inline void add_middles(const band *b, int row, int column, pair weighted)
+{
+    if (has(b, row))
+        *(any_pair *)(b->grid->sums.middle + sph2d__at(b->grid, column, row)) += weighted;
+}
+
+/** Adds a particle at (x, y), in squares, to those of the rows around it that are the band's. */
+static inline void add_particle(const band *b, float x, float y, const motion *p, quad m)
+{
+    const sph2d__sums *to = &b->grid->sums;
+    const int i = (int)(x + 0.5F), j = (int)(y + 0.5F); /* middles of row j are at j - 1/2 ... */
+    const float right = x + 0.5F - (float)i, up = y + 0.5F - (float)j;
+    const int face_i = (int)x + 1, face_j = (int)y + 1; /* ... lower faces at j - 1 */
+    const float beside = x + 1 - (float)face_i, above = y + 1 - (float)face_j;
+    const quad across = weights_of(beside), along = weights_of(right);
+    const float u = p->u - beside * p->u_x - up * p->u_y, v = p->v - right * p->v_x - above * p->v_y;
+    const pair middles = (pair){1, 1, 1, 1, 0, 0, 0, 0} + right * (pair){-1, -1, -1, -1, 1, 1, 1, 1};
+    const pair weighted = middles * (pair){m[0], m[1], m[2], m[3], m[0], m[1], m[2], m[3]};
+    add_faces(b, to->x, j, face_i, (1 - up) * across, u, p->u_x);
+    add_faces(b, to->x, j + 1, face_i, up * across, u + p->u_y, p->u_x);
+    add_middles(b, j, i, (1 - up) * weighted);
+    add_middles(b, j + 1, i, up * weighted);
+    add_faces(b, to->y, face_j, i, (1 - above) * along, v, p->v_x);
+    add_faces(b, to->y, face_j + 1, i, above * along, v + p->v_y, p->v_x);
 }
 
 /** The row of cells at y, in squares above the domain's lower side. */
