@@ -71,10 +71,10 @@ void sph2d__hybrid_begin_order(sph2d__system *s)
 {
     if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
         pack(s);
-        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->pack);
+        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack);
     }
     s->grid->packed = 0; /* until the places at the end of the step are */
-    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->order);
+    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order);
 }
 
 static void accelerate(sph2d__system *s, size_t first, size_t last)
@@ -91,7 +91,7 @@ static bool evaluate(sph2d__system *s)
 {
     const sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     pack(s);
-    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_find(s->isa)->density);
+    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->density);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     sph2d__over_particles(s, s->fluid.count, accelerate);
     sph2d__tension_add(s);
@@ -108,6 +108,10 @@ static double elastic(const sph2d__system *s, size_t i, bool stepped)
     return 0;
 }
 
+/* The part of its energy by which liquid may swing in a central force of rate B, as it is B dt/2: places are half a step
+ * ahead of velocities. */
+static const double SWING = 0.01;
+
 /** The liquid as fast as it can fall goes cfl H: one step for all, so that a drop may be faster. */
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
@@ -115,7 +119,8 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     const double fall = sqrt(2 * s->head);
     *limit = SPH2D__LIMIT_FIXED;
     const double fastest = fall > 0 ? fall : speed > 0 ? speed : s->support;
-    return fmin(s->method.cfl * s->support / fastest, sph2d__tension_step(s));
+    const double swung = s->body.central_rate2 > 0 ? 2 * SWING / sqrt(s->body.central_rate2) : INFINITY;
+    return fmin(fmin(s->method.cfl * s->support / fastest, swung), sph2d__tension_step(s));
 }
 
 const sph2d__method sph2d__hybrid = {

@@ -60,4 +60,10 @@ typedef struct sph2d__hybrid_passes {
 
 SPH2D__COPIES(sph2d__hybrid_passes, sph2d__hybrid_passes, )
 
+/** Eight floats side by side are best: with sixteen more are too far from a candidate, and roots take as long for each. */
+static inline const sph2d__hybrid_passes *sph2d__hybrid_passes_best(sph2d_isa isa)
+{
+    return sph2d__hybrid_passes_find(isa == SPH2D_ISA_AVX512 ? SPH2D_ISA_AVX2 : isa);
+}
+
 #endif
