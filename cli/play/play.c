@@ -28,8 +28,8 @@ typedef struct loop {
 /* One turn: input, steps, a picture. False at the end. */
 static bool turn(loop *p, game *g, sph2d_report *report, sph2d_status *status)
 {
+    const play_input input = play_window_poll(p->window, fmax(1 / MOST_PICTURES - (clock_wall() - p->last), 0));
     const double begun = clock_wall(), since = begun - p->last;
-    const play_input input = play_window_poll(p->window, fmax(1 / MOST_PICTURES - since, 0));
     p->last = begun;
     *status = turn_take(&p->turning, g, &input, play_window_loader(), since, report);
     if (*status != SPH2D_OK || input.close || g->quits || signals_caught() != 0 ||
