@@ -177,6 +177,34 @@ START_TEST(walls_without_slip_hold_the_liquid)
 }
 END_TEST
 
+/** Height of the highest particle between two places. */
+static double top_of(double left, double right)
+{
+    sph2d_view f = sph2d_sim_fluid(tank.sim);
+    double top = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        if (f.x[i] >= left && f.x[i] < right)
+            top = fmax(top, f.y[i]);
+    return top;
+}
+
+START_TEST(thick_liquid_lies_level_between_walls)
+{
+    /* Walls without slip hold up nothing at rest: where viscosity acts on the forces that pressure balances, liquid of
+     * 500 Pa s stands 4.6 spacings higher at them. */
+    tank_empty(SPH2D_METHOD_HYBRID, DX, 1, 0.8, 500);
+    tank_add(0, 0, 1, 0.4);
+    tank.scene.wall_slip = SPH2D_SLIP_NONE;
+    tank_start();
+    run_until(2);
+    const double middle = top_of(0.4, 0.6);
+    ck_assert_double_eq_tol(top_of(0, 0.1), middle, DX / 2);
+    ck_assert_double_eq_tol(top_of(0.9, 1), middle, DX / 2);
+    ck_assert_double_eq_tol(middle, 0.4, DX);
+    tank_finish();
+}
+END_TEST
+
 START_TEST(vortices_between_periodic_sides_are_not_compressed)
 {
     full_square(RHO0 * 0.01);
@@ -653,6 +681,7 @@ Suite *suite_hybrid(void)
     tcase_add_test(motions, a_wave_keeps_its_period_and_height);
     tcase_add_loop_test(motions, viscosity_slows_a_shear_wave, 0, 2);
     tcase_add_loop_test(motions, walls_without_slip_hold_the_liquid, 0, 2);
+    tcase_add_test(motions, thick_liquid_lies_level_between_walls);
     tcase_add_test(motions, vortices_between_periodic_sides_are_not_compressed);
     tcase_add_test(motions, tension_rounds_a_square_drop);
     tcase_add_test(walls, a_piston_raises_the_liquid);

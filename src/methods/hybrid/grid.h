@@ -177,7 +177,9 @@ double sph2d__grid_wall_work(const sph2d__grid *grid, double density);
 void sph2d__grid_find_pockets(sph2d__grid *grid);
 void sph2d__grid_level_pockets(const sph2d__grid *grid, float *field);
 
-/** Applies a viscosity, nu dt [m^2], to the velocities (grid_viscosity.c). */
+/** Whether a viscosity, nu dt [m^2], changes velocities by more than its solver leaves of them; applies it
+ *  (grid_viscosity.c). */
+bool sph2d__grid_is_viscous(const sph2d__grid *grid, double number);
 void sph2d__grid_viscosity(sph2d__grid *grid, double number);
 
 /** The solver (multigrid_pass.c). */

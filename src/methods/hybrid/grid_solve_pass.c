@@ -306,6 +306,33 @@ static void set_faces(sph2d__grid *g)
     close_sides(g);
 }
 
+/** Adds `factor` times what pressure changes velocities by. */
+static void press(sph2d__grid *g, float factor)
+{
+    const float nx = factor / g->hx, ny = factor / g->hy;
+    const size_t up = g->stride;
+    for (int j = 1; j <= g->ny + 1; ++j)
+        FOR_FACES(g, j, k)
+        {
+            g->u[k] += nx * g->wet_x[k] * (g->q[k - 1] - g->q[k]);
+            g->v[k] += ny * g->wet_y[k] * (g->q[k - up] - g->q[k]);
+        }
+    sph2d__level_wrap(g, g->level, g->u);
+    sph2d__level_wrap(g, g->level, g->v);
+}
+
+/** Viscosity acts on what the pressure of the last step leaves of the forces: on all of them it would hold up liquid at rest
+ *  along walls without slip, as high as if it weighed less within sqrt(nu dt) of them. */
+static void apply_viscosity(sph2d__grid *g, double viscosity)
+{
+    if (!sph2d__grid_is_viscous(g, viscosity))
+        return;
+    sph2d__level_wrap(g, g->level, g->q);
+    press(g, 1);
+    sph2d__grid_viscosity(g, viscosity);
+    press(g, -1);
+}
+
 static void wrap_quads(const sph2d__grid *g, sph2d__quad *a)
 {
     for (int j = 1; j <= g->ny + 1 && g->wraps_x; ++j) {
@@ -329,19 +356,19 @@ static void solve(sph2d__grid *g, double viscosity)
     sph2d__level_wrap(g, l, g->mass);
     find_liquid(g);
     couple(g);
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    g->q[k] = is_liquid(g, k) ? g->q[k] : 0;
     float *const ringed[] = {g->u, g->v, g->wet_x, g->wet_y};
     for (size_t n = 0; n < sizeof ringed / sizeof *ringed; ++n)
         sph2d__level_wrap(g, l, ringed[n]);
-    sph2d__grid_viscosity(g, viscosity);
+    apply_viscosity(g, viscosity);
     set_equations(g);
     sph2d__grid_find_pockets(g);
     set_volumes(g);
     sph2d__grid_level_pockets(g, g->pressure.rest);
     sph2d__grid_level_pockets(g, g->volume.rest);
     g->solver->prepare(g);
-    for (int j = g->first; j <= g->last; ++j)
-        SPH2D__FOR_SPAN(g, j, k)
-    g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
     sph2d__grid_wet_parts(g);
 #pragma omp task
     g->solver->solve(g, &g->volume, g->s, false, VOLUME_ITERATIONS); /* around bodies where they are */

@@ -122,10 +122,13 @@ static void solve(const axis *a, float *u)
     }
 }
 
+bool sph2d__grid_is_viscous(const sph2d__grid *g, double number)
+{
+    return 4 * (number / (g->hx * g->hx) + number / (g->hy * g->hy)) > LEFT;
+}
+
 void sph2d__grid_viscosity(sph2d__grid *g, double number)
 {
-    if (!(4 * (number / (g->hx * g->hx) + number / (g->hy * g->hy)) > LEFT))
-        return; /* no more would be left of the right side than the solver leaves */
     const int first = g->first > 1 ? g->first : 1, last = g->last < g->ny ? g->last : g->ny;
     const float across = (float)number / (g->hx * g->hx), along = (float)number / (g->hy * g->hy);
     const axis x = {g, g->open_x, g->wet_x, across, along, true, g->wraps_x ? g->nx : g->nx + 1, first, last};

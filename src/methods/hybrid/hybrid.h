@@ -21,6 +21,7 @@
  *      forces      v_i <- v_i + dt a_i
  *      to the grid u = sum w (v_i + (x - x_i) . grad v_i) / sum w on faces; on squares the mass, sum w over that of a
  *                  full one, and the mean of rho/rho0 - 1; w bilinear. Squares with a mass above 1/2 are liquid.
+ *      viscosity   w = u - grad q of the step before, w <- (1 - nu dt lap)^-1 w, u = w + grad q
  *      pressure    div(u - grad q) = 0, q = p dt/rho0, with q = 0 on the surface, below which weights have the masses of
  *                  the two squares beside it, and walls' own velocity on the closed part of faces
  *      volume      lap s = -(rho/rho0 - 1): displacements -grad s
