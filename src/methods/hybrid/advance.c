@@ -78,6 +78,7 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
 #pragma omp taskwait
     if (!sph2d__grid_cut(sim, s->grid))
         status = SPH2D_NOMEM; /* returned once the threads are done */
+    sph2d__grid_open_nozzles(sim, s->grid);
     sph2d__grid_sum(sim, s->grid, dt);
     sph2d__hybrid_begin_order(s);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
@@ -86,6 +87,8 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
         return status;
     if (sim->moving_count > sim->bodies.count)
         r->energy_walls += sph2d__grid_wall_work(s->grid, s->rest_density);
+    const double fed = sph2d__grid_nozzle_work(s->grid, s->rest_density);
+    r->energy_fed += fed;
     double on_bodies = 0;
     if (s->grid->body_count > 0) {
         sph2d__grid_impulses(s->grid, s->rest_density, s->grid->impulses);
@@ -104,7 +107,7 @@ sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt)
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
     const energies after = energies_of(sim);
     r->work_pressed += on_bodies + after.energy - before.energy - dt * (before.power + after.power) / 2 +
-                       (r->energy_stopped - r->energy_walls - booked);
+                       (r->energy_stopped - r->energy_walls - booked) - fed;
     status = sph2d__sim_update_forcing(sim, r->time + dt);
     if (status != SPH2D_OK)
         return status;

@@ -65,7 +65,7 @@ static void lay_out_work(const sph2d__grid *g, sph2d__work *w, room *r)
     }
 }
 
-static void lay_out(sph2d__grid *g, room *r)
+static void lay_out(sph2d__grid *g, size_t nozzles, room *r)
 {
     int nx = g->nx, ny = g->ny;
     for (g->levels = 0; g->levels < SPH2D__LEVELS;) {
@@ -96,6 +96,7 @@ static void lay_out(sph2d__grid *g, room *r)
     g->face_x = take(r, g->size, sizeof(sph2d__quad));
     g->face_y = take(r, g->size, sizeof(sph2d__quad));
     lay_out_sums(&g->sums, g->size, r);
+    g->nozzles = take(r, nozzles, sizeof *g->nozzles);
     g->inverse = take(r, g->body_count, sizeof *g->inverse);
     g->push = take(r, 3 * g->body_count, sizeof *g->push);
     g->impulses = take(r, g->body_count, sizeof *g->impulses);
@@ -159,7 +160,8 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     g->body_count = sim->bodies.count;
     set_shape(sim, g);
     room counted = {NULL, 0};
-    lay_out(g, &counted);
+    const size_t nozzles = sph2d__grid_most_nozzles(&sim->scene, g);
+    lay_out(g, nozzles, &counted);
     g->block = sph2d__alloc(s->memory, counted.used + 64, 1);
     if (!g->block) {
         sph2d__grid_free(s);
@@ -167,7 +169,8 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     }
     g->block_size = counted.used + 64;
     room given = {(char *)g->block + (64 - (uintptr_t)g->block % 64) % 64, 0};
-    lay_out(g, &given);
+    lay_out(g, nozzles, &given);
     sph2d__grid_place_solids(sim, g);
+    sph2d__grid_place_nozzles(&sim->scene, g);
     return SPH2D_OK;
 }

@@ -60,6 +60,16 @@ typedef struct sph2d__part {
     float by[3];                 /**< what flows across when the solid moves by 1 m/s, or turns by 1 rad/s */
 } sph2d__part;
 
+/** A face in the mouth of a source. */
+typedef struct sph2d__nozzle {
+    uint32_t face, square; /**< the square into which liquid flows */
+    uint32_t source;
+    bool x, side, open; /**< a left face, else a lower one; one of the domain's; the source emits */
+    float part, hidden; /**< of the face, and of the square behind that */
+    float speed;        /**< across the face [m/s] */
+    float flow;         /**< into the square [m^2/s] */
+} sph2d__nozzle;
+
 typedef struct sph2d__grid {
     int nx, ny, levels;
     size_t stride, size;
@@ -84,8 +94,8 @@ typedef struct sph2d__grid {
     float *mass, *excess;       /**< weight over that; mean of rho/rho0 - 1 */
     uint32_t *cut;              /**< squares with a part in solids */
     float *filled;              /**< their masses, for a while */
-    size_t cut_count;
-    uint32_t *member, *pocket_end; /**< squares of pockets, one after the other, and where each ends (pockets.c) */
+    size_t cut_count, still_cut_count; /**< of all, and by solids at rest */
+    uint32_t *member, *pocket_end;     /**< squares of pockets, one after the other, and where each ends (pockets.c) */
     uint8_t *seen;
     size_t pockets;
     float *u, *v; /**< velocities across left and lower faces [m/s] */
@@ -99,6 +109,8 @@ typedef struct sph2d__grid {
 
     sph2d__part *parts; /**< of faces, closed by solids that move (grid_cut.c) */
     size_t part_count, part_capacity;
+    sph2d__nozzle *nozzles; /**< grid_nozzles.c */
+    size_t nozzle_count;
     double (*inverse)[3]; /**< of bodies: rest density over mass and moment of inertia; 0 where they are held */
     double *push;         /**< of each body three sums */
     struct sph2d__twist *impulses;
@@ -111,6 +123,12 @@ typedef struct sph2d__grid {
     void *block;   /**< all arrays */
     size_t block_size;
 } sph2d__grid;
+
+/** Part of the bilinear weights around a point that is beyond a straight wall at a distance, in squares. */
+static inline float sph2d__hidden_part(float t)
+{
+    return t >= 1 ? 0 : t >= 0 ? (1 - t) * (1 - t) / 2 : t > -1 ? 1 - (1 + t) * (1 + t) / 2 : 1;
+}
 
 /** The index of square (i, j), of its left and lower faces and of its lower left corner. */
 static inline size_t sph2d__at(const sph2d__grid *g, int i, int j)
@@ -142,10 +160,20 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *grid);
  *  memory is short. */
 bool sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *grid);
 
-/** Sums velocities, densities and pressures of the particles (to_grid.c). */
-void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *grid, double dt);
+/** The faces of sources: most of them, where they are, and which are closed in a step (grid_nozzles.c). */
+size_t sph2d__grid_most_nozzles(const sph2d_scene *scene, const sph2d__grid *grid);
+void sph2d__grid_place_nozzles(const sph2d_scene *scene, sph2d__grid *grid);
+void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *grid);
+/** The work of sources on the liquid before them, by pressure [J/m]. */
+double sph2d__grid_nozzle_work(const sph2d__grid *grid, double density);
 
 struct sph2d__batch;
+
+/** Keeps the displacements of a batch from falling behind the jets that it leaves sources with (grid_nozzles.c). */
+void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, struct sph2d__batch *batch);
+
+/** Sums velocities, densities and pressures of the particles (to_grid.c). */
+void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *grid, double dt);
 
 /** Loops over particles beside the grid, compiled once for each instruction set (transfer_pass.c). */
 typedef struct sph2d__transfer_passes {

@@ -73,12 +73,6 @@ static float closed_part(float a, float b)
     return part > 1 ? 1 : part > 0 ? part : 0;
 }
 
-/** Part of the bilinear weights around a point that is beyond a straight wall at a distance, in squares. */
-static float hidden_part(float t)
-{
-    return t >= 1 ? 0 : t >= 0 ? (1 - t) * (1 - t) / 2 : t > -1 ? 1 - (1 + t) * (1 + t) / 2 : 1;
-}
-
 /** Mean distance of a square's corners. */
 static float middle(const sph2d__grid *g, const float *distance, size_t k)
 {
@@ -147,7 +141,7 @@ static void cut_by_rest(const sph2d_sim *sim, sph2d__grid *g)
                 continue;
             g->room[k] = (i == 1 && !g->wraps_x ? side : 1) * (i == g->nx && !g->wraps_x ? side : 1) *
                          (j == 1 && !g->wraps_y ? side : 1) * (j == g->ny && !g->wraps_y ? side : 1) / full;
-            g->still_hidden[k] = hidden_part(unit * middle(g, distance, k));
+            g->still_hidden[k] = sph2d__hidden_part(unit * middle(g, distance, k));
         }
 }
 
@@ -221,7 +215,7 @@ static bool cut_by(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, float
             const sph2d_vec2 p = {g->low_x + (i - 1) * (double)g->hx, g->low_y + (j - 1) * (double)g->hy};
             if (k < sph2d__at(g, g->begin[j], j) || k >= sph2d__at(g, g->end[j], j))
                 continue;
-            g->hidden[k] += hidden_part(unit * middle(g, own, k));
+            g->hidden[k] += sph2d__hidden_part(unit * middle(g, own, k));
             for (int axis = 0; axis < 2; ++axis) {
                 const bool x = axis == 0, first = x ? i == 1 : j == 1, wraps = x ? g->wraps_x : g->wraps_y;
                 const size_t beside = x ? k - 1 : k - up,
@@ -354,4 +348,5 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *g)
     memcpy(g->open_y, g->still_y, g->size * sizeof *g->open_y);
     memcpy(g->hidden, g->still_hidden, g->size * sizeof *g->hidden);
     finish(g, true);
+    g->still_cut_count = g->cut_count;
 }

@@ -35,6 +35,9 @@ static void take_means(const sph2d__grid *g)
             g->u[k] = g->open_x[k] > 0 ? ratio(s->x[k].value, s->x[k].weight) : g->wall_x[k];
             g->v[k] = g->open_y[k] > 0 ? ratio(s->y[k].value, s->y[k].weight) : g->wall_y[k];
         }
+    for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
+        if (z->open && !((z->x ? g->open_x : g->open_y)[z->face] > 0))
+            (z->x ? g->u : g->v)[z->face] = z->speed;
 }
 
 /* Of squares whose middle is in a solid, how full they are is not yet known. */
@@ -224,6 +227,14 @@ static void set_equations(sph2d__grid *g)
         }
 }
 
+/** Adds what sources emit. */
+static void feed(const sph2d__grid *g)
+{
+    for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
+        if (z->open && is_liquid(g, z->square))
+            g->pressure.rest[z->square] += z->flow;
+}
+
 /** The right side for displacements. */
 static void set_volumes(sph2d__grid *g)
 {
@@ -244,9 +255,12 @@ static inline sph2d__quad face_of(float part, float velocity, float change, floa
     return part > 0 ? (sph2d__quad){velocity + part * change, part * displacement, 1} : (sph2d__quad){0};
 }
 
-/** A side's wall is known where liquid touches it. */
+/** A side's wall is known where liquid touches it, and so is a source. */
 static void close_sides(sph2d__grid *g)
 {
+    for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
+        if (z->open && z->part > 0.5F && is_liquid(g, z->square))
+            (z->x ? g->face_x : g->face_y)[z->face] = (sph2d__quad){z->speed, 0, 1};
     for (int side = 0; side < 4; ++side) {
         const bool vertical = side < 2;
         if (g->open[side] || (vertical ? g->wraps_x : g->wraps_y))
@@ -364,6 +378,7 @@ static void solve(sph2d__grid *g, double viscosity)
         sph2d__level_wrap(g, l, ringed[n]);
     apply_viscosity(g, viscosity);
     set_equations(g);
+    feed(g);
     sph2d__grid_find_pockets(g);
     set_volumes(g);
     sph2d__grid_level_pockets(g, g->pressure.rest);

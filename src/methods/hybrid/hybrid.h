@@ -23,7 +23,7 @@
  *                  full one, and the mean of rho/rho0 - 1; w bilinear. Squares with a mass above 1/2 are liquid.
  *      viscosity   w = u - grad q of the step before, w <- (1 - nu dt lap)^-1 w, u = w + grad q
  *      pressure    div(u - grad q) = 0, q = p dt/rho0, with q = 0 on the surface, below which weights have the masses of
- *                  the two squares beside it, and walls' own velocity on the closed part of faces
+ *                  the two squares beside it, and walls' own velocity on the closed part of faces, and what sources emit
  *      volume      lap s = -(rho/rho0 - 1): displacements -grad s
  *      back        v_i and its slopes are those of u
  *      move        by dt (u + dt/2 (u . grad) u) + e_i - grad s; spray by itself

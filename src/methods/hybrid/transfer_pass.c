@@ -287,6 +287,7 @@ static void move(sph2d_sim *sim, double dt, sph2d__batch *w)
             t.u_x[k] = t.u_y[k] = t.v_x[k] = t.v_y[k] = t.e_x[k] = t.e_y[k] = t.inside[k] = t.q[k] = 0;
     }
     set_displacements(sim, dt, w, &t);
+    sph2d__grid_keep_pace(sim, dt, w);
     for (size_t k = 0; k < w->count; ++k)
         if (t.inside[k] < 1)
             stop(w, k, f->shift_x[w->first + k], f->shift_y[w->first + k], 1 - t.inside[k], dt);

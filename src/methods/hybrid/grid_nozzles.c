@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT */
+/** @file grid_nozzles.c
+ *  Sources on the grid of method `hybrid`. The faces next behind the mouth of a source are closed, and what it emits flows
+ *  from them into the squares before them; so its jet leaves it at its speed. As rows of particles alone they would take
+ *  on the velocity of what falls before them: jets fell ever faster within, and came apart. What lies between a face and
+ *  the mouth is hidden, as by a solid. */
+#include <math.h>
+
+#include "methods/hybrid/grid.h"
+#include "sim/stages.h"
+
+/* A mouth this near to a face lies in it [squares]. */
+static const double ROUNDING = 1e-6;
+
+/* Mouths nearer than this to an axis have no faces across it. */
+static const double LEAST_SLOPE = 1e-3;
+
+/** Whether a source emits without gaps. */
+static bool is_open(const sph2d_source *s, double now)
+{
+    return !(s->rate > 0) && now >= s->start && !(s->stop > 0 && now >= s->stop);
+}
+
+size_t sph2d__grid_most_nozzles(const sph2d_scene *scene, const sph2d__grid *g)
+{
+    size_t most = 0;
+    for (size_t k = 0; k < scene->source_count; ++k)
+        most += (size_t)fmin(scene->sources[k].width * g->inverse_x + 3, g->nx) +
+                (size_t)fmin(scene->sources[k].width * g->inverse_y + 3, g->ny);
+    return most;
+}
+
+/** Adds the faces that a mouth covers across one axis: in each column of squares (x: row) that behind it. */
+static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bool x)
+{
+    const sph2d_source *s = &scene->sources[index];
+    const double length = hypot(s->direction.x, s->direction.y), ux = s->direction.x / length,
+                 uy = s->direction.y / length, along = x ? ux : uy, slope = -(x ? uy : ux) / along;
+    const double half = fmax(s->width, scene->spacing) / 2 * fabs(along); /* seen along the axis */
+    const double side = (double)(x ? g->hy : g->hx), other_side = (double)(x ? g->hx : g->hy);
+    const double middle = x ? s->at.y - g->low_y : s->at.x - g->low_x, at = x ? s->at.x - g->low_x : s->at.y - g->low_y;
+    const int n = x ? g->ny : g->nx, most = x ? g->nx : g->ny;
+    if (!(fabs(along) > LEAST_SLOPE))
+        return;
+    for (int i = sph2d__grid_clamp((middle - half) / side, n - 1); i < n && i * side < middle + half; ++i) {
+        const double low = fmax(i * side, middle - half), high = fmin((i + 1) * side, middle + half);
+        const double mouth = (at + slope * ((low + high) / 2 - middle)) / other_side;
+        const double face_at = along > 0 ? floor(mouth + ROUNDING) : ceil(mouth - ROUNDING);
+        const int line = (int)face_at + 1;
+        if (!(high > low) || line < 1 || line > most + 1)
+            continue;
+        const size_t face = x ? sph2d__at(g, line, i + 1) : sph2d__at(g, i + 1, line), back = x ? 1 : g->stride;
+        g->nozzles[g->nozzle_count++] =
+            (sph2d__nozzle){.face = (uint32_t)face,
+                            .square = (uint32_t)(along > 0 ? face : face - back),
+                            .source = (uint32_t)index,
+                            .x = x,
+                            .side = line == 1 || line == most + 1,
+                            .part = (float)((high - low) / side),
+                            .hidden = sph2d__hidden_part((float)(0.5 - fabs(mouth - face_at))),
+                            .speed = (float)(s->speed * along),
+                            .flow = (float)(s->speed * fabs(along) * (high - low))};
+    }
+}
+
+void sph2d__grid_place_nozzles(const sph2d_scene *scene, sph2d__grid *g)
+{
+    g->nozzle_count = 0;
+    for (size_t k = 0; k < scene->source_count; ++k)
+        for (int axis = 0; axis < 2; ++axis)
+            add_mouth(scene, g, k, axis == 0);
+}
+
+void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *g)
+{
+    const double now = sim->record.time;
+    for (size_t n = 0; n < g->nozzle_count && sim->moving_count == 0; ++n) {
+        const sph2d__nozzle *z = &g->nozzles[n];
+        (z->x ? g->open_x : g->open_y)[z->face] = (z->x ? g->still_x : g->still_y)[z->face];
+        g->hidden[z->square] = g->still_hidden[z->square];
+        g->cut_count = g->still_cut_count;
+    }
+    for (size_t n = 0; n < g->nozzle_count; ++n) {
+        sph2d__nozzle *z = &g->nozzles[n];
+        float *open = &(z->x ? g->open_x : g->open_y)[z->face];
+        z->open = is_open(&sim->scene.sources[z->source], now) && (*open > 0 || z->side);
+        if (!z->open)
+            continue;
+        *open = fmaxf(*open - z->part, 0);
+        if (!(g->hidden[z->square] > 0))
+            g->cut[g->cut_count++] = z->square;
+        g->hidden[z->square] = fminf(g->hidden[z->square] + z->part * z->hidden, 1);
+    }
+}
+
+double sph2d__grid_nozzle_work(const sph2d__grid *g, double density)
+{
+    double sum = 0;
+    for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
+        if (z->open && g->level->inverse[z->square] > 0)
+            sum += (double)(g->q[z->square] * z->flow);
+    return density * sum;
+}
+
+/** Within a spacing before the mouth of a source liquid goes at least as fast as its jet, or the next row had no room. */
+static void keep_pace(const sph2d_sim *sim, const sph2d_source *s, double dt, sph2d__batch *w)
+{
+    const double length = hypot(s->direction.x, s->direction.y), spacing = sim->system.spacing;
+    const double ux = s->direction.x / length, uy = s->direction.y / length, half = fmax(s->width, spacing) / 2;
+    for (size_t k = 0; k < w->count; ++k) {
+        const double x = sim->system.fluid.x[w->first + k] - s->at.x, y = sim->system.fluid.y[w->first + k] - s->at.y;
+        const double along = x * ux + y * uy, late = dt * s->speed - (w->dx[k] * ux + w->dy[k] * uy);
+        if (along >= 0 && along < spacing && fabs(y * ux - x * uy) < half && late > 0) {
+            w->dx[k] += late * ux;
+            w->dy[k] += late * uy;
+        }
+    }
+}
+
+void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, sph2d__batch *w)
+{
+    for (size_t k = 0; k < sim->scene.source_count; ++k)
+        if (is_open(&sim->scene.sources[k], sim->record.time))
+            keep_pace(sim, &sim->scene.sources[k], dt, w);
+}
