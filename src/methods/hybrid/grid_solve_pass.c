@@ -341,6 +341,9 @@ static void apply_viscosity(sph2d__grid *g, double viscosity)
 {
     if (!sph2d__grid_is_viscous(g, viscosity))
         return;
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    g->q[k] = is_liquid(g, k) ? g->q[k] : 0;
     sph2d__level_wrap(g, g->level, g->q);
     press(g, 1);
     sph2d__grid_viscosity(g, viscosity);
@@ -370,9 +373,6 @@ static void solve(sph2d__grid *g, double viscosity)
     sph2d__level_wrap(g, l, g->mass);
     find_liquid(g);
     couple(g);
-    for (int j = g->first; j <= g->last; ++j)
-        SPH2D__FOR_SPAN(g, j, k)
-    g->q[k] = is_liquid(g, k) ? g->q[k] : 0;
     float *const ringed[] = {g->u, g->v, g->wet_x, g->wet_y};
     for (size_t n = 0; n < sizeof ringed / sizeof *ringed; ++n)
         sph2d__level_wrap(g, l, ringed[n]);
@@ -384,6 +384,9 @@ static void solve(sph2d__grid *g, double viscosity)
     sph2d__grid_level_pockets(g, g->pressure.rest);
     sph2d__grid_level_pockets(g, g->volume.rest);
     g->solver->prepare(g);
+    for (int j = g->first; j <= g->last; ++j)
+        SPH2D__FOR_SPAN(g, j, k)
+    g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
     sph2d__grid_wet_parts(g);
 #pragma omp task
     g->solver->solve(g, &g->volume, g->s, false, VOLUME_ITERATIONS); /* around bodies where they are */
