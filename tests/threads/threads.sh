@@ -72,7 +72,7 @@ if [ "$only" != command ]; then
 fi
 
 # Methods, and keys that change what they do.
-methods=('muller' 'muller walls=reflect' 'wcsph method.precision=mixed' 'wcsph method.turbulence=none walls=reflect'
+methods=('hybrid' 'muller' 'muller walls=reflect' 'wcsph method.precision=mixed' 'wcsph method.turbulence=none walls=reflect'
     'pcisph walls=reflect' 'pcisph method.time_step=5e-4' 'constraint' 'constraint method.artificial_viscosity=0')
 if [ "$only" != suites ]; then
     for method in "${methods[@]}"; do
