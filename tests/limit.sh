@@ -7,6 +7,7 @@
 seconds=$(($1 * ${CK_TIMEOUT_MULTIPLIER:-1}))
 shift
 code=0
+# shellcheck disable=SC3045 # dash has it
 (ulimit -S -t $seconds && exec timeout -k 10 $((10 * seconds)) "$@") || code=$?
 case $code in
 124) passed="$((10 * seconds)) s by the clock" ;;

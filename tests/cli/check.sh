@@ -171,7 +171,9 @@ while read -r template; do
     grep -q '^# between particles \[m\]; above 0; must be given$' "$template/scene.yaml" || fail 'no comments'
 done <templates
 # A command that is printed to be copied goes through a shell as it is.
+# shellcheck disable=SC2016 # it shall not be expanded
 for name in 'my tank' 'a "quoted" $HOME `x`'; do
+    # shellcheck disable=SC2016 # eval expands it
     expect 0 "$SPH2D" init "$name" && says 'next: sph2d check' && eval "$(sed -n 's/.*next: sph2d/"$SPH2D"/p' err) >plan"
     grep -q 'no errors' plan || fail "the command for '$name' does not check it"
 done

@@ -90,11 +90,12 @@ play
 sleep 3
 quit
 kept=$(particles)
-[ "$kept" -gt 500 ] && [ "$kept" -le 16600 ] || fail "$kept particles"
+if [ "$kept" -le 500 ] || [ "$kept" -gt 16600 ]; then fail "$kept particles"; fi
 play -s spacing=0.02
 sleep 3
 quit
-[ "$(particles)" -gt 800 ] && [ "$(particles)" -lt 900 ] || fail "$(particles) particles with a spacing of 0.02 m"
+kept=$(particles)
+if [ "$kept" -le 800 ] || [ "$kept" -ge 900 ]; then fail "$kept particles with a spacing of 0.02 m"; fi
 
 # Wiping takes liquid away, also with dots, while the run is paused; another scene has other particles.
 play pool.yaml --style points --color speed

@@ -135,16 +135,16 @@ void sph2d__grid_free(sph2d__system *s)
     s->grid = NULL;
 }
 
-void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l, float *a)
+void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l, float *field)
 {
     for (int j = 1; j <= l->ny && g->wraps_x; ++j) {
-        float *row = a + (size_t)j * l->stride;
+        float *row = field + (size_t)j * l->stride;
         row[0] = row[l->nx];
         row[l->nx + 1] = row[1];
     }
     if (g->wraps_y) {
-        memcpy(a, a + (size_t)l->ny * l->stride, l->stride * sizeof *a);
-        memcpy(a + (size_t)(l->ny + 1) * l->stride, a + l->stride, l->stride * sizeof *a);
+        memcpy(field, field + (size_t)l->ny * l->stride, l->stride * sizeof *field);
+        memcpy(field + (size_t)(l->ny + 1) * l->stride, field + l->stride, l->stride * sizeof *field);
     }
 }
 

@@ -117,9 +117,9 @@ static void keep_pace(const sph2d_sim *sim, const sph2d_source *s, double dt, sp
     }
 }
 
-void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, sph2d__batch *w)
+void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, sph2d__batch *batch)
 {
     for (size_t k = 0; k < sim->scene.source_count; ++k)
         if (is_open(&sim->scene.sources[k], sim->record.time))
-            keep_pace(sim, &sim->scene.sources[k], dt, w);
+            keep_pace(sim, &sim->scene.sources[k], dt, batch);
 }
