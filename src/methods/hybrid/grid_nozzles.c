@@ -30,7 +30,8 @@ size_t sph2d__grid_most_nozzles(const sph2d_scene *scene, const sph2d__grid *g)
     return most;
 }
 
-/** Adds the faces that a mouth covers across one axis: in each column of squares (x: row) that behind it. */
+/** Adds the faces that a mouth covers across one axis: in each column of squares (x: row) the one
+ *  behind it. */
 static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bool x)
 {
     const sph2d_source *s = &scene->sources[index];
@@ -40,6 +41,7 @@ static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bo
     const double side = (double)(x ? g->hy : g->hx), other_side = (double)(x ? g->hx : g->hy);
     const double middle = x ? s->at.y - g->low_y : s->at.x - g->low_x, at = x ? s->at.x - g->low_x : s->at.y - g->low_y;
     const int n = x ? g->ny : g->nx, most = x ? g->nx : g->ny;
+    const bool wraps = x ? g->wraps_x : g->wraps_y;
     if (!(fabs(along) > LEAST_SLOPE))
         return;
     for (int i = sph2d__grid_clamp((middle - half) / side, n - 1); i < n && i * side < middle + half; ++i) {
@@ -47,7 +49,8 @@ static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bo
         const double mouth = (at + slope * ((low + high) / 2 - middle)) / other_side;
         const double face_at = along > 0 ? floor(mouth + ROUNDING) : ceil(mouth - ROUNDING);
         const int line = (int)face_at + 1;
-        if (!(high > low) || line < 1 || line > most + 1)
+        const bool at_side = line == 1 || line == most + 1, inside = along > 0 ? line <= most : line > 1;
+        if (!(high > low) || line < 1 || line > most + 1 || !inside || (at_side && wraps)) /* a seam has two faces */
             continue;
         const size_t face = x ? sph2d__at(g, line, i + 1) : sph2d__at(g, i + 1, line), back = x ? 1 : g->stride;
         g->nozzles[g->nozzle_count++] =
@@ -55,7 +58,7 @@ static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bo
                             .square = (uint32_t)(along > 0 ? face : face - back),
                             .source = (uint32_t)index,
                             .x = x,
-                            .side = line == 1 || line == most + 1,
+                            .side = at_side,
                             .part = (float)((high - low) / side),
                             .hidden = sph2d__hidden_part((float)(0.5 - fabs(mouth - face_at))),
                             .speed = (float)(s->speed * along),
