@@ -4,89 +4,9 @@
  *  pressure is solved for. Compiled once for each instruction set, named by SPH2D__ISA, and in it once for each kernel.
  *  Neighbours are searched for one particle after another, a block of candidates at a time; what is summed over them
  *  is summed for a slice of particles at once. */
-#include "methods/common/traverse.h"
+#include "methods/common/slices.h"
 #include "methods/projection/projection_pair.h"
 #include "methods/terms/stick.h"
-
-/** Where the pairs of a slab go. */
-typedef struct slab {
-    size_t next, end;                    /**< room that is left */
-    uint32_t *found;                     /**< the lists of the slice that is searched */
-    size_t longest;                      /**< room of each */
-    uint32_t counts[SPH2D__LANES], most; /**< their lengths, and the largest */
-    sph2d__cursor fluid, walls;
-    bool full;
-} slab;
-
-static slab slab_start(const sph2d__neighbours *n, size_t k)
-{
-    size_t room = n->each * SPH2D__SLAB, longest = sph2d__neighbours_longest(n);
-    return (slab){.next = k * room,
-                  .end = (k + 1) * room,
-                  .found = n->found + k * longest * SPH2D__WIDEST,
-                  .longest = longest,
-                  .fluid = SPH2D__CURSOR_START,
-                  .walls = SPH2D__CURSOR_START};
-}
-
-/* ---- search ------------------------------------------------------------------------------------------------------ */
-
-/** Lists the particles nearer than the support around (x, y), but particle `but`. */
-SPH2D__INLINE void search(slab *to, int lane, const sph2d__store *from, const sph2d__ranges *ranges, double x, double y,
-                          double support2, size_t but)
-{
-    uint32_t *found = to->found + (size_t)lane * to->longest, *next = found;
-    const uint32_t *last = found + to->longest - SPH2D__LANES; /* blocks are written whole */
-    SPH2D__FOR_BLOCKS (ranges, r, j, left) {
-        sph2d__lanes dx = x + ranges->x[r] - sph2d__lanes_load(from->x + j);
-        sph2d__lanes dy = y + ranges->y[r] - sph2d__lanes_load(from->y + j);
-        unsigned near = sph2d__lanes_which(dx * dx + dy * dy, support2);
-        if (left < SPH2D__LANES)
-            near &= (1u << (int)left) - 1;
-        if (but - j < SPH2D__LANES)
-            near &= ~(1u << (but - j));
-        if (next > last) {
-            to->full = true;
-            break;
-        }
-        sph2d__lanes_pack_index(next, (uint32_t)j, near);
-        next += (size_t)__builtin_popcount(near);
-    }
-    uint32_t count = (uint32_t)(next - found);
-    to->counts[lane] = count;
-    to->most = count > to->most ? count : to->most;
-}
-
-/** Lists the neighbours in one store of particles `first` on of another, or of the same one (`own`). */
-SPH2D__INLINE void search_slice(slab *to, sph2d__cursor *cursor, const sph2d__cells *cells, const sph2d__store *from,
-                                const sph2d__store *of, size_t first, double support2, bool own, const double *filled)
-{
-    to->most = 0;
-    for (int l = 0; l < SPH2D__LANES; ++l) {
-        size_t i = first + (size_t)l;
-        to->counts[l] = 0;
-        if (i < of->count && (!filled || filled[i] > 0) && sph2d__cursor_move(cursor, cells, of->x[i], of->y[i]))
-            search(to, l, from, &cursor->ranges, of->x[i], of->y[i], support2, own ? i : SIZE_MAX);
-    }
-}
-
-/** Writes the lists as slots; `far` stands where a list is at its end. Returns how many. */
-SPH2D__INLINE uint32_t write_slots(sph2d__neighbours *n, slab *to, size_t far)
-{
-    uint32_t *index = n->index + to->next;
-    if (to->end - to->next < (size_t)to->most * SPH2D__LANES)
-        to->full = true;
-    if (to->full)
-        return 0;
-    for (int l = 0; l < SPH2D__LANES; ++l)
-        for (uint32_t k = to->counts[l]; k < to->most; ++k)
-            to->found[(size_t)l * to->longest + k] = (uint32_t)far;
-    for (uint32_t k = 0; k < to->most; ++k)
-        for (int l = 0; l < SPH2D__LANES; ++l)
-            index[k * SPH2D__LANES + (uint32_t)l] = to->found[(size_t)l * to->longest + k];
-    to->next += (size_t)to->most * SPH2D__LANES;
-    return to->most;
-}
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
@@ -130,7 +50,7 @@ SPH2D__INLINE void gradient_by_walls(const sph2d__system *s, const sph2d__slice 
 }
 
 /** Everything about the fluid particles `first` on of a slice. */
-SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_kernel kernel)
+SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first, sph2d_kernel kernel)
 {
     sph2d__neighbours *n = &s->neighbours;
     sph2d__store *f = &s->fluid;
@@ -146,8 +66,8 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
                  .from = f,
                  .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
-    search_slice(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
-    at->fluid = write_slots(n, to, f->count);
+    sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
+    at->fluid = sph2d__pairs_write(n, to, f->count);
     sum_slots(n, at->begin, at->fluid, &w, kernel, &sum);
     bool limited = w.limited;
     if (s->walls_press) {
@@ -155,8 +75,8 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
         w.mass = s->walls.mass;
         w.from = &s->walls;
         w.viscous = w.limited = false;
-        search_slice(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
-        at->walls = write_slots(n, to, s->walls.count);
+        sph2d__pairs_search(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
+        at->walls = sph2d__pairs_write(n, to, s->walls.count);
         sum_slots(n, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &w, kernel, &sum);
         if (s->walls_rough && s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN)
             gradient_by_walls(s, at, &sum);
@@ -169,7 +89,7 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, slab *to, size_t first, sph2d_
 }
 
 /** Everything about boundary particles `first` on: their pairs where they have rows, and what liquid adds there. */
-SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_kernel kernel)
+SPH2D__INLINE void gather_walls(sph2d__system *s, sph2d__pairs *to, size_t first, sph2d_kernel kernel)
 {
     sph2d__neighbours *n = &s->wall_neighbours;
     sph2d__store *w = &s->walls;
@@ -183,8 +103,8 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_
                      .from = &s->fluid,
                      .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
-    search_slice(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filling);
-    at->fluid = write_slots(n, to, s->fluid.count);
+    sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filling);
+    at->fluid = sph2d__pairs_write(n, to, s->fluid.count);
     sum_slots(n, at->begin, at->fluid, &weigh, kernel, &sum);
     for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l)
         finish_wall(s, first + (size_t)l, &sum, l, kernel, to->counts[l] > 0);
@@ -195,7 +115,7 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, slab *to, size_t first, sph2d_
 /** Gathers for the particles of slab k. False when it is full. */
 SPH2D__INLINE bool gather_slab(sph2d__system *s, bool walls, size_t k, sph2d_kernel kernel)
 {
-    slab to = slab_start(walls ? &s->wall_neighbours : &s->neighbours, k);
+    sph2d__pairs to = sph2d__pairs_start(walls ? &s->wall_neighbours : &s->neighbours, k);
     size_t count = walls ? s->walls.count : s->fluid.count;
     size_t end = (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count;
     for (size_t i = k * SPH2D__SLAB; i < end && !to.full; i += SPH2D__LANES) {
