@@ -183,7 +183,7 @@ VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2
 SOMAJOR := 0
 # A folder uses only those before it; the methods do not know each other.
 CORE_DIRS := base simd kernels scene particles flows boundary methods/common methods/terms sim start probes \
-    methods/muller methods/wcsph methods/fitted methods/projection methods/hybrid methods run
+    methods/muller methods/wcsph methods/fitted methods/variational methods/projection methods/hybrid methods run
 CORE_SRC := $(sort $(foreach d,$(CORE_DIRS),$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
 # Those that are compiled for floats, too.

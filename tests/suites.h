@@ -43,6 +43,7 @@
     X(reported_pressure)                                                                                               \
     X(limited_viscosity)                                                                                               \
     X(hybrid)                                                                                                          \
+    X(variational)                                                                                                     \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

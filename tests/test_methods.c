@@ -52,7 +52,9 @@ START_TEST(a_row_says_what_a_scene_needs)
         ck_assert(all->cfl > 0 && row->max_compression > 0 && all->sound_compression > 0);
         ck_assert(row->wall_forms >> all->side_form & 1);
         ck_assert(row->wall_forms >> all->obstacle_form & 1);
-        ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1 || all->keeps_volume); /* whose densities need layers */
+        const bool layers =
+            all->keeps_volume || row->operators == SPH2D_OPERATORS_VARIATIONAL; /* densities need them */
+        ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1 || layers);
         ck_assert(all->max_density > 1 && all->min_density < 1 && all->energy_rise > 0);
         ck_assert(*row->use && *row->scheme && *row->source && *all->damping_hint);
         ck_assert_int_eq(all->convergence_hint != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));
@@ -135,9 +137,10 @@ START_TEST(keys_of_other_methods_are_refused)
         const sph2d_diagnostic *d = &report.items[k];
         ck_assert_int_eq(d->code, SPH2D_CODE_UNSUPPORTED);
         ck_assert_ptr_nonnull(strstr(d->message, row->name));
+        const char *other = row->method == SPH2D_METHOD_WCSPH ? "operators: symmetric" : "wcsph";
         ck_assert_ptr_nonnull(strstr(d->hint, strcmp(d->path, "method.damping") == 0          ? "constraint"
                                               : strcmp(d->path, "method.min_iterations") == 0 ? "pcisph"
-                                                                                              : "wcsph"));
+                                                                                              : other));
     }
 }
 END_TEST

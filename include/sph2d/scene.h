@@ -287,7 +287,7 @@ typedef struct sph2d_method_options {
 
     /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9, symmetric
      *  operators of wcsph to 0.75, pcisph and constraint to dx/H; default 0: the method's, muller 0.4, wcsph 0.3 with
-     *  symmetric and 0.25 with fitted operators, pcisph and constraint 0.4 dx/H, hybrid 0.9: its step
+     *  symmetric, 0.25 with fitted and 0.2 with variational operators (a step is up to five of these), pcisph and constraint 0.4 dx/H, hybrid 0.9: its step
      *  is cfl H / sqrt(2 head) throughout, the head that of the sound speed of other methods. */
     double cfl;
 

@@ -151,7 +151,11 @@ typedef enum sph2d_operators {
 
     /** Quadratic least-squares fits around each particle, of second order: for liquid that fills its domain, periodic
      *  or between walls. */
-    SPH2D_OPERATORS_FITTED = 1
+    SPH2D_OPERATORS_FITTED = 1,
+
+    /** A rate of density that is exact for linear velocities, and its transpose as force: keeps momentum, and energy but
+     *  for what it books as dissipated. */
+    SPH2D_OPERATORS_VARIATIONAL = 2
 } sph2d_operators;
 
 /** Smoothing kernels of the symmetric operators, in the order of their values from 0 on: name, word of scene files. */

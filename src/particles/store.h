@@ -59,8 +59,9 @@ enum { SPH2D__PADDING = 16 };
     X(surface_distance) /* distance to the nearest particle of the free surface, at most the support radius [m] */     \
     X(density_grad_x)   /* gradient of density [kg/m^4] */                                                             \
     X(density_grad_y)                                                                                                  \
-    X(excess)          /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3] */     \
-    X(push)            /* D' times the pressures or the search direction: two floats, lanes.h */                       \
+    X(excess) /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
+                        * variational operators the logarithm of density over rest density */         \
+    X(push)   /* D' times the pressures or the search direction: two floats, lanes.h */                                \
     X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h, wcsph.h */        \
     X(next_x)          /* position predicted by a pressure solver */                                                   \
     X(next_y)                                                                                                          \

@@ -9,6 +9,7 @@
 #include "methods/projection/body_rows.h"
 #include "methods/projection/implicit_viscosity.h"
 #include "methods/terms/rheology.h"
+#include "methods/variational/variational.h"
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/bodies.h"
@@ -94,7 +95,8 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->spring_head = d.spring_head;
     s->spring_energy = d.spring_energy;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
-    bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && !fitted;
+    bool limited =
+        scene->method.tensile_control == SPH2D_SWITCH_ON && scene->method.operators == SPH2D_OPERATORS_SYMMETRIC;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
     s->tension = limited ? tension : INFINITY;
     bool fills =
@@ -175,7 +177,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
         return SPH2D_NOMEM;
     sph2d__openings_hold_velocity(sim, 0);
-    if (!sim->method->project) { /* pressures of the others are those of a step */
+    if (!sim->method->mean_forces) { /* pressures of the others are those of a step */
         sph2d__bodies_start(sim);
         sim->loads.watched = sph2d__sim_momentum_is_known(sim); /* in the first step */
         sph2d__loads_find(sim, 1);
@@ -376,6 +378,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
     sph2d__implicit_viscosity_free(s);
     sph2d__grid_free(s);
+    sph2d__frozen_free(s);
     sph2d__barrier_free(&sim->barrier, memory);
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__barrier_free(&sim->moving[k].barrier, memory);

@@ -104,6 +104,7 @@ static const row rows[] = {
      F64_2(old_ax, old_ay),
      FLUID,
      SPH2D__BIT(old_ax)},
+    {"LogDensities", "logarithm of density over rest density", {0, 0, 0}, F64_1(excess), FLUID, SPH2D__BIT(excess)},
     {"OldDensityRates",
      "rate of density of the previous step",
      {-3, 1, -1},

@@ -58,7 +58,7 @@ static const char *const method_words[] = {SPH2D_METHOD_MAP(METHOD_WORD) NULL};
 static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
-static const char *const operator_words[] = {"symmetric", "fitted", NULL};
+static const char *const operator_words[] = {"symmetric", "fitted", "variational", NULL};
 static const char *const precision_words[] = {"double", "mixed", NULL};
 #define KERNEL_WORD(name, word) #word,
 static const char *const kernel_words[] = {SPH2D_KERNEL_MAP(KERNEL_WORD) NULL};
@@ -622,8 +622,8 @@ static const sph2d_key method_items[] = {
      .default_text = "wcsph", .stands_alone = true, .text = "the solver; short form `method: wcsph`"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .default_text = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
-     .text = "symmetric conserves momentum; fitted is of second order, for liquid that fills "
-             "its domain"},
+     .text = "symmetric: for everything; fitted is of second order, for liquid that fills its domain; "
+             "variational keeps energy and momentum, without bodies, openings and friction yet"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
      .default_text = "double", .feature = SPH2D_FEATURE_PRECISION, .text = "mixed uses floats in sums over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
@@ -675,9 +675,9 @@ static const sph2d_key method_items[] = {
      .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
              "at most 3 for flows with little viscosity, hybrid 2 to 2.6"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .default_text = "muller 0.4, wcsph 0.3 (symmetric) or 0.25 (fitted), hybrid 0.9, else 0.4 dx/H",
+     .default_text = "muller 0.4, wcsph 0.3 (symmetric), 0.25 (fitted) or 0.2 (variational), hybrid 0.9, else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max); pcisph and constraint without c0 and at most "
-             "dx/H, wcsph at most 0.75 (symmetric)"},
+             "dx/H, wcsph at most 0.75 (symmetric) or 0.4 (variational, whose steps are up to five of these)"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .default_text = "adaptive", .text = "a fixed step"},
     {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",

@@ -267,7 +267,7 @@ void sph2d__loads_find(sph2d_sim *sim, double kept)
         l->states[k].power = 0;
         sum_walls(sim, k, kept);
         sum_sides(sim, k);
-        if (sim->method->project) /* this force acts all through the step */
+        if (sim->method->mean_forces) /* this force acts all through the step */
             l->items[k].before = l->states[k];
     }
 }

@@ -27,7 +27,7 @@ bool sph2d__sim_momentum_is_known(const sph2d_sim *sim)
 /** Whether a step is watched. */
 static bool is_watched(const sph2d_sim *sim, uint64_t step)
 {
-    return (sim->method->project || step % WATCH_STEPS == 1) && sph2d__sim_momentum_is_known(sim);
+    return (sim->method->mean_forces || step % WATCH_STEPS == 1) && sph2d__sim_momentum_is_known(sim);
 }
 
 /** Whether particles came or went since the step before. */

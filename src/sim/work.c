@@ -148,7 +148,7 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
     double span = r->time - r->drives_time;
     r->energy_forces += integrate(&r->power_forces, sph2d__sim_power_of_forces(sim), span);
     r->drives_time = r->time;
-    if (sim->method->project)
+    if (sim->method->mean_forces)
         return;
     wall_powers power = powers_of_walls(sim);
     r->energy_walls += integrate(&r->power_walls, power.all, span);
@@ -157,7 +157,7 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
 
 bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim)
 {
-    bool none = sim->method->project && sim->bodies.count == 0 && !is_driven(sim);
+    bool none = sim->method->mean_forces && sim->bodies.count == 0 && !is_driven(sim);
     return none || sim->record.drives_time == sim->record.time;
 }
 
@@ -371,7 +371,7 @@ sph2d_status sph2d__sim_book_dissipation(sph2d_sim *sim)
 {
     sph2d__record *r = &sim->record;
     double span = r->time - r->booked_time, viscous = r->power_viscous;
-    if (!is_fitted(sim) && !sim->method->books_pressure) {
+    if (!is_fitted(sim) && !sim->method->books_pressure && !sim->method->books_all) {
         if (!find_viscous_power(sim, &viscous))
             return SPH2D_NOMEM;
         r->energy_viscous -= integrate(&r->power_viscous, viscous, span);

@@ -34,6 +34,10 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
 }
+SPH2D__INLINE sph2d__lanes sph2d__lanes_min(sph2d__lanes a, sph2d__lanes b)
+{
+    return (sph2d__lanes)_mm512_min_pd((__m512d)a, (__m512d)b);
+}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __mmask8 below = _mm512_cmp_pd_mask((__m512d)a, _mm512_set1_pd(limit), _CMP_LT_OQ);
@@ -90,6 +94,10 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
 }
+SPH2D__INLINE sph2d__lanes sph2d__lanes_min(sph2d__lanes a, sph2d__lanes b)
+{
+    return (sph2d__lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+}
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
 {
     __m256d below = _mm256_cmp_pd((__m256d)a, _mm256_set1_pd(limit), _CMP_LT_OQ);
@@ -133,6 +141,11 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+/** The smaller of the two in each lane; b where a is NaN. */
+SPH2D__INLINE sph2d__lanes sph2d__lanes_min(sph2d__lanes a, sph2d__lanes b)
+{
+    return (sph2d__lanes){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
 }
 /** `yes` in lanes where a is below the limit, `no` in the others. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)

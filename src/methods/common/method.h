@@ -58,6 +58,10 @@ typedef struct sph2d__method {
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
     /** Whether its steps book the work of pressure, which is dissipation where it is negative, and friction, too. */
     bool books_pressure;
+    /** Whether its steps book all dissipation themselves. */
+    bool books_all;
+    /** Whether the forces of walls are their means over a step, and known until its end. */
+    bool mean_forces;
     /** Whether its steps book the work of moving obstacles by pressure. */
     bool books_walls;
     /** Whether its steps are so long that a particle may cross several spacings, and one that a moving wall
@@ -77,6 +81,8 @@ SPH2D_METHOD_MAP(SPH2D__METHOD_DECLARE)
 #undef SPH2D__METHOD_DECLARE
 /** Method `wcsph` with fitted operators. */
 extern const sph2d__method sph2d__wcsph_fitted;
+/** Method `wcsph` with variational operators. */
+extern const sph2d__method sph2d__wcsph_variational;
 
 /** The entry for a scene's options; never NULL for a checked scene. */
 const sph2d__method *sph2d__method_find(const sph2d_method_options *options);

@@ -16,6 +16,7 @@ enum { SPH2D__PAIR_GAINS = 96, SPH2D__PAIR_GAIN_TOP = 4 };
 
 struct sph2d__rigid;
 struct sph2d__grid;
+struct sph2d__frozen;
 
 /** A pair of a fluid particle with a boundary particle of a body, and the gradient of its kernel (projection.h). */
 typedef struct sph2d__body_pair {
@@ -77,13 +78,14 @@ typedef struct sph2d__system {
     double *viscosities;       /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
     size_t viscosity_capacity;
     sph2d__implicit implicit;
-    struct sph2d__grid *grid; /**< hybrid: its grid, from the first step on (methods/hybrid/grid.h) */
-    double surface_tension;   /**< [N/m] */
-    double calibration;       /**< muller: factor on the density sum that gives a full lattice the rest density */
-    double side_fill;         /**< muller: F of muller_side.h, times rest density [kg/m^3] */
-    double corner_fill;       /**< muller: Q, times rest density [kg/m^3] */
-    double side_power;        /**< muller: m */
-    double modulus;           /**< muller: k, pressure over the excess of the density sum [m^2/s^2] */
+    struct sph2d__grid *grid;     /**< hybrid: its grid, from the first step on (methods/hybrid/grid.h) */
+    struct sph2d__frozen *frozen; /**< wcsph, variational: what stands still over a step (methods/variational) */
+    double surface_tension;       /**< [N/m] */
+    double calibration;           /**< muller: factor on the density sum that gives a full lattice the rest density */
+    double side_fill;             /**< muller: F of muller_side.h, times rest density [kg/m^3] */
+    double corner_fill;           /**< muller: Q, times rest density [kg/m^3] */
+    double side_power;            /**< muller: m */
+    double modulus;               /**< muller: k, pressure over the excess of the density sum [m^2/s^2] */
     /** muller: G, pressure in pairs over reported pressure, at densities from 1 to SPH2D__PAIR_GAIN_TOP times rest
      *  density */
     double pair_gain[SPH2D__PAIR_GAINS + 1];

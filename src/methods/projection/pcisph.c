@@ -102,6 +102,7 @@ const sph2d__method sph2d__pcisph = {
     .wall_force = sph2d__projection_wall_force,
     .elastic = sph2d__projection_elastic,
     .books_pressure = true,
+    .mean_forces = true,
     .couples_bodies = true,
     .stable_step = sph2d__projection_step,
 };

@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: MIT */
+/** @file variational_gather_pass.c
+ *  Finds the neighbours of method `wcsph` with variational operators, and sums what stands still over a step. Compiled
+ *  once for each instruction set, named by SPH2D__ISA, and in it once for each kernel. Every lane is a particle. */
+#include <math.h>
+
+#include "kernels/kernel.h"
+#include "methods/common/shortest.h"
+#include "methods/common/slices.h"
+#include "methods/variational/variational_pair.h"
+
+/** A symmetric matrix. */
+typedef struct symmetric {
+    double xx, xy, yy;
+} symmetric;
+
+/** Sums over the pairs of a slice. */
+typedef struct sums {
+    sph2d__lanes x, y, vx, vy, theta; /* of the particles */
+    sph2d__lanes value;               /* f(q), 1 for the weight of a particle of the liquid */
+    sph2d__lanes xx, xy, yy, gx, gy;  /* -G r^T and G */
+    sph2d__lanes uxx, uxy, vxx, vxy;  /* (v_j - v_i) G^T */
+    sph2d__lanes px, py;              /* (theta_j - theta_i) G */
+} sums;
+
+/** What walls add. */
+typedef struct wall_sums {
+    sph2d__lanes value, xx, xy, yy;
+} wall_sums;
+
+/* (|G| H)^2 of pairs that are none: at the end of the support, or what a list ends with. */
+static const double NO_PAIR = 1e-20;
+
+/** Keeps the gradients of a slice's pairs with one store and, for the time being, their distances; returns the sum of their
+ *  kernels. In a loop of its own: GCC 12 with -O3 drops conversions to float and back that are in sight. */
+SPH2D__INLINE sph2d__lanes keep_pairs(const sph2d__system *s, const sums *own, const sph2d__store *from, size_t at,
+                                      uint32_t slots, sph2d_kernel kernel)
+{
+    const sph2d__period *period = &s->fluid_cells.period;
+    const double h2 = s->support * s->support, scale = sph2d__kernel_constant(kernel) / (h2 * h2);
+    const double volume = s->mass / s->rest_density;
+    const bool walls = from == &s->walls;
+    const sph2d__lanes least = sph2d__lanes_all(NO_PAIR / (s->support * s->support));
+    sph2d__lanes value = {0}, weight = sph2d__lanes_all(1);
+    for (size_t k = at; k < at + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
+        const uint32_t *j = s->neighbours.index + k;
+        const sph2d__lanes dx = sph2d__shortest(own->x - sph2d__lanes_gather(from->x, j), period->length_x);
+        const sph2d__lanes dy = sph2d__shortest(own->y - sph2d__lanes_gather(from->y, j), period->length_y);
+        const sph2d__lanes r2 = dx * dx + dy * dy, q = sph2d__lanes_sqrt(r2) * (1 / s->support);
+        if (walls)
+            weight = sph2d__lanes_gather(s->frozen->wet, j) * sph2d__lanes_gather(from->mass, j) * (1 / s->mass);
+        sph2d__lanes slope = volume * scale * weight * sph2d__kernel_slope(kernel, q);
+        slope = sph2d__lanes_where(slope * slope * r2, least, slope);
+        value += weight * sph2d__kernel_value(kernel, q);
+        sph2d__float2_store(s->neighbours.gradient + k, sph2d__float2_of(slope * dx, slope * dy));
+        sph2d__float2_store(s->frozen->linear + k, sph2d__float2_of(dx, dy));
+    }
+    return value;
+}
+
+/** Sums over the fluid's slots. */
+SPH2D__INLINE void sum_fluid(const sph2d__system *s, const sph2d__slice *at, sph2d_kernel kernel, sums *to)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__store *f = &s->fluid;
+    sums sum = *to;
+    sum.value = keep_pairs(s, &sum, f, at->begin, at->fluid, kernel);
+    for (size_t k = at->begin; k < at->begin + (size_t)at->fluid * SPH2D__LANES; k += SPH2D__LANES) {
+        const uint32_t *j = n->index + k;
+        const sph2d__float2 g = sph2d__float2_load(n->gradient + k), r = sph2d__float2_load(s->frozen->linear + k);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g), rx = sph2d__float2_x(r),
+                           ry = sph2d__float2_y(r);
+        const sph2d__lanes ux = sph2d__lanes_gather(f->vx, j) - sum.vx, uy = sph2d__lanes_gather(f->vy, j) - sum.vy;
+        const sph2d__lanes jump = sph2d__lanes_gather(f->excess, j) - sum.theta;
+        sum.gx += gx;
+        sum.gy += gy;
+        sum.xx -= gx * rx;
+        sum.xy -= gx * ry;
+        sum.yy -= gy * ry;
+        sum.uxx += ux * gx;
+        sum.uxy += ux * gy;
+        sum.vxx += uy * gx;
+        sum.vxy += uy * gy;
+        sum.px += jump * gx;
+        sum.py += jump * gy;
+    }
+    *to = sum;
+}
+
+SPH2D__INLINE void sum_walls(const sph2d__system *s, const sph2d__slice *at, const sums *own, sph2d_kernel kernel,
+                             wall_sums *to)
+{
+    const size_t begin = at->begin + (size_t)at->fluid * SPH2D__LANES;
+    wall_sums sum = *to;
+    sum.value = keep_pairs(s, own, &s->walls, begin, at->walls, kernel);
+    for (size_t k = begin; k < begin + (size_t)at->walls * SPH2D__LANES; k += SPH2D__LANES) {
+        const sph2d__float2 g = sph2d__float2_load(s->neighbours.gradient + k),
+                            r = sph2d__float2_load(s->frozen->linear + k);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g), rx = sph2d__float2_x(r),
+                           ry = sph2d__float2_y(r);
+        sum.xx -= gx * rx;
+        sum.xy -= gx * ry;
+        sum.yy -= gy * ry;
+    }
+    *to = sum;
+}
+
+/** Writes the slots of pairs that may come close during the step. */
+SPH2D__INLINE uint32_t write_close(sph2d__system *s, sph2d__pairs *to, const sph2d__slice *at)
+{
+    sph2d__neighbours *n = &s->neighbours;
+    const double limit2 = s->frozen->apart * s->frozen->apart;
+    to->most = 0;
+    for (size_t l = 0; l < SPH2D__LANES; ++l) {
+        uint32_t *found = to->found + l * to->longest, count = 0;
+        size_t k = at->begin + l;
+        for (uint32_t slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
+            float r[2];
+            memcpy(r, s->frozen->linear + k, sizeof r);
+            if ((double)r[0] * (double)r[0] + (double)r[1] * (double)r[1] < limit2)
+                found[count++] = n->index[k];
+        }
+        to->counts[l] = count;
+        to->most = count > to->most ? count : to->most;
+    }
+    return sph2d__pairs_write(n, to, s->fluid.count);
+}
+
+/* ---- what becomes of a particle ---------------------------------------------------------------------------------- */
+
+/** The inverse of a matrix whose determinant is at least `least`, which turns into 1 below that (Ren et al. 2023). */
+static symmetric inverse_of(symmetric m, double least)
+{
+    const double det = m.xx * m.yy - m.xy * m.xy;
+    if (!(det > 1e-6))
+        return (symmetric){1, 0, 1};
+    const double part = det >= least ? 1 : det / least, share = part / det;
+    return (symmetric){share * m.yy + 1 - part, -share * m.xy, share * m.xx + 1 - part};
+}
+
+/** How much of B is left beside a wall that fills so much of the support: from 1 down to 0. */
+static double left_beside(double filled)
+{
+    const double s = fmax(1 - filled, 0);
+    return s * s * (3 - 2 * s);
+}
+
+/** Sums over the walls of a slice whose B are known. A wall of a known direction acts along its normal alone, as smooth as
+ *  it is, but for the pressure's gradient. */
+SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2d__slice *at)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__store *w = &s->walls;
+    sph2d__frozen *z = s->frozen;
+    const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + first), bxy = sph2d__lanes_load(z->bxy + first),
+                       byy = sph2d__lanes_load(z->byy + first), none = {0};
+    sph2d__lanes sx = {0}, sy = {0}, rate = {0}, tx = {0}, ty = {0}, away = {0}, weight = {0};
+    size_t k = at->begin + (size_t)at->fluid * SPH2D__LANES;
+    for (uint32_t slot = 0; slot < at->walls; ++slot, k += SPH2D__LANES) {
+        const uint32_t *b = n->index + k;
+        const sph2d__float2 g = sph2d__float2_load(n->gradient + k), r = sph2d__float2_load(z->linear + k);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g), rx = sph2d__float2_x(r),
+                           ry = sph2d__float2_y(r);
+        const sph2d__lanes nx = sph2d__lanes_gather(w->normal_x, b), ny = sph2d__lanes_gather(w->normal_y, b);
+        sph2d__lanes ax = bxx * gx + bxy * gy, ay = bxy * gx + byy * gy;
+        const sph2d__lanes along = ax * nx + ay * ny, flat = nx * nx + ny * ny;
+        const sph2d__lanes vx = sph2d__lanes_gather(w->vx, b), vy = sph2d__lanes_gather(w->vy, b),
+                           flux = vx * ax + vy * ay;
+        const sph2d__lanes near = sph2d__lanes_where(gx * gx + gy * gy, none, flux);
+        tx += sph2d__lanes_where(near * near, none, flux * rx);
+        ty += sph2d__lanes_where(near * near, none, flux * ry);
+        ax = sph2d__lanes_where(flat, none, along * nx) + sph2d__lanes_where(0.5 - flat, none, ax);
+        ay = sph2d__lanes_where(flat, none, along * ny) + sph2d__lanes_where(0.5 - flat, none, ay);
+        sx += ax;
+        sy += ay;
+        rate += 2 * (vx * ax + vy * ay);
+        const sph2d__lanes size = sph2d__lanes_where(flat, none, sph2d__lanes_max(along, -along));
+        weight += size;
+        away += sph2d__lanes_where(size, none, size * (rx * nx + ry * ny - sph2d__lanes_gather(w->depth, b)));
+    }
+    const sph2d__lanes axx = sph2d__lanes_load(z->axx + first), axy = sph2d__lanes_load(z->axy + first),
+                       ayy = sph2d__lanes_load(z->ayy + first), walled = sph2d__lanes_load(z->walled + first);
+    sph2d__lanes_store(z->sx + first, sx);
+    sph2d__lanes_store(z->sy + first, sy);
+    sph2d__lanes_store(z->wall_rate + first, rate);
+    sph2d__lanes_store(z->wall_zx + first, -walled * (axx * tx + axy * ty));
+    sph2d__lanes_store(z->wall_zy + first, -walled * (axy * tx + ayy * ty));
+    /* What is linear of the speed towards the wall and its image. */
+    const sph2d__lanes size2 = sx * sx + sy * sy;
+    const sph2d__float2 v = sph2d__float2_load(z->slope_v + first), u = sph2d__float2_load(z->slope_w + first);
+    const sph2d__lanes stretch =
+        sph2d__float2_x(v) * sx * sx + 2 * sph2d__float2_y(v) * sx * sy + sph2d__float2_x(u) * sy * sy;
+    const sph2d__lanes distance = sph2d__lanes_where(weight, none, away / weight);
+    sph2d__lanes_store(z->wall_linear + first, sph2d__lanes_where(size2, none, -2 * distance * stretch / size2));
+}
+
+/* The least determinants: of M for B, of F for slopes, and of F for a gradient that continues a pressure into walls. Below
+ * them there are too few neighbours. */
+static const double LEAST_BOTH = 0.5, LEAST_FLUID = 0.1, LEAST_CONTINUED = 0.15;
+/* det F from which on, and up to which, dissipation sets in that vanishes for linear fields: none beside walls and at
+ * surfaces. */
+static const double SMOOTH_FROM = 0.4, SMOOTH_TO = 0.9;
+/* Trace of M below which a particle is at the surface: 2 inside, 1 at a flat surface. */
+static const double SURFACE_TRACE = 1.5;
+
+static void finish(const sph2d__system *s, size_t i, int l, const sums *f, const wall_sums *w, sph2d_kernel kernel)
+{
+    sph2d__frozen *z = s->frozen;
+    const symmetric fluid = {f->xx[l], f->xy[l], f->yy[l]}, wall = {w->xx[l], w->xy[l], w->yy[l]};
+    const symmetric both = {fluid.xx + wall.xx, fluid.xy + wall.xy, fluid.yy + wall.yy};
+    const double ratio = s->spacing / s->support;
+    const double filled = w->value[l] * sph2d__kernel_constant(kernel) * ratio * ratio, left = left_beside(filled);
+    symmetric b = inverse_of(both, LEAST_BOTH);
+    b = (symmetric){1 + left * (b.xx - 1), left * b.xy, 1 + left * (b.yy - 1)};
+    symmetric a = inverse_of(fluid, LEAST_FLUID);
+    z->slope_v[i] =
+        sph2d__pair_of_floats(a.xx * f->uxx[l] + a.xy * f->uxy[l],
+                              (a.xy * f->uxx[l] + a.yy * f->uxy[l] + a.xx * f->vxx[l] + a.xy * f->vxy[l]) / 2);
+    z->slope_w[i] = sph2d__pair_of_floats(a.xy * f->vxx[l] + a.yy * f->vxy[l], 0);
+    z->slope_p[i] = sph2d__pair_of_floats(a.xx * f->px[l] + a.xy * f->py[l], a.xy * f->px[l] + a.yy * f->py[l]);
+    const bool walled = filled > 0 && fluid.xx * fluid.yy - fluid.xy * fluid.xy > LEAST_CONTINUED;
+    const double det = fluid.xx * fluid.yy - fluid.xy * fluid.xy,
+                 reach = fmax(fmin((det - SMOOTH_FROM) / (SMOOTH_TO - SMOOTH_FROM), 1), 0);
+    z->smooth[i] = reach * reach * (3 - 2 * reach);
+    /* C = -B (M - F) A */
+    const double c = walled ? -1 : 0;
+    const double txx = c * (b.xx * wall.xx + b.xy * wall.xy), txy = c * (b.xx * wall.xy + b.xy * wall.yy);
+    const double tyx = c * (b.xy * wall.xx + b.yy * wall.xy), tyy = c * (b.xy * wall.xy + b.yy * wall.yy);
+    z->cxx[i] = txx * a.xx + txy * a.xy;
+    z->cxy[i] = txx * a.xy + txy * a.yy;
+    z->cyx[i] = tyx * a.xx + tyy * a.xy;
+    z->cyy[i] = tyx * a.xy + tyy * a.yy;
+    z->axx[i] = a.xx;
+    z->axy[i] = a.xy;
+    z->ayy[i] = a.yy;
+    z->bxx[i] = b.xx;
+    z->bxy[i] = b.xy;
+    z->byy[i] = b.yy;
+    z->nx[i] = f->gx[l];
+    z->ny[i] = f->gy[l];
+    z->sx[i] = z->sy[i] = z->wall_rate[i] = z->wall_zx[i] = z->wall_zy[i] = z->wall_linear[i] = 0;
+    z->walled[i] = walled;
+    z->surface[i] = both.xx + both.yy < SURFACE_TRACE;
+    const double own = sph2d__kernel_value_at(kernel, 0);
+    z->summed[i] = (own + f->value[l] + w->value[l]) / s->lattice_values - sph2d__density_ratio(s->fluid.excess[i]);
+    z->mean_work[i] = z->mean_ex[i] = z->mean_ey[i] = 0;
+}
+
+/** Everything about the particles `first` on of a slice. */
+SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first, sph2d_kernel kernel)
+{
+    sph2d__neighbours *n = &s->neighbours;
+    const sph2d__store *f = &s->fluid;
+    sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    const double h2 = s->support * s->support;
+    sums sum = {.x = sph2d__lanes_load(f->x + first),
+                .y = sph2d__lanes_load(f->y + first),
+                .vx = sph2d__lanes_load(f->vx + first),
+                .vy = sph2d__lanes_load(f->vy + first),
+                .theta = sph2d__lanes_load(f->excess + first)};
+    wall_sums walls = {0};
+    *at = (sph2d__slice){.begin = to->next};
+    sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
+    at->fluid = sph2d__pairs_write(n, to, f->count);
+    sum_fluid(s, at, kernel, &sum);
+    if (s->walls_press) {
+        sph2d__pairs_search(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
+        at->walls = sph2d__pairs_write(n, to, s->walls.count);
+        sum_walls(s, at, &sum, kernel, &walls);
+    }
+    s->frozen->close[first / SPH2D__LANES] = write_close(s, to, at);
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < f->count; ++l)
+        finish(s, first + (size_t)l, l, &sum, &walls, kernel);
+    if (at->walls > 0)
+        finish_walls(s, first, at);
+}
+
+/** Gathers for the particles of slab k. False when it is full. */
+SPH2D__INLINE bool gather_slab(sph2d__system *s, size_t k, sph2d_kernel kernel)
+{
+    sph2d__pairs to = sph2d__pairs_start(&s->neighbours, k);
+    const size_t count = s->fluid.count, end = (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count;
+    for (size_t i = k * SPH2D__SLAB; i < end && !to.full; i += SPH2D__LANES)
+        gather_slice(s, &to, i, kernel);
+    return !to.full;
+}
+
+/* ---- what is linear ---------------------------------------------------------------------------------------------- */
+
+/** Keeps 1/|G| of a slice's pairs. */
+SPH2D__INLINE void keep_inverse(const sph2d__system *s, const sph2d__slice *at)
+{
+    const sph2d__lanes none = {0};
+    for (size_t k = at->begin; k < at->begin + (size_t)at->fluid * SPH2D__LANES; k += SPH2D__LANES) {
+        const sph2d__float2 g = sph2d__float2_load(s->neighbours.gradient + k);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g), g2 = gx * gx + gy * gy;
+        const sph2d__lanes inverse = sph2d__lanes_where(g2, none, 1 / sph2d__lanes_sqrt(g2));
+        for (int l = 0; l < SPH2D__LANES; ++l)
+            s->frozen->inverse[k + (size_t)l] = (float)inverse[l];
+    }
+}
+
+/** Sums over a slice's pairs once all slopes are known. */
+typedef struct compared {
+    sph2d__lanes weight, sx, sy;  /* of |G|, and |G| r */
+    sph2d__lanes surface, walled; /* 1 where one of the neighbours is */
+} compared;
+
+/** Replaces the distances of a slice's pairs by what is linear in them. */
+SPH2D__INLINE compared compare_pairs(const sph2d__system *s, size_t first, const sph2d__slice *at)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    sph2d__frozen *z = s->frozen;
+    const sph2d__float2 v = sph2d__float2_load(z->slope_v + first), w = sph2d__float2_load(z->slope_w + first),
+                        p = sph2d__float2_load(z->slope_p + first);
+    const sph2d__lanes none = {0};
+    compared sum = {.surface = sph2d__lanes_load(z->surface + first), .walled = sph2d__lanes_load(z->walled + first)};
+    for (size_t k = at->begin; k < at->begin + (size_t)at->fluid * SPH2D__LANES; k += SPH2D__LANES) {
+        const uint32_t *j = n->index + k;
+        const sph2d__float2 g = sph2d__float2_load(n->gradient + k), r = sph2d__float2_load(z->linear + k);
+        const sph2d__float2 vs = v + sph2d__float2_gather(z->slope_v, j), ws = w + sph2d__float2_gather(z->slope_w, j),
+                            ps = p + sph2d__float2_gather(z->slope_p, j);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g);
+        const sph2d__lanes rx = sph2d__float2_x(r), ry = sph2d__float2_y(r);
+        const sph2d__lanes inverse = sph2d__lanes_of_floats(z->inverse + k), size = (gx * gx + gy * gy) * inverse;
+        /* e . S r with e = -G/|G| */
+        const sph2d__lanes along = gx * (sph2d__float2_x(vs) * rx + sph2d__float2_y(vs) * ry) +
+                                   gy * (sph2d__float2_y(vs) * rx + sph2d__float2_x(ws) * ry);
+        const sph2d__lanes jump = sph2d__float2_x(ps) * rx + sph2d__float2_y(ps) * ry;
+        sph2d__float2_store(z->linear + k, sph2d__float2_of(sph2d__lanes_where(inverse, none, -0.5 * inverse * along),
+                                                            sph2d__lanes_where(inverse, none, 0.5 * jump)));
+        sum.weight += size;
+        sum.sx += sph2d__lanes_where(inverse, none, size * rx);
+        sum.sy += sph2d__lanes_where(inverse, none, size * ry);
+        sum.surface =
+            sph2d__lanes_max(sum.surface, sph2d__lanes_where(inverse, none, sph2d__lanes_gather(z->surface, j)));
+        sum.walled = sph2d__lanes_max(sum.walled, sph2d__lanes_where(inverse, none, sph2d__lanes_gather(z->walled, j)));
+    }
+    return sum;
+}
+
+SPH2D__INLINE void compare_slice(const sph2d__system *s, size_t first)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__slice *at = &s->neighbours.slices[first / SPH2D__LANES];
+    keep_inverse(s, at);
+    const compared sum = compare_pairs(s, first, at);
+    const sph2d__lanes mean = sph2d__lanes_where(sum.weight, (sph2d__lanes){0}, 1 / sum.weight);
+    const sph2d__lanes axy = sph2d__lanes_load(z->axy + first);
+    sph2d__lanes_store(z->weight + first, sum.weight);
+    sph2d__lanes_store(z->kx + first, mean * (sph2d__lanes_load(z->axx + first) * sum.sx + axy * sum.sy));
+    sph2d__lanes_store(z->ky + first, mean * (axy * sum.sx + sph2d__lanes_load(z->ayy + first) * sum.sy));
+    int flags = 0;
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < s->fluid.count; ++l) {
+        const size_t i = first + (size_t)l;
+        flags |= (z->walled[i] > 0 ? SPH2D__FROZEN_WALLED : 0) | (sum.walled[l] > 0 ? SPH2D__FROZEN_BESIDE : 0);
+        if (sum.surface[l] > 0) /* of what is cut off the sum knows nothing */
+            z->summed[i] = fmax(z->summed[i], 0);
+    }
+    z->flags[first / SPH2D__LANES] = (unsigned char)flags;
+}
+
+static void compare(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; i += SPH2D__LANES)
+        compare_slice(s, i);
+}
+
+/* ---- one for every kernel ---------------------------------------------------------------------------------------- */
+
+#define FOR_KERNEL(name, word)                                                                                         \
+    static bool gather_##word(sph2d__system *s, size_t k)                                                              \
+    {                                                                                                                  \
+        return gather_slab(s, k, SPH2D_KERNEL_##name);                                                                 \
+    }
+SPH2D_KERNEL_MAP(FOR_KERNEL)
+
+#define ENTRY(name, word) [SPH2D_KERNEL_##name] = gather_##word,
+const sph2d__variational_gather_pass SPH2D__OF_ISA(sph2d__variational_gather) = {
+    .lanes = SPH2D__LANES, .gather = {SPH2D_KERNEL_MAP(ENTRY)}, .compare = compare};

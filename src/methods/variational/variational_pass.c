@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: MIT */
+/** @file variational_pass.c
+ *  The sweeps of an acoustic step over pairs that stand still. Compiled once for each instruction set, named by
+ *  SPH2D__ISA. Every lane is a particle. */
+#include "methods/common/shortest.h"
+#include "methods/variational/variational_pair.h"
+
+/** Sums of a force over the pairs of a slice. */
+typedef struct force_sums {
+    sph2d__lanes px, py; /* P_j B_j G_ij */
+    sph2d__lanes dx, dy; /* b s G_ij */
+    sph2d__lanes vx, vy; /* w G_ij */
+    sph2d__lanes diffused;
+    sph2d__lanes rx, ry; /* r_j c_ji */
+    sph2d__lanes ex, ey; /* P_k G_ik */
+} force_sums;
+
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    const sph2d__float2 own_v = sph2d__float2_load(z->velocity + first);
+    const sph2d__lanes vx = sph2d__float2_x(own_v), vy = sph2d__float2_y(own_v);
+    const sph2d__lanes theta = sph2d__float2_y(sph2d__float2_load(z->press_more + first));
+    const double limiter = SPH2D__LIMITER / s->sound_speed;
+    const sph2d__lanes one = sph2d__lanes_all(1);
+    const bool walled = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_WALLED, viscous = s->viscosity > 0;
+    force_sums sum = {0};
+    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
+        const uint32_t *j = n->index + k;
+        const sph2d__float2 g = sph2d__float2_load(n->gradient + k), linear = sph2d__float2_load(z->linear + k);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g),
+                           inverse = sph2d__lanes_of_floats(z->inverse + k);
+        const sph2d__float2 q = sph2d__float2_gather(z->press, j), more = sph2d__float2_gather(z->press_more, j);
+        const sph2d__float2 v = sph2d__float2_gather(z->velocity, j);
+        const sph2d__lanes qxy = sph2d__float2_y(q);
+        sum.px += sph2d__float2_x(q) * gx + qxy * gy;
+        sum.py += qxy * gx + sph2d__float2_x(more) * gy;
+        const sph2d__lanes w = -inverse * ((vx - sph2d__float2_x(v)) * gx + (vy - sph2d__float2_y(v)) * gy);
+        const sph2d__lanes apart = sph2d__minmod(w, w - sph2d__float2_x(linear));
+        const sph2d__lanes size = sph2d__lanes_max(apart, -apart);
+        const sph2d__lanes brake = sph2d__lanes_min(limiter * size, one) * apart;
+        sum.dx += brake * gx;
+        sum.dy += brake * gy;
+        if (viscous) {
+            sum.vx += w * gx;
+            sum.vy += w * gy;
+        }
+        const sph2d__lanes size_g = (gx * gx + gy * gy) * inverse;
+        const sph2d__float2 rest = sph2d__float2_gather(z->rest, j), rest_x = sph2d__float2_gather(z->rest_x, j),
+                            rest_y = sph2d__float2_gather(z->rest_y, j);
+        sum.rx += sph2d__float2_x(rest) * size_g - sph2d__float2_x(rest_x) * gx - sph2d__float2_y(rest_x) * gy;
+        sum.ry += sph2d__float2_y(rest) * size_g - sph2d__float2_x(rest_y) * gx - sph2d__float2_y(rest_y) * gy;
+        const sph2d__lanes jump = theta - sph2d__float2_y(more);
+        sum.diffused += sph2d__minmod(jump, jump - sph2d__float2_y(linear)) * size_g;
+        if (walled) {
+            const sph2d__lanes work = sph2d__lanes_gather(z->work, j);
+            sum.ex += work * gx;
+            sum.ey += work * gy;
+        }
+    }
+    return sum;
+}
+
+/** Adds the repulsion of close pairs to dx and dy, over V0 rho0 c0. */
+SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sums *sum)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    const sph2d__period *period = &s->fluid_cells.period;
+    const double strength = SPH2D__REPULSION * s->sound_speed / s->spacing, unit = 1 / (SPH2D__CLOSE * s->spacing);
+    const sph2d__lanes x = sph2d__lanes_load(z->px + first), y = sph2d__lanes_load(z->py + first), none = {0};
+    size_t k = at->begin + ((size_t)at->fluid + at->walls) * SPH2D__LANES;
+    for (uint32_t slot = 0; slot < z->close[first / SPH2D__LANES]; ++slot, k += SPH2D__LANES) {
+        const sph2d__lanes dx = sph2d__shortest(x - sph2d__lanes_gather(z->px, n->index + k), period->length_x);
+        const sph2d__lanes dy = sph2d__shortest(y - sph2d__lanes_gather(z->py, n->index + k), period->length_y);
+        const sph2d__lanes r = sph2d__lanes_sqrt(dx * dx + dy * dy);
+        const sph2d__lanes t = sph2d__lanes_max(1 - unit * r, none),
+                           push = sph2d__lanes_where(r, none, strength * t * t / r);
+        sum->dx += push * dx;
+        sum->dy += push * dy;
+    }
+}
+
+/** A vector in each lane. */
+typedef struct vectors {
+    sph2d__lanes x, y;
+} vectors;
+
+SPH2D__INLINE vectors load(const double *x, const double *y, size_t i)
+{
+    return (vectors){sph2d__lanes_load(x + i), sph2d__lanes_load(y + i)};
+}
+
+SPH2D__INLINE sph2d__lanes dot(vectors a, vectors b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+/** Adds the lanes of particles below `last` to a sum, one after another. */
+SPH2D__INLINE void add_lanes(double *sum, sph2d__lanes a, size_t first, size_t last)
+{
+    for (int l = 0; l < SPH2D__LANES && first + (size_t)l < last; ++l)
+        *sum += a[l];
+}
+
+/** The force of walls: of the pressure before them, and l, which is also returned. */
+SPH2D__INLINE sph2d__lanes add_walls(const sph2d__system *s, size_t i, const force_sums *f, vectors *force)
+{
+    sph2d__frozen *z = s->frozen;
+    const vectors wall = load(z->sx, z->sy, i), v = load(s->fluid.vx, s->fluid.vy, i);
+    const sph2d__lanes p = sph2d__lanes_load(z->work + i), none = {0};
+    const double c = s->sound_speed;
+    const sph2d__lanes size = sph2d__lanes_sqrt(dot(wall, wall)),
+                       to = 2 * dot(v, wall) - sph2d__lanes_load(z->wall_rate + i);
+    const sph2d__lanes w = sph2d__lanes_where(size, none, to / size);
+    const sph2d__lanes apart = sph2d__lanes_max(sph2d__minmod(w, w - sph2d__lanes_load(z->wall_linear + i)), none);
+    const sph2d__lanes brake = s->mass * c * sph2d__lanes_min(SPH2D__LIMITER / c * apart, sph2d__lanes_all(1)) * apart;
+    const sph2d__lanes press = 2 * p + brake, walled = sph2d__lanes_load(z->walled + i);
+    const vectors e = {f->ex - p * sph2d__lanes_load(z->nx + i), f->ey - p * sph2d__lanes_load(z->ny + i)};
+    force->x += dot(load(z->cxx, z->cxy, i), e) - press * wall.x;
+    force->y += dot(load(z->cyx, z->cyy, i), e) - press * wall.y;
+    sph2d__lanes_store(z->mean_work + i, sph2d__lanes_load(z->mean_work + i) + z->share * press);
+    sph2d__lanes_store(z->mean_ex + i,
+                       sph2d__lanes_load(z->mean_ex + i) + z->share * dot(load(z->axx, z->axy, i), e) * walled);
+    sph2d__lanes_store(z->mean_ey + i,
+                       sph2d__lanes_load(z->mean_ey + i) + z->share * dot(load(z->axy, z->ayy, i), e) * walled);
+    return brake;
+}
+
+/** The acceleration by forces that places and velocities alone determine. */
+SPH2D__INLINE vectors fall(const sph2d__system *s, size_t i, vectors v)
+{
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__body *b = &s->body;
+    const vectors at = load(z->px, z->py, i);
+    vectors a = {b->gravity_x - b->central_rate2 * (at.x - b->center_x),
+                 b->gravity_y - b->central_rate2 * (at.y - b->center_y)};
+    if (!b->frame.moves && b->point_count == 0)
+        return a;
+    for (int l = 0; l < SPH2D__LANES && i + (size_t)l < s->fluid.count; ++l) {
+        double ax = 0, ay = 0;
+        sph2d__body_add(b, at.x[l], at.y[l], v.x[l], v.y[l], &ax, &ay);
+        a.x[l] = ax;
+        a.y[l] = ay;
+    }
+    return a;
+}
+
+/** Velocities by the forces of an acoustic step. */
+SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, sph2d__slab_sum *sum)
+{
+    sph2d__frozen *z = s->frozen;
+    sph2d__store *t = &s->fluid;
+    const double dt = z->dt, m = s->mass, strength = m * s->sound_speed; /* V0 rho0 c0 */
+    const sph2d__float2 q = sph2d__float2_load(z->press + i), more = sph2d__float2_load(z->press_more + i);
+    const vectors n = load(z->nx, z->ny, i), v = load(t->vx, t->vy, i);
+    /* P B as rounded as neighbours see it, so that forces of pairs are opposite. */
+    const sph2d__lanes qxx = sph2d__float2_x(q), qxy = sph2d__float2_y(q), qyy = sph2d__float2_x(more);
+    const sph2d__float2 rest = sph2d__float2_load(z->rest + i), rest_x = sph2d__float2_load(z->rest_x + i),
+                        rest_y = sph2d__float2_load(z->rest_y + i);
+    const sph2d__lanes weight = sph2d__lanes_load(z->weight + i);
+    const double hv = SPH2D__SMOOTHING / s->spacing;
+    const sph2d__lanes rx =
+        sph2d__float2_x(rest) * weight + sph2d__float2_x(rest_x) * n.x + sph2d__float2_y(rest_x) * n.y;
+    const sph2d__lanes ry =
+        sph2d__float2_y(rest) * weight + sph2d__float2_x(rest_y) * n.x + sph2d__float2_y(rest_y) * n.y;
+    const vectors d = {strength * (f->dx + hv * (f->rx - rx)), strength * (f->dy + hv * (f->ry - ry))};
+    const double thick = m / s->rest_density * s->viscosity * s->central_weight;
+    const vectors drag = {thick * f->vx, thick * f->vy};
+    vectors force = {d.x + drag.x - f->px - (qxx * n.x + qxy * n.y), d.y + drag.y - f->py - (qxy * n.x + qyy * n.y)};
+    const bool walls = s->neighbours.slices[i / SPH2D__LANES].walls > 0;
+    sph2d__lanes brake = {0};
+    if (walls)
+        brake = add_walls(s, i, f, &force);
+    vectors a = fall(s, i, v);
+    a = (vectors){a.x + force.x / m, a.y + force.y / m};
+    const vectors middle = {v.x + dt / 2 * a.x, v.y + dt / 2 * a.y}, next = {v.x + dt * a.x, v.y + dt * a.y};
+    sph2d__lanes work = dt * dot(d, middle);
+    if (walls)
+        work -= dt * brake * (dot(load(z->sx, z->sy, i), middle) - 0.5 * sph2d__lanes_load(z->wall_rate + i));
+    add_lanes(&sum->first, work, i, last);
+    add_lanes(&sum->second, dt * dot(drag, middle), i, last);
+    sph2d__lanes_store(z->diffused + i, -dt * SPH2D__DIFFUSION * s->sound_speed * f->diffused);
+    sph2d__lanes_store(t->ax + i, a.x);
+    sph2d__lanes_store(t->ay + i, a.y);
+    sph2d__lanes_store(t->vx + i, next.x);
+    sph2d__lanes_store(t->vy + i, next.y);
+    sph2d__float2_store(z->next_velocity + i, sph2d__float2_of(next.x, next.y));
+    if (!walls)
+        return;
+    sph2d__lanes_store(z->next_zx + i, dot(load(z->cxx, z->cyx, i), next) + sph2d__lanes_load(z->wall_zx + i));
+    sph2d__lanes_store(z->next_zy + i, dot(load(z->cxy, z->cyy, i), next) + sph2d__lanes_load(z->wall_zy + i));
+}
+
+static void force(sph2d__system *s, size_t first, size_t last, sph2d__slab_sum *to)
+{
+    sph2d__slab_sum sum = *to;
+    for (size_t i = first; i < last; i += SPH2D__LANES) {
+        force_sums f = sum_forces(s, i);
+        if (s->frozen->close[i / SPH2D__LANES] > 0)
+            add_repulsion(s, i, &f);
+        kick(s, i, last, &f, &sum);
+    }
+    *to = sum;
+}
+
+/** Sums of a rate of density: (v_i - v_j) G^T, and z_k . G_ik; and (v_i - v_j) |G|. */
+typedef struct rate_sums {
+    sph2d__lanes xx, xy, yx, yy, z, x, y;
+} rate_sums;
+
+SPH2D__INLINE rate_sums sum_rates(const sph2d__system *s, size_t first)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    const sph2d__float2 own_v = sph2d__float2_load(z->velocity + first);
+    const bool beside = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_BESIDE;
+    rate_sums sum = {0};
+    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
+        const uint32_t *j = n->index + k;
+        const sph2d__float2 g = sph2d__float2_load(n->gradient + k);
+        const sph2d__float2 v = own_v - sph2d__float2_gather(z->velocity, j);
+        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g);
+        const sph2d__lanes vx = sph2d__float2_x(v), vy = sph2d__float2_y(v);
+        sum.xx += vx * gx;
+        sum.xy += vx * gy;
+        sum.yx += vy * gx;
+        sum.yy += vy * gy;
+        const sph2d__lanes size = (gx * gx + gy * gy) * sph2d__lanes_of_floats(z->inverse + k);
+        sum.x += vx * size;
+        sum.y += vy * size;
+        if (beside)
+            sum.z += sph2d__lanes_gather(z->zx, j) * gx + sph2d__lanes_gather(z->zy, j) * gy;
+    }
+    return sum;
+}
+
+/** For how long rates act before diffusion, and after it [s]. */
+typedef struct times {
+    double before, after;
+} times;
+
+/** The logarithm of density by its rate and diffusion, then P. */
+SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sums *r, times time, sph2d__slab_sum *sum)
+{
+    sph2d__frozen *z = s->frozen;
+    sph2d__store *t = &s->fluid;
+    const double stiffness = s->mass * s->sound_speed * s->sound_speed;
+    const double drift = time.before + time.after;
+    const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + i), bxy = sph2d__lanes_load(z->bxy + i),
+                       byy = sph2d__lanes_load(z->byy + i);
+    const vectors v = load(t->vx, t->vy, i), at = load(z->px, z->py, i);
+    sph2d__lanes rate = bxx * r->xx + bxy * (r->xy + r->yx) + byy * r->yy + r->z;
+    if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
+        rate += 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i) +
+                dot(load(z->zx, z->zy, i), load(z->nx, z->ny, i));
+    const sph2d__lanes smooth = sph2d__lanes_load(z->smooth + i), weight = sph2d__lanes_load(z->weight + i);
+    const vectors k = load(z->kx, z->ky, i);
+    const sph2d__lanes part = smooth * sph2d__lanes_where(weight, (sph2d__lanes){0}, 1 / weight);
+    const sph2d__lanes rx = part * r->x + smooth * (r->xx * k.x + r->xy * k.y);
+    const sph2d__lanes ry = part * r->y + smooth * (r->yx * k.x + r->yy * k.y);
+    sph2d__float2_store(z->rest + i, sph2d__float2_of(part * rx, part * ry));
+    sph2d__float2_store(z->rest_x + i, sph2d__float2_of(smooth * rx * k.x, smooth * rx * k.y));
+    sph2d__float2_store(z->rest_y + i, sph2d__float2_of(smooth * ry * k.x, smooth * ry * k.y));
+    const sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
+    const sph2d__lanes before = sph2d__lanes_load(t->excess + i) + time.before * rate;
+    const sph2d__lanes damping = sph2d__lanes_load(z->damping + i), damped = damping * rate;
+    const sph2d__lanes theta = before + change + time.after * rate;
+    const sph2d__lanes work = stiffness * theta + damped;
+    add_lanes(&sum->first, damping * sph2d__lanes_load(z->rate + i) * time.before * rate + time.after * damped * rate,
+              i, last);
+    sph2d__lanes_store(z->rate + i, rate);
+    add_lanes(&sum->second, stiffness * change * (before + 0.5 * change), i, last);
+    add_lanes(&sum->third, rate * rate, i, last);
+    sph2d__lanes_store(t->excess + i, theta);
+    sph2d__lanes_store(z->px + i, at.x + drift * v.x);
+    sph2d__lanes_store(z->py + i, at.y + drift * v.y);
+    sph2d__lanes_store(z->work + i, work);
+    sph2d__float2_store(z->press + i, sph2d__float2_of(work * bxx, work * bxy));
+    sph2d__float2_store(z->press_more + i, sph2d__float2_of(work * byy, theta));
+}
+
+static void rate(sph2d__system *s, size_t first, size_t last, double before, double after, sph2d__slab_sum *to)
+{
+    sph2d__slab_sum sum = *to;
+    for (size_t i = first; i < last; i += SPH2D__LANES) {
+        const rate_sums r = sum_rates(s, i);
+        drift(s, i, last, &r, (times){before, after}, &sum);
+    }
+    *to = sum;
+}
+
+const sph2d__variational_pass SPH2D__OF_ISA(sph2d__variational) = {.force = force, .rate = rate};
