@@ -63,7 +63,8 @@ static inline double sph2d__density_ratio(double theta)
     X(axy)                                                                                                             \
     X(ayy) /* A */                                                                                                     \
     X(cxx)                                                                                                             \
-    X(cxy) X(cyx) X(cyy)                   /* C */                                                                     \
+    X(cxy)                                                                                                             \
+    X(cyx) X(cyy)                          /* C */                                                                     \
         X(nx) X(ny)                        /* N */                                                                     \
         X(sx) X(sy)                        /* S */                                                                     \
         X(wall_rate)                       /* q [1/s] */                                                               \
@@ -97,7 +98,7 @@ typedef struct sph2d__frozen {
     size_t capacity;      /**< particles */
     double *linear;       /**< of each pair: what is linear of w [m/s] and of theta_ij, two floats */
     float *inverse;       /**< of each pair: 1/|G| [m] */
-    unsigned char *flags; /**< of each slice: sph2d__frozen_flag */
+    unsigned char *flags; /**< of each slice: SPH2D__FROZEN_WALLED, _BESIDE */
     uint32_t *close;      /**< of each slice: slots of pairs that may come close, behind those with walls */
     size_t pairs, slices;
     double dt;    /**< of an acoustic step [s] */
@@ -108,7 +109,7 @@ typedef struct sph2d__frozen {
 /* r0 over dx: nearer pairs repel each other. */
 static const double SPH2D__CLOSE = 0.5;
 
-/** Of a slice. */
+/** Of a slice: one of its particles has walls' pressures by a gradient, or a neighbour that has. */
 enum { SPH2D__FROZEN_WALLED = 1, SPH2D__FROZEN_BESIDE = 2 };
 
 /** What stands still, compiled once for each instruction set. */
