@@ -44,6 +44,7 @@
     X(limited_viscosity)                                                                                               \
     X(hybrid)                                                                                                          \
     X(variational)                                                                                                     \
+    X(variational_loads)                                                                                               \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

@@ -143,8 +143,8 @@ START_TEST(a_standing_wave_keeps_its_height)
     start();
     const double period = 2 * TEST_PI / sqrt(G * TEST_PI * tanh(TEST_PI));
     const double first = mode_until(period, period), last = mode_until(6 * period, period);
-    ck_assert_double_ge(last, 0.9 * first);
-    ck_assert_double_le(last, 1.05 * first);
+    ck_assert_double_ge(last, 0.98 * first);
+    ck_assert_double_le(last, 1.02 * first);
     sph2d_sim_destroy(pool.sim);
 }
 END_TEST
@@ -173,8 +173,7 @@ START_TEST(a_drop_in_a_central_force_goes_on)
 }
 END_TEST
 
-/** Shear sin(2 pi y) between periodic sides decays by exp(-nu k^2 t): along the rows of a lattice by 5 % too
- *  slowly, across them by as much too fast. */
+/** Shear sin(2 pi y) between periodic sides decays by exp(-nu k^2 t). */
 START_TEST(shear_decays_by_its_viscosity)
 {
     lay_out(0.02, 1, 1, 50);
@@ -194,7 +193,26 @@ START_TEST(shear_decays_by_its_viscosity)
     for (size_t i = 0; i < f->count; ++i)
         after += f->vx[i] * sin(2 * TEST_PI * f->y[i]);
     const double rate = -log(after / before) / sph2d_sim_time(pool.sim), exact = 0.05 * 4 * TEST_PI * TEST_PI;
-    ck_assert_double_eq_tol(rate, exact, 0.06 * exact);
+    ck_assert_double_eq_tol(rate, exact, 0.015 * exact);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/** Liquid that falls between an obstacle and the sides is held by them: a guard hardly stops any of it, where it stopped
+ *  2 in 1000 particles a step without images. */
+START_TEST(walls_hold_by_themselves)
+{
+    lay_out(0.02, 1, 1, 0);
+    add(0, 0, 0.4, 0.6);
+    pool.obstacle = sph2d_obstacle_default();
+    pool.obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.7, 0}, {0.8, 0.2}}};
+    pool.scene.obstacles = &pool.obstacle;
+    pool.scene.obstacle_count = 1;
+    start();
+    const sph2d_summary s = run_until(1);
+    const double hits = (double)pool.sim->record.backstop_hits;
+    ck_assert_double_le(hits, 1e-4 * (double)(pool.sim->record.steps * pool.sim->system.fluid.count));
+    ck_assert_double_le(fabs(s.energy_error), 1e-7 * sph2d__sim_energy_scale(pool.sim));
     sph2d_sim_destroy(pool.sim);
 }
 END_TEST
@@ -297,6 +315,7 @@ Suite *suite_variational(void)
     tcase_add_test(tests, a_standing_wave_keeps_its_height);
     tcase_add_test(tests, a_drop_in_a_central_force_goes_on);
     tcase_add_test(tests, shear_decays_by_its_viscosity);
+    tcase_add_test(tests, walls_hold_by_themselves);
     tcase_add_test(tests, a_tank_carries_its_liquid);
     tcase_add_test(tests, particles_that_meet_come_apart);
     tcase_add_test(tests, the_bits_are_always_the_same);

@@ -55,6 +55,8 @@ typedef struct sph2d__rigid {
     sph2d__twist before; /**< force of the liquid at the start of the step ... */
     sph2d__twist gap_before; /**< ... and that of gaps */
     sph2d__twist other;      /**< all forces but pressure and contacts, as they are known before it */
+    sph2d__twist rubbed;     /**< the part of `pushed` by friction */
+    sph2d__twist done;       /**< change of velocity by forces whose work over the step is known before contacts are */
 } sph2d__rigid;
 
 /** Acceleration by a force, where the body is free. */

@@ -60,6 +60,9 @@ sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs
         total.first += n->sums[k].first;
         total.second += n->sums[k].second;
         total.third += n->sums[k].third;
+        total.fourth += n->sums[k].fourth;
+        total.x += n->sums[k].x;
+        total.y += n->sums[k].y;
         total.most = n->sums[k].most > total.most ? n->sums[k].most : total.most;
     }
     return total;

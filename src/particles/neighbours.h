@@ -28,8 +28,9 @@ enum { SPH2D__NARROWEST = 2, SPH2D__WIDEST = 8 };
 
 /** Partial sums of a loop over the particles of a slab. */
 typedef struct sph2d__slab_sum {
-    double first, second, third; /**< sums */
-    double most;                 /**< a maximum, at least 0 */
+    double first, second, third, fourth; /**< sums */
+    double x, y;                         /**< of a vector */
+    double most;                         /**< a maximum, at least 0 */
 } sph2d__slab_sum;
 
 /** The pairs of a slice. A slot has one pair of each of its particles. */

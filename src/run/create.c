@@ -95,12 +95,12 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->spring_head = d.spring_head;
     s->spring_energy = d.spring_energy;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
-    bool limited =
-        scene->method.tensile_control == SPH2D_SWITCH_ON && scene->method.operators == SPH2D_OPERATORS_SYMMETRIC;
+    bool symmetric = scene->method.operators == SPH2D_OPERATORS_SYMMETRIC;
+    bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && symmetric;
     double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
     s->tension = limited ? tension : INFINITY;
-    bool fills =
-        sim->given.opening_count > 0 && scene->method.shifting > 0 && !fitted && sph2d__liquid_fills(&sim->given);
+    s->fills = sph2d__liquid_fills(&sim->given);
+    bool fills = sim->given.opening_count > 0 && scene->method.shifting > 0 && symmetric && s->fills;
     s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
     s->tension = fills ? fmax(s->tension, TENSION * s->rest_density * s->head) : s->tension;
     s->liquid = &scene->fluid;

@@ -116,7 +116,7 @@ void sph2d__check_liquid(checker *c)
         check_method(c);
         return;
     }
-    if (m->name == SPH2D_METHOD_WCSPH && !(m->shifting > 0))
+    if (m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_SYMMETRIC && !(m->shifting > 0))
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.shifting",
                            "must be above 0: the shear rate is known with shifting only");
     if (m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY)

@@ -623,7 +623,7 @@ static const sph2d_key method_items[] = {
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
      .default_text = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
      .text = "symmetric: for everything; fitted is of second order, for liquid that fills its domain; "
-             "variational keeps energy and momentum, without bodies, openings and friction yet"},
+             "variational keeps energy, momentum and waves, and is to become the default"},
     {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
      .default_text = "double", .feature = SPH2D_FEATURE_PRECISION, .text = "mixed uses floats in sums over pairs"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",

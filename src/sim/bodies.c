@@ -171,10 +171,11 @@ static double book_walls(sph2d_sim *sim)
     return sum;
 }
 
-/** The velocity amid the impulses of all other forces in a step of length dt, for which motors and contacts work. */
+/** The velocity amid the impulses of all other forces in a step of length dt, for which motors and contacts work; forces
+ *  whose work is done have acted. */
 static sph2d__twist amid(const sph2d__rigid *r, double dt)
 {
-    return sph2d__twist_add(r->way, -dt / 2, r->state->acceleration);
+    return sph2d__twist_add(sph2d__twist_add(r->way, -dt / 2, r->state->acceleration), 1, r->done);
 }
 
 static double kinetic_amid(const sph2d_sim *sim, double dt)
@@ -320,6 +321,30 @@ sph2d_status sph2d__bodies_push(sph2d_sim *sim, double dt, const sph2d__twist *i
     const sph2d_status status = sim->bodies.count > 0 ? meet(sim, dt) : SPH2D_OK;
     for (size_t k = 0; k < sim->bodies.count; ++k)
         sim->bodies.items[k].state->velocity = sim->bodies.items[k].way;
+    return status;
+}
+
+/* ---- methods whose liquid and bodies move each other all through a step ------------------------------------------ */
+
+sph2d_status sph2d__bodies_carry(sph2d_sim *sim, double dt)
+{
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d__rigid *r = &sim->bodies.items[k];
+        r->state->pushed = sph2d__twist_add(r->state->pushed, 1, r->state->pressed);
+        r->state->liquid = r->state->pushed;
+        r->state->acceleration = sph2d__rigid_accelerate(r, sph2d__twist_add(r->other, 1, r->state->pressed));
+        /* v(n) + dt/2 A - way is what the mean of the acoustic steps is not. */
+        r->done = sph2d__twist_add(r->state->velocity, dt, sph2d__rigid_accelerate(r, r->state->pushed));
+        r->done = sph2d__twist_add(r->done, -1, sph2d__twist_add(r->way, -dt / 2, r->state->acceleration));
+        sim->record.energy_forces += dt * sph2d__twist_dot(r->state->gap, r->way);
+        sim->record.energy_viscous -= dt * sph2d__twist_dot(r->rubbed, r->way);
+    }
+    const sph2d_status status = sim->bodies.count > 0 ? meet(sim, dt) : SPH2D_OK;
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        sph2d__rigid *r = &sim->bodies.items[k];
+        const sph2d__twist met = sph2d__twist_add(r->way, -1, r->meant);
+        r->state->velocity = sph2d__twist_add(sph2d__twist_add(r->state->velocity, dt, r->state->acceleration), 1, met);
+    }
     return status;
 }
 

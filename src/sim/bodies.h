@@ -74,6 +74,10 @@ sph2d_status sph2d__bodies_project(sph2d_sim *sim, double dt, double split);
 void sph2d__bodies_fall(sph2d_sim *sim, double dt);
 sph2d_status sph2d__bodies_push(sph2d_sim *sim, double dt, const sph2d__twist *impulses, double *work);
 
+/** Methods whose liquid and bodies move each other all through a step, which starts by _drift; once `pressed` of all is the
+ *  mean force over it, besides what was expected before, and `way` their mean velocity by both: velocities and ways. Errors: those of the solver for contacts. */
+sph2d_status sph2d__bodies_carry(sph2d_sim *sim, double dt);
+
 /** Ends a step: impulses of contacts with particles, and the boundary particles' velocities. */
 void sph2d__bodies_close(sph2d_sim *sim, double dt);
 

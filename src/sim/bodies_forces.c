@@ -35,16 +35,17 @@ static void press_body(const sph2d_sim *sim, sph2d__rigid *r)
     const sph2d__bodies *all = &sim->bodies;
     const sph2d__store *w = &sim->system.walls;
     sph2d__twist rest = {0, 0, 0};
-    r->state->pressed = rest;
+    r->state->pressed = r->rubbed = rest;
     sph2d_vec2 center = sph2d__rigid_center(r, r->now);
     for (uint64_t id = r->first_id; id < r->end_id; ++id) {
         size_t k = (size_t)(id - all->first), b = sim->system.rigid_index[k];
         sph2d_vec2 arm = arm_to(sim, center, w->x[b], w->y[b]);
         add_force(&r->state->pressed, arm, -all->forces[k].pressure.x, -all->forces[k].pressure.y);
-        add_force(&rest, arm, -all->forces[k].friction.x, -all->forces[k].friction.y);
+        add_force(&r->rubbed, arm, -all->forces[k].friction.x, -all->forces[k].friction.y);
         if (all->tensions)
             add_force(&rest, arm, -all->tensions[b].x, -all->tensions[b].y);
     }
+    rest = sph2d__twist_add(rest, 1, r->rubbed);
     r->state->pushed = sph2d__twist_add(r->state->pressed, 1, sph2d__twist_add(rest, 1, r->state->gap));
 }
 

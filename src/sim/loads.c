@@ -222,18 +222,18 @@ static void add_side(const sph2d_sim *sim, const sph2d__load *load, sph2d__pull 
         }
 }
 
-/** Sums over the particles near spring walls. */
+/** Sums over the particles near spring walls, and sides by what is imagined behind them. */
 static void sum_sides(const sph2d_sim *sim, size_t index)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *f = &s->fluid;
     const sph2d__spring_walls *w = &s->body.springs;
     const sph2d__load *load = &sim->loads.items[index];
-    if (!(w->stiffness > 0) || load->wall >= SPH2D__WALL_OBSTACLE)
+    if (!(w->stiffness > 0 || sim->method->side_push) || load->wall >= SPH2D__WALL_OBSTACLE)
         return;
     for (size_t i = 0; i < f->count; ++i) {
         const double d[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
-        if (fmin(fmin(d[0], d[1]), fmin(d[2], d[3])) >= s->support)
+        if (!sim->method->side_push && fmin(fmin(d[0], d[1]), fmin(d[2], d[3])) >= s->support)
             continue;
         const double out[4] = {f->vx[i], -f->vx[i], f->vy[i], -f->vy[i]};
         double spring[4], fill[4] = {0, 0, 0, 0};

@@ -4,7 +4,8 @@
  *
  *  Over a step the momentum of the liquid changes by
  *
- *      dt sum_i m f_i - I        f_i gravity, interactions, the pointer, the frame of a tank, in the mean of both ends;
+ *      dt sum_i m f_i - I        f_i gravity, interactions, the pointer, the frame of a tank, in the mean of both ends, or
+ *                                as the step had it in methods that know it;
  *                                I  the impulse on all walls and bodies (loads.c),
  *
  *  as forces between particles are equal and opposite. What is left, over dt, is a force that comes from nothing,
@@ -94,8 +95,11 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
     const sph2d__pull *on_walls = &sim->loads.states[sim->loads.count].impulse;
     const sums s = sum(sim, sim->system.body.gravity_x, sim->system.body.gravity_y);
     const double now = r->time + dt, span = now - r->momentum_time, half = dt / 2;
-    const double x = s.momentum.x - sim->momentum_before.x - half * (sim->force_before.x + s.force.x) + on_walls->x,
-                 y = s.momentum.y - sim->momentum_before.y - half * (sim->force_before.y + s.force.y) + on_walls->y;
+    const sph2d_vec2 both = {sim->force_before.x + s.force.x, sim->force_before.y + s.force.y},
+                     mean = sim->system.external;
+    const bool known = sim->method->books_all;
+    const double x = s.momentum.x - sim->momentum_before.x - (known ? dt * mean.x : half * both.x) + on_walls->x,
+                 y = s.momentum.y - sim->momentum_before.y - (known ? dt * mean.y : half * both.y) + on_walls->y;
     if (sim->momentum_changed) {
         r->momentum_error_x += x;
         r->momentum_error_y += y;

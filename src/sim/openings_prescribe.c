@@ -92,6 +92,8 @@ void sph2d__opening_set_particle(sph2d_sim *sim, const sph2d__opening *o, size_t
     f->vx[i] = p.inward * o->mouth.inward.x + p.sideward * o->mouth.along.x;
     f->vy[i] = p.inward * o->mouth.inward.y + p.sideward * o->mouth.along.y;
     f->density[i] = p.density;
+    if (sim->method->take_density)
+        sim->method->take_density(&sim->system, i);
 }
 
 void sph2d__openings_impose(sph2d_sim *sim)
@@ -166,7 +168,9 @@ void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt)
         if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
             continue;
         power -= sim->system.mass * (f->ax[i] * f->vx[i] + f->ay[i] * f->vy[i]);
-        f->ax[i] = f->ay[i] = f->old_ax[i] = f->old_ay[i] = 0;
+        f->ax[i] = f->ay[i] = 0;
+        if (f->old_ax)
+            f->old_ax[i] = f->old_ay[i] = 0;
     }
     sim->record.energy_fed += dt * (power + sim->record.power_openings) / 2;
     sim->record.power_openings = power;

@@ -72,8 +72,9 @@ static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
     const sph2d__store *w = &sim->system.walls;
     const sph2d__wall_force force = sph2d__sim_force_of_wall(sim, b);
     double friction_power = w->vx[b] * force.friction.x + w->vy[b] * force.friction.y;
-    power->friction += friction_power;
-    if (w->id[b] >= sim->bodies.first && w->id[b] < sim->bodies.end)
+    const bool free = w->id[b] >= sim->bodies.first && w->id[b] < sim->bodies.end;
+    power->friction += free && sim->method->books_all ? 0 : friction_power;
+    if (free)
         return; /* the energy of bodies is part of the balance */
     power->all += w->vx[b] * force.pressure.x + w->vy[b] * force.pressure.y + friction_power;
 }
@@ -146,7 +147,8 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
     if (r->steps % EXTERNAL_STEPS != 0 && !sph2d__sim_samples_energy(sim, r->steps))
         return;
     double span = r->time - r->drives_time;
-    r->energy_forces += integrate(&r->power_forces, sph2d__sim_power_of_forces(sim), span);
+    const double power_of_forces = sim->method->books_all ? sph2d__bodies_power(sim) : sph2d__sim_power_of_forces(sim);
+    r->energy_forces += integrate(&r->power_forces, power_of_forces, span);
     r->drives_time = r->time;
     if (sim->method->mean_forces)
         return;
@@ -157,7 +159,7 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
 
 bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim)
 {
-    bool none = sim->method->mean_forces && sim->bodies.count == 0 && !is_driven(sim);
+    bool none = sim->method->mean_forces && sim->bodies.count == 0 && (sim->method->books_all || !is_driven(sim));
     return none || sim->record.drives_time == sim->record.time;
 }
 

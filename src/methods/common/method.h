@@ -56,9 +56,12 @@ typedef struct sph2d__method {
     /** Elastic energy of particle i [J/kg]; `stepped`: it has a pressure of the last step. NULL: by the equation of
      *  state (state_equation.h). */
     double (*elastic)(const sph2d__system *system, size_t i, bool stepped);
+    /** Takes over the density of particle i, which has been set from outside. NULL: density itself is what counts. */
+    void (*take_density)(sph2d__system *system, size_t i);
     /** Whether its steps book the work of pressure, which is dissipation where it is negative, and friction, too. */
     bool books_pressure;
-    /** Whether its steps book all dissipation themselves. */
+    /** Whether its steps book all dissipation themselves, and the work of external forces on the liquid, and set their mean
+     *  (system.h). */
     bool books_all;
     /** Whether the forces of walls are their means over a step, and known until its end. */
     bool mean_forces;

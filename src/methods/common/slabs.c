@@ -31,6 +31,9 @@ static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d_
     total.first += of_walls.first;
     total.second += of_walls.second;
     total.third += of_walls.third;
+    total.fourth += of_walls.fourth;
+    total.x += of_walls.x;
+    total.y += of_walls.y;
     total.most = of_walls.most > total.most ? of_walls.most : total.most;
     return total;
 }

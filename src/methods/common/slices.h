@@ -14,7 +14,7 @@ typedef struct sph2d__pairs {
     uint32_t *found;                     /**< the lists of the slice that is searched */
     size_t longest;                      /**< room of each */
     uint32_t counts[SPH2D__LANES], most; /**< their lengths, and the largest */
-    sph2d__cursor fluid, walls;
+    sph2d__cursor fluid, walls, images;
     bool full;
 } sph2d__pairs;
 

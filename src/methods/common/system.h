@@ -66,6 +66,8 @@ typedef struct sph2d__system {
     uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
     double *rigid_compression_rate; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
 
+    bool fills; /**< liquid and solids fill the domain from the start, so that there is no surface */
+
     double spacing;            /**< dx [m] */
     double support;            /**< support radius H [m] */
     double reach;              /**< search radius for fluid particles [m] */
@@ -103,8 +105,11 @@ typedef struct sph2d__system {
     double slip_length;             /**< of smooth walls [m] */
     sph2d__body body;
 
-    double step;          /**< length of the present step [s] */
-    double speed;         /**< largest speed of a particle at the start of the step [m/s] */
+    sph2d_vec2
+        external; /**< force on the liquid but that of walls and bodies, in the mean over the last step, where the
+                             method books all (method.h) [N/m] */
+    double step;  /**< length of the present step [s] */
+    double speed; /**< largest speed of a particle at the start of the step [m/s] */
     double max_pressure;  /**< largest pressure then, at least that of the scene's head [Pa] */
     double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy; /**< of these springs at the start [J/m] */

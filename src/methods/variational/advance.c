@@ -39,10 +39,14 @@ static void go_back(sph2d__system *s, size_t first, size_t last)
 static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__store *f = &sim->system.fluid;
+    const sph2d__frozen *z = sim->system.frozen;
     (void)dt;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        w->dx[k] = sim->system.frozen->px[i] - f->x[i];
-        w->dy[k] = sim->system.frozen->py[i] - f->y[i];
+        w->dx[k] = z->px[i] - f->x[i] + z->shift_x[i];
+        w->dy[k] = z->py[i] - f->y[i] + z->shift_y[i];
+        w->diffused -=
+            sim->system.mass * (sph2d__sim_potential_of(sim, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
+                                sph2d__sim_potential_of(sim, z->px[i], z->py[i]));
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }
@@ -93,23 +97,6 @@ static void relax(sph2d_sim *sim, double dt)
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
-/* The most that Z is. */
-static const double DAMPING = 0.1;
-
-/** Z m c0 H of particle i. The rows of D have no larger sum than 2 g = 2 ((|B| + |C|) sum |G| + |S|), nor, where particles
- *  are alike, the columns of its transpose: an acoustic step dt is stable with Z c0 H (2 g)^2 dt = 2, and here it is 1. */
-static double damping_of(const sph2d__system *s, size_t i)
-{
-    const sph2d__frozen *z = s->frozen;
-    const double trace = z->bxx[i] + z->byy[i], det = z->bxx[i] * z->byy[i] - z->bxy[i] * z->bxy[i];
-    const double largest = (trace + sqrt(fmax(trace * trace - 4 * det, 0))) / 2;
-    const double turned2 =
-        z->cxx[i] * z->cxx[i] + z->cxy[i] * z->cxy[i] + z->cyx[i] * z->cyx[i] + z->cyy[i] * z->cyy[i];
-    const double g = (largest + sqrt(turned2)) * z->weight[i] + sqrt(z->sx[i] * z->sx[i] + z->sy[i] * z->sy[i]);
-    const double diffusivity = DAMPING * s->sound_speed * s->support, bound = 4 * g * g * z->dt;
-    return s->mass * (diffusivity * bound > 1 ? 1 / bound : diffusivity);
-}
-
 static void start_slab(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
@@ -120,7 +107,6 @@ static void start_slab(sph2d__system *s, size_t first, size_t last)
         z->zx[i] = z->cxx[i] * f->vx[i] + z->cyx[i] * f->vy[i] + z->wall_zx[i];
         z->zy[i] = z->cxy[i] * f->vx[i] + z->cyy[i] * f->vy[i] + z->wall_zy[i];
         z->next_zx[i] = z->next_zy[i] = z->diffused[i] = 0; /* where no wall is they stay so */
-        z->damping[i] = damping_of(s, i);
         z->px[i] = f->next_x[i];
         z->py[i] = f->next_y[i];
     }
@@ -161,39 +147,114 @@ static void report(sph2d__system *s, size_t first, size_t last)
     }
 }
 
+/** The external force, before what acoustic steps add. */
+static void start_external(sph2d__system *s)
+{
+    const sph2d__body *b = &s->body;
+    const sph2d__period *p = &s->fluid_cells.period;
+    s->frozen->driven = b->frame.moves || b->point_count > 0 || b->central_rate2 != 0 ||
+                        (p->length_x > 0 && b->gravity_x != 0) || (p->length_y > 0 && b->gravity_y != 0);
+    const double mass = s->frozen->driven ? 0 : s->mass * (double)s->fluid.count;
+    s->external = (sph2d_vec2){mass * b->gravity_x, mass * b->gravity_y};
+}
+
+/** As many as the liquid needs, with the viscosity that it has now, and bodies. */
+static size_t acoustic_steps(sph2d__system *s, double dt)
+{
+    const double liquid = fmax((double)sph2d__acoustic_steps(s, dt), round(dt / s->frozen->dt));
+    return (size_t)fmax(liquid, s->rigid_count > 0 ? ceil(dt * sph2d__frozen_bodies_rate(s)) : 0);
+}
+
 /** The acoustic steps. */
 static void sound(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     sph2d__frozen *z = s->frozen;
-    const size_t steps = sph2d__acoustic_steps(s, dt);
+    const size_t steps = acoustic_steps(s, dt);
     z->dt = dt / (double)steps;
     z->share = 1 / (double)steps;
+    z->past = 1;
     sph2d__over_particles(s, s->fluid.count, start_slab);
+    start_external(s);
     const double half = z->dt / 2;
+    sph2d__images_of_velocity(s);
     sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half});
+    sph2d__images_of_pressure(s);
     const double before = rates.third;
     sim->record.energy_pressed += rates.first;
+    sim->record.energy_fed -= rates.fourth;
     for (size_t k = 1; k <= steps; ++k) {
         const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, NULL);
         sim->record.energy_pressed -= work.first;
         sim->record.energy_viscous -= work.second;
+        sim->record.energy_fed -= work.third;
+        sim->record.energy_forces += work.fourth;
+        s->external = (sph2d_vec2){s->external.x + z->share * work.x, s->external.y + z->share * work.y};
+        if (s->rigid_count > 0) {
+            double friction;
+            sim->record.energy_pressed -= sph2d__frozen_bodies_kick(s, z->share * (double)k, &friction);
+            sim->record.energy_viscous -= friction;
+        }
         swap(&z->velocity, &z->next_velocity);
         swap(&z->zx, &z->next_zx);
         swap(&z->zy, &z->next_zy);
+        sph2d__images_of_velocity(s);
         rates = sph2d__over_fluid(s, rate_slab, &(times){half, k < steps ? half : 0});
+        sph2d__images_of_pressure(s);
         sim->record.energy_diffused -= rates.second;
         sim->record.energy_pressed += rates.first;
+        sim->record.energy_fed -= rates.fourth;
     }
     sph2d__over_particles(s, s->fluid.count, report);
     sim->record.energy_pressed +=
         s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (before - rates.third);
 }
 
+/** Finds the particles in reservoirs of openings. What is prescribed is all that is known of them: no sum adds to it. */
+static void hold(sph2d_sim *sim)
+{
+    sph2d__frozen *z = sim->system.frozen;
+    const sph2d__store *f = &sim->system.fluid;
+    z->holds = sim->openings.count > 0;
+    for (size_t i = 0; z->holds && i < f->count; ++i) {
+        z->held[i] = sph2d__opening_at(sim, f->x[i], f->y[i]) != NULL;
+        z->summed[i] = z->held[i] > 0 ? 0 : z->summed[i];
+    }
+}
+
+/** Bodies by what acoustic steps did to them. */
+static sph2d_status push_bodies(sph2d_sim *sim, double dt)
+{
+    for (size_t k = 0; k < sim->bodies.count; ++k) {
+        const sph2d__frozen_body *b = &sim->system.frozen->bodies[k];
+        sim->bodies.items[k].state->pressed = sph2d__twist_add(b->mean, 1, b->rubbed);
+        sim->bodies.items[k].way = b->way;
+    }
+    return sph2d__bodies_carry(sim, dt);
+}
+
+/** The sides of the domain that are walls, and mirrors: not where liquid sticks or passes. */
+static sph2d__sides mirrors_of(const sph2d_sim *sim)
+{
+    const sph2d_box *d = &sim->scene.domain;
+    sph2d_boundary open = {SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    const bool none = sim->openings.count > 0 || (sim->system.walls_rough && sim->system.viscosity > 0);
+    const sph2d_boundary *b = none ? &open : &sim->scene.boundary;
+    const size_t obstacles = sim->scene.obstacle_count;
+    return (sph2d__sides){.low_x = b->left == SPH2D_SIDE_WALL ? d->min.x : -INFINITY,
+                          .high_x = b->right == SPH2D_SIDE_WALL ? d->max.x : INFINITY,
+                          .low_y = b->bottom == SPH2D_SIDE_WALL ? d->min.y : -INFINITY,
+                          .high_y = b->top == SPH2D_SIDE_WALL ? d->max.y : INFINITY,
+                          .first = none            ? UINT64_MAX
+                                   : obstacles > 0 ? sim->obstacle_ids[obstacles - 1].end
+                                                   : 0};
+}
+
 sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     const double start = sim->record.time, middle = start + dt / 2, end = start + dt;
+    sph2d__bodies_drift(sim, dt);
     sph2d__over_particles(s, s->fluid.count, go_to_middle);
     sph2d_status status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)
@@ -201,13 +262,22 @@ sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SEARCH);
-    if (!sph2d__frozen_gather(s))
+    const sph2d__sides sides = mirrors_of(sim);
+    if (!sph2d__frozen_gather(s, &sides))
         return SPH2D_NOMEM;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
+    hold(sim);
     relax(sim, dt);
+    s->frozen->past = 0;
+    if (!sph2d__frozen_rub(s) || !sph2d__frozen_bodies_gather(s))
+        return SPH2D_NOMEM;
+    sph2d__bodies_press(sim); /* by what stays as it is */
+    sph2d__bodies_expect(sim, middle);
     sound(sim, dt);
-    if (s->walls_move)
-        sph2d__sim_book_wall_work(sim, dt);
+    status = push_bodies(sim, dt);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__sim_book_wall_work(sim, dt);
     sph2d__loads_find(sim, 1);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
     sph2d__over_particles(s, s->fluid.count, go_back);
@@ -215,5 +285,9 @@ sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt)
     status = sph2d__advect(sim, dt, go, NULL);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
-    return status == SPH2D_OK ? sph2d__sim_update_forcing(sim, end) : status;
+    if (status == SPH2D_OK)
+        status = sph2d__sim_update_forcing(sim, end);
+    if (status == SPH2D_OK)
+        sph2d__openings_impose(sim);
+    return status;
 }

@@ -12,34 +12,57 @@
  *
  *      F_i  = -sum_j G_ij r_ij^T        of liquid alone;  M_i = F_i - sum_b G_ib r_ib^T;  N_i = sum_j G_ij
  *      B_i  = M_i^-1, turned into 1 where det M is below 1/2 and where walls are near;  A_i = F_i^-1
- *      S_i  = sum_b n_b n_b^T B_i G_ib, n_b the wall's normal: walls are smooth;  C_i = -B_i (M_i - F_i) A_i
+ *      S_i  = Q_i sum_b B_i G_ib, C_i = -B_i (M_i - F_i) A_i;  Q_i = sum_b |G_ib| n_b n_b^T over its largest eigenvalue,
+ *             n_b the wall's normal: walls are smooth, n n^T if flat or a slit, and 1 in corners
  *      rate of theta
  *      D_i  = sum_j (v_i - v_j) . B_i G_ij + 2 v_i . S_i - q_i + z_i . N_i + sum_k z_k . G_ik
- *             q_i = 2 sum_b v_b . n_b n_b^T B_i G_ib;  z_i = C_i^T v_i - A_i sum_b (v_b . B_i G_ib) r_ib
+ *             q_i = 2 sum_b v_b . Q_i B_i G_ib;  z_i = C_i^T v_i - A_i sum_b (v_b . B_i G_ib) r_ib
  *      force
- *      f_i  = -sum_j (P_i B_i + P_j B_j) G_ij - (2 P_i + l_i) S_i + C_i sum_k (P_k - P_i) G_ik + d_i + e_i + m g
+ *      f_i  = -sum_j (P_i B_i + P_j B_j) G_ij - (2 P_i + l_i) S_i + C_i sum_k (P_k - P_i) G_ik + d_i + e_i + m g_i
  *
- *  The walls' pressure is that of the liquid before them, continued by its gradient A_i sum_k (p_k - p_i) G_ik: the terms
- *  with C, whose transposes are those with z. Dissipation acts where velocities and pressures are not linear:
+ *  The domain's sides are mirrors. What is nearer to one than H has an image in it, and in corners one in both: with T
+ *  the reflection, a particle at T x with T v, T B T and theta, which j, k and the liquid's own sums above include. So
+ *  rate and force are transposed as they are without sides: the liquid is half of one that is symmetric. In the other
+ *  half gravity points the other way, and pressure has a bend at the side that sums over the support do not resolve;
+ *  g_i is the mean over the support, too: its component across a side is (1 - 2 w_i) g, w_i the sum of V0 W over the
+ *  images beyond it. Then a lattice is at rest under hydrostatic pressure: without it, rows were off by turns by 3 % of
+ *  rho g H. It takes no gradient of pressure, since liquid beside a flat wall does not accelerate towards it. Density
+ *  diffuses between particles alone, because of the bend.
+ *
+ *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
+ *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z. Dissipation acts where velocities and pressures are not linear:
  *
  *      d_i  = V0 rho0 c0 sum_j b s G_ij,  w = v_ij . e,  s = minmod(w, w - e . (grad v_i + grad v_j)/2 . r),
  *             b = min(3 |s|/c0, 1)       the limiter of Zhang, Hu & Adams 2017, J. Comput. Phys. 335, 605-620
  *      l_i  = m c0 min(3 s/c0, 1) s: the same for the liquid's image in a wall that it approaches
  *      e_i  = -(0.1 m c0/dx) sum_j (r_i c_ij - r_j c_ji),  r_i = sum_j c_ij v_ij, which is 0 for linear velocities,
  *             c_ij = lambda_i (|G_ij|/sum_k |G_ik| + s_i . A_i G_ij),  s_i = sum_j |G_ij| r_ij/sum_k |G_ik|,
- *             lambda from 0 at surfaces and walls to 1 inside: it takes (0.1 m c0/dx) |r_i|^2
+ *             lambda from 0 at surfaces and walls to 1 inside, less where viscosity does it: it takes
+ *             (0.1 m c0/dx) |r_i|^2
  *      P_i += Z m c0 H D_i, the damping of sound (Sun, Pilloni, Antuono & Colagrossi 2023, J. Comput. Phys. 483, 112056),
  *             0 where the liquid keeps its volume; Z at most 0.1, and as much as an acoustic step bears
  *      pairs nearer than r0 = dx/2 repel each other by R (1 - r/r0)^2, R = 0.2 rho0 c0^2 dx: nothing else keeps two
- *      particles from one place
+ *      particles from one place. A particle's image in any wall, an obstacle's too, does so as well: tension pulls
+ *      liquid into walls
  *      dtheta_i/dt += -C c0 sum_j s |G_ij|,  s = minmod(theta_ij, theta_ij - (grad theta_i + grad theta_j)/2 . r)
  *
- *  Viscosity is mu 16/sum_lattice |G| r^2 V0 sum_j w G_ij: forces along the lines between particles. Once a step theta is
- *  moved towards what the sum over the neighbours says, as far as dissipation has paid for it. Boundary particles act as
- *  far as there is liquid at their image in the liquid, so that walls hold none beside a surface. */
+ *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles
+ *  beyond sides act as far as there is an obstacle at their image.
+ *
+ *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it. Their kernel sum
+ *  Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and K = |sum_j G |r|| both
+ *  grow as density does: K/Sigma tells how near a surface is, whatever the density, and s is that of a plane so near:
+ *
+ *      rho0 Sigma/s is the density, with s = 1 inside
+ *      it goes up to rho0 (Sigma + (Sigma/s - Sigma) max(1 - walls/first, 0)): walls that are wet beside a surface hide
+ *         how much is cut off; walls: their part of the sum, first: that before a row beside a flat wall
+ *      it goes down to rho0 Sigma/s as far as B is M^-1: strings and single particles have no density */
 #ifndef SPH2D_METHODS_VARIATIONAL_VARIATIONAL_H
 #define SPH2D_METHODS_VARIATIONAL_VARIATIONAL_H
 
+#include <math.h>
+
+#include "boundary/rigid.h"
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
@@ -55,59 +78,110 @@ static inline double sph2d__density_ratio(double theta)
 }
 
 /** The arrays of the fluid that stand still over a step, or are written by one sweep and read by the next. */
+/* clang-format off */
 #define SPH2D__FROZEN_ARRAYS(X)                                                                                        \
-    X(bxx)                                                                                                             \
-    X(bxy)                                                                                                             \
-    X(byy) /* B */                                                                                                     \
-    X(axx)                                                                                                             \
-    X(axy)                                                                                                             \
-    X(ayy) /* A */                                                                                                     \
-    X(cxx)                                                                                                             \
-    X(cxy)                                                                                                             \
-    X(cyx) X(cyy)                          /* C */                                                                     \
-        X(nx) X(ny)                        /* N */                                                                     \
-        X(sx) X(sy)                        /* S */                                                                     \
-        X(wall_rate)                       /* q [1/s] */                                                               \
-        X(wall_linear)                     /* what is linear of w in l [m/s] */                                        \
-        X(wall_zx) X(wall_zy)              /* the part of z by moving walls */                                         \
-        X(smooth)                          /* lambda */                                                                \
-        X(weight)                          /* sum |G| [1/m] */                                                         \
-        X(kx) X(ky)                        /* A s */                                                                   \
-        X(rest) X(rest_x) X(rest_y)        /* two floats: lambda r over sum |G|; lambda rx k; lambda ry k */           \
-        X(summed)                          /* density by summation, less density, over rest density */                 \
-        X(surface)                         /* 1 at the surface, else 0 */                                              \
-        X(walled)                          /* 1 where C is not 0, else 0 */                                            \
-        X(slope_v) X(slope_w) X(slope_p)   /* two floats: stretch and half of shear; dvy/dy and nothing; grad p */     \
-        X(velocity) X(next_velocity)       /* two floats [m/s] */                                                      \
-        X(press) X(press_more)             /* two floats: P B by xx, xy; by yy, and theta */                           \
-        X(work)                            /* P [J/m] */                                                               \
-        X(zx) X(zy) X(next_zx) X(next_zy)  /* z [m/s] */                                                               \
-        X(diffused)                        /* change of theta by diffusion over an acoustic step */                    \
-        X(damping)                         /* Z m c0 H [J s/m] */                                                      \
-        X(rate)                            /* D [1/s] */                                                               \
-        X(px) X(py)                        /* where particles are now [m] */                                           \
-        X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 P + l, and A sum (P_k - P_i) G_ik */
+    X(bxx) X(bxy) X(byy)             /* B */                                                                           \
+    X(axx) X(axy) X(ayy)             /* A */                                                                           \
+    X(cxx) X(cxy) X(cyx) X(cyy)      /* C */                                                                           \
+    X(nx) X(ny)                      /* N */                                                                           \
+    X(sx) X(sy)                      /* S */                                                                           \
+    X(wall_rate)                     /* q [1/s] */                                                                     \
+    X(wall_linear)                   /* what is linear of w in l [m/s] */                                              \
+    X(wall_zx) X(wall_zy)            /* the part of z by moving walls */                                               \
+    X(brake)                         /* l [J/m] */                                                                     \
+    X(smooth)                        /* lambda */                                                                      \
+    X(weight)                        /* sum |G| [1/m] */                                                               \
+    X(kx) X(ky)                      /* A s */                                                                         \
+    X(rest) X(rest_x) X(rest_y)      /* two floats: lambda r over sum |G|; lambda rx k; lambda ry k */                 \
+    X(shift_x) X(shift_y)            /* way by shifting over the step [m] */                                            \
+    X(summed)                        /* density by summation, less density, over rest density */                       \
+    X(walled)                        /* the part of C that acts, 0 where none does */                                                  \
+    X(slope_v) X(slope_w) X(slope_p) /* two floats: stretch and half of shear; dvy/dy and nothing; grad p */ \
+    X(velocity) X(next_velocity)     /* two floats [m/s] */                                                            \
+    X(press) X(press_more)           /* two floats: P B by xx, xy; by yy, and theta */                                 \
+    X(work)                          /* P [J/m] */                                                                     \
+    X(zx) X(zy) X(next_zx) X(next_zy) /* z [m/s] */                                                                    \
+    X(diffused)                      /* change of theta by diffusion over an acoustic step */                          \
+    X(damping)                       /* Z m c0 H [J s/m] */                                                            \
+    X(rate)                          /* D [1/s] */                                                                     \
+    X(stick_xx) X(stick_xy) X(stick_yy) X(stick_x) X(stick_y) /* K, k over m [1/s, m/s^2] */                           \
+    X(rub_x) X(rub_y) X(pull_x) X(pull_y) /* accelerations by smooth walls, by surface tension [m/s^2] */             \
+    X(mean_vx) X(mean_vy)            /* velocities that K takes, over the step, where walls stick [m/s] */             \
+    X(held)                          /* 1 in reservoirs of openings, whose velocity and theta are prescribed, else 0 */\
+    X(px) X(py)                      /* where particles are now [m] */                                                 \
+    X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 P + l, and A sum (P_k - P_i) G_ik */                        \
+    X(across_x) X(across_y)          /* w; of images: 1 for the directions in which a side is between */               \
+    X(image_nx) X(image_ny)          /* the part of N by images */                                                     \
+    X(image_weight)                  /* and of sum |G| */                                                              \
+    X(wall_xx) X(wall_xy) X(wall_yy) /* Q */                                                                           \
+    X(front_nx) X(front_ny)          /* mean normal of walls that it is in front of */                                    \
+    X(front)                         /* its distance from their surface [m] */                                         \
+    X(front_weight)                  /* their sum of |G| [1/m] */                                                      \
+    X(front_speed)                   /* along their normal [m/s] */                                                    \
+    X(repelled) X(mean_repelled)     /* how its image in them repels it, now and over the step [N/m] */                \
+    X(push_x) X(push_y)              /* over the step: the acceleration by images [m/s^2] */
+/* clang-format on */
+
+/** A body during a step: its motion, and the liquid's force on it in the mean over the step, so far. */
+typedef struct sph2d__frozen_body {
+    sph2d__twist velocity, change;      /**< now, and by the last acoustic step [m/s, rad/s] */
+    sph2d__twist way;                   /**< the mean of the step, so far [m/s, rad/s] */
+    sph2d__twist mean, before;          /**< by pressure, with the last acoustic step and without it [N/m, N] */
+    sph2d__twist rubbed, rubbed_before; /**< the same by the friction of liquid that sticks */
+    double rate2;                       /**< of its part of D over its mass [1/s^2] */
+} sph2d__frozen_body;
+
+typedef struct sph2d__frozen_row sph2d__frozen_row;
+
+/** Sites of a lattice on either side of a particle, in sums over a full one. */
+enum { SPH2D__LATTICE_REACH = 6 };
+
+/** Entries of s. */
+enum { SPH2D__FREE_PARTS = 64 };
+/** The flat sides of the domain that mirror the liquid; infinite where there are none. */
+typedef struct sph2d__sides {
+    double low_x, high_x, low_y, high_y;
+    uint64_t first; /**< id of the first boundary particle of a side: those of obstacles come before */
+} sph2d__sides;
 
 /** What stands still over a step. */
 typedef struct sph2d__frozen {
+    sph2d__sides sides;
+    sph2d__store images; /**< of the liquid in the sides; id: IMAGE_SIDES times the particle, and the sides */
+    sph2d__cells image_cells;
+    size_t first_image; /**< where images stand behind the particles in all arrays */
+    uint32_t *imaged;   /**< of each slice: slots of pairs with images, the last of the fluid's */
 #define SPH2D__FROZEN_MEMBER(name) double *name;
     SPH2D__FROZEN_ARRAYS(SPH2D__FROZEN_MEMBER)
 #undef SPH2D__FROZEN_MEMBER
-    double *wet, *room;   /**< of boundary particles: their part that acts; what walls leave free at their images */
+    double *part;         /**< of boundary particles: how much of them acts */
     size_t walls;         /**< boundary particles */
     size_t capacity;      /**< particles */
     double *linear;       /**< of each pair: what is linear of w [m/s] and of theta_ij, two floats */
     float *inverse;       /**< of each pair: 1/|G| [m] */
+    float *distance;      /**< of each pair: r [m] */
     unsigned char *flags; /**< of each slice: SPH2D__FROZEN_WALLED, _BESIDE */
     uint32_t *close;      /**< of each slice: slots of pairs that may come close, behind those with walls */
     size_t pairs, slices;
-    double dt;    /**< of an acoustic step [s] */
-    double apart; /**< how far two particles of a close pair may be in the middle of the step [m] */
-    double share; /**< of an acoustic step in means over the step */
+    double dt;                  /**< of an acoustic step [s] */
+    double apart;               /**< how far two particles of a close pair may be in the middle of the step [m] */
+    double share;               /**< of an acoustic step in means over the step */
+    double past;                /**< the part of the step that is over, in means */
+    bool sticks, rubs, pulls;   /**< some walls have no slip, are smooth; there is surface tension */
+    bool holds;                 /**< there are openings */
+    bool driven;                /**< external forces are not one that is the same everywhere and has a potential */
+    sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
+    sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
+    size_t row_count, row_capacity;
+    double left[SPH2D__FREE_PARTS + 1]; /**< s, by equal steps of K/Sigma from 0 on */
+    double nearness;                    /**< the last K/Sigma there: that of a place on a surface */
+    double first_row;                   /**< the part of the kernel that is beyond the first row of a lattice */
 } sph2d__frozen;
 
 /* r0 over dx: nearer pairs repel each other. */
 static const double SPH2D__CLOSE = 0.5;
+/* Rate at which what is not linear in velocities fades, over c0/dx. */
+static const double SPH2D__SMOOTHING = 0.1;
 
 /** Of a slice: one of its particles has walls' pressures by a gradient, or a neighbour that has. */
 enum { SPH2D__FROZEN_WALLED = 1, SPH2D__FROZEN_BESIDE = 2 };
@@ -123,10 +197,12 @@ typedef struct sph2d__variational_gather_pass {
 
 /** The sweeps of an acoustic step. */
 typedef struct sph2d__variational_pass {
-    /** A kick by the forces; sums up the work of dissipation [J/m]. */
+    /** A kick by the forces; sums up the work of dissipation, of friction, of forces on particles that are held, and of
+     *  driving forces [J/m], and the external force [N/m]. */
     void (*force)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
     /** Rates of density, which act over `before` and, once density has diffused, over `after` [s], as velocities do; then
-     *  pressures. Sums up the elastic energy that diffused [J/m] and D^2 [1/s^2]. */
+     *  pressures. Sums up what damping takes and the elastic energy that diffused [J/m], D^2 [1/s^2], and
+     *  the elastic energy that particles that are held would get [J/m]. */
     void (*rate)(sph2d__system *system, size_t first, size_t last, double before, double after, sph2d__slab_sum *sum);
 } sph2d__variational_pass;
 
@@ -135,8 +211,45 @@ SPH2D__COPIES(sph2d__variational_pass, sph2d__variational, )
 
 /** Makes room for the fluid's particles and their neighbours, lists them and sets what stands still. The cells are up to
  *  date. False when memory is short. */
-bool sph2d__frozen_gather(sph2d__system *system);
+bool sph2d__frozen_gather(sph2d__system *system, const sph2d__sides *sides);
+/** Sets how much of each boundary particle acts (variational_images.c), when walls have moved. */
+void sph2d__wall_parts_find(sph2d__system *system);
+/** Lists the images in sides, and in corners those in both, and makes room for them behind the particles in all arrays:
+ *  sweeps then read them as particles. In the particles' order, so that sums always have the same one. False when memory
+ *  is short. */
+bool sph2d__images_place(sph2d__system *system);
+/** Puts them there, as they are before neighbours are searched. */
+void sph2d__images_start(sph2d__system *system);
+/** The particle that image k is of. */
+size_t sph2d__image_of(const sph2d__frozen *frozen, size_t k);
+/** Images become what particles are: before a sweep reads them. */
+void sph2d__images_of_slopes(sph2d__system *system);
+void sph2d__images_of_velocity(sph2d__system *system);
+void sph2d__images_of_pressure(sph2d__system *system);
 void sph2d__frozen_free(sph2d__system *system);
+
+/** Viscosities, friction of walls and surface tension (variational_friction.c), once neighbours are known. False when memory
+ *  is short. */
+bool sph2d__frozen_rub(sph2d__system *system);
+
+/** What boundary particle b adds to K and k over m of particle i, with the gradient and the distance of their pair. */
+typedef struct sph2d__frozen_stick {
+    double xx, xy, yy, x, y;
+} sph2d__frozen_stick;
+sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i, size_t b, const float gradient[2],
+                                           const float apart[2]);
+
+/** Bodies in acoustic steps (variational_bodies.c): sets their rows and velocities, once the liquid's are gathered. False
+ *  when memory is short. */
+bool sph2d__frozen_bodies_gather(sph2d__system *system);
+/** Root of the largest eigenvalue, or more, of a body's part of acoustic oscillations [1/s]: acoustic steps are at most
+ *  one over it, half the limit of a leapfrog. */
+double sph2d__frozen_bodies_rate(sph2d__system *system);
+/** Their velocities by an acoustic step, whose sweep of the forces has been, and what follows for the next rates of density.
+ *  `done` is the part of the step that is over with it, `friction` becomes the work of friction on bodies. Returns what l
+ *  does less on them than at their velocities before [J/m]. */
+double sph2d__frozen_bodies_kick(sph2d__system *system, double done, double *friction);
+void sph2d__frozen_bodies_free(sph2d__system *system);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt);

@@ -9,8 +9,6 @@
 
 /* Factor of the limiter of dissipation (Zhang, Hu & Adams 2017). */
 static const double SPH2D__LIMITER = 3;
-/* Rate at which what is not linear in velocities fades, over c0/dx. */
-static const double SPH2D__SMOOTHING = 0.1;
 /* C, the factor of the diffusion of density. */
 static const double SPH2D__DIFFUSION = 0.03;
 /* R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */

@@ -9,13 +9,14 @@
 typedef struct force_sums {
     sph2d__lanes px, py; /* P_j B_j G_ij */
     sph2d__lanes dx, dy; /* b s G_ij */
-    sph2d__lanes vx, vy; /* w G_ij */
+    sph2d__lanes vx, vy; /* w r G_ij, times the pair's viscosity where each particle has its own */
     sph2d__lanes diffused;
     sph2d__lanes rx, ry; /* r_j c_ji */
     sph2d__lanes ex, ey; /* P_k G_ik */
 } force_sums;
 
-SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
+/** Also sets the sums without images. */
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first, force_sums *without)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
@@ -26,8 +27,12 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
     const double limiter = SPH2D__LIMITER / s->sound_speed;
     const sph2d__lanes one = sph2d__lanes_all(1);
     const bool walled = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_WALLED, viscous = s->viscosity > 0;
+    const sph2d__lanes own_mu = s->viscosities ? sph2d__lanes_load(s->viscosities + first) : one;
+    const uint32_t own = at->fluid - z->imaged[first / SPH2D__LANES];
     force_sums sum = {0};
     for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
+        if (slot == own)
+            *without = sum;
         const uint32_t *j = n->index + k;
         const sph2d__float2 g = sph2d__float2_load(n->gradient + k), linear = sph2d__float2_load(z->linear + k);
         const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g),
@@ -44,8 +49,13 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
         sum.dx += brake * gx;
         sum.dy += brake * gy;
         if (viscous) {
-            sum.vx += w * gx;
-            sum.vy += w * gy;
+            sph2d__lanes rate = w * sph2d__lanes_of_floats(z->distance + k);
+            if (s->viscosities) {
+                const sph2d__lanes mu = sph2d__lanes_gather(s->viscosities, j);
+                rate = rate * (2 * mu * own_mu / (mu + own_mu));
+            }
+            sum.vx += rate * gx;
+            sum.vy += rate * gy;
         }
         const sph2d__lanes size_g = (gx * gx + gy * gy) * inverse;
         const sph2d__float2 rest = sph2d__float2_gather(z->rest, j), rest_x = sph2d__float2_gather(z->rest_x, j),
@@ -53,7 +63,8 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
         sum.rx += sph2d__float2_x(rest) * size_g - sph2d__float2_x(rest_x) * gx - sph2d__float2_y(rest_x) * gy;
         sum.ry += sph2d__float2_y(rest) * size_g - sph2d__float2_x(rest_y) * gx - sph2d__float2_y(rest_y) * gy;
         const sph2d__lanes jump = theta - sph2d__float2_y(more);
-        sum.diffused += sph2d__minmod(jump, jump - sph2d__float2_y(linear)) * size_g;
+        if (slot < own) /* pressure bends at a side, and would flow */
+            sum.diffused += sph2d__minmod(jump, jump - sph2d__float2_y(linear)) * size_g;
         if (walled) {
             const sph2d__lanes work = sph2d__lanes_gather(z->work, j);
             sum.ex += work * gx;
@@ -64,7 +75,7 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first)
 }
 
 /** Adds the repulsion of close pairs to dx and dy, over V0 rho0 c0. */
-SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sums *sum)
+SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sums *sum, force_sums *without)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
@@ -81,6 +92,11 @@ SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sum
                            push = sph2d__lanes_where(r, none, strength * t * t / r);
         sum->dx += push * dx;
         sum->dy += push * dy;
+        for (int l = 0; l < SPH2D__LANES; ++l)
+            if (n->index[k + (size_t)l] < z->first_image) {
+                without->dx[l] += push[l] * dx[l];
+                without->dy[l] += push[l] * dy[l];
+            }
     }
 }
 
@@ -122,12 +138,32 @@ SPH2D__INLINE sph2d__lanes add_walls(const sph2d__system *s, size_t i, const for
     const vectors e = {f->ex - p * sph2d__lanes_load(z->nx + i), f->ey - p * sph2d__lanes_load(z->ny + i)};
     force->x += dot(load(z->cxx, z->cxy, i), e) - press * wall.x;
     force->y += dot(load(z->cyx, z->cyy, i), e) - press * wall.y;
+    sph2d__lanes_store(z->brake + i, brake);
     sph2d__lanes_store(z->mean_work + i, sph2d__lanes_load(z->mean_work + i) + z->share * press);
     sph2d__lanes_store(z->mean_ex + i,
                        sph2d__lanes_load(z->mean_ex + i) + z->share * dot(load(z->axx, z->axy, i), e) * walled);
     sph2d__lanes_store(z->mean_ey + i,
                        sph2d__lanes_load(z->mean_ey + i) + z->share * dot(load(z->axy, z->ayy, i), e) * walled);
     return brake;
+}
+
+/** By how much its image in the walls before it repels a particle, along their normal: as a close particle there does, but
+ *  not more than stops it. What is before it changes from step to step at edges, so that such a force has no potential: it
+ *  gave a splash on two bent sheets 11 % of its energy. */
+SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n)
+{
+    sph2d__frozen *z = s->frozen;
+    const vectors at = load(z->px, z->py, i), middle = load(s->fluid.x, s->fluid.y, i);
+    const double c = s->sound_speed, unit = 1 / (SPH2D__CLOSE * s->spacing);
+    const sph2d__lanes apart =
+        2 * (sph2d__lanes_load(z->front + i) + (at.x - middle.x) * n.x + (at.y - middle.y) * n.y);
+    const sph2d__lanes t = sph2d__lanes_max(1 - unit * apart, (sph2d__lanes){0});
+    const sph2d__lanes away = dot(load(s->fluid.vx, s->fluid.vy, i), n) - sph2d__lanes_load(z->front_speed + i);
+    const sph2d__lanes stop = s->mass / z->dt * sph2d__lanes_max(-away, (sph2d__lanes){0});
+    const sph2d__lanes push = sph2d__lanes_min(s->mass * c * c * SPH2D__REPULSION / s->spacing * t * t, stop);
+    sph2d__lanes_store(z->repelled + i, push);
+    sph2d__lanes_store(z->mean_repelled + i, sph2d__lanes_load(z->mean_repelled + i) + z->share * push);
+    return push;
 }
 
 /** The acceleration by forces that places and velocities alone determine. */
@@ -149,8 +185,55 @@ SPH2D__INLINE vectors fall(const sph2d__system *s, size_t i, vectors v)
     return a;
 }
 
+/** Adds the friction of walls to an acceleration and to the drag. */
+SPH2D__INLINE void rub(const sph2d__system *s, size_t i, vectors v, vectors *a, vectors *drag)
+{
+    sph2d__frozen *z = s->frozen;
+    const double dt = z->dt, m = s->mass;
+    vectors by = {{0}, {0}};
+    if (z->rubs)
+        by = load(z->rub_x, z->rub_y, i);
+    if (z->sticks) {
+        const vectors k = load(z->stick_x, z->stick_y, i);
+        const sph2d__lanes xx = 1 + dt * sph2d__lanes_load(z->stick_xx + i),
+                           xy = dt * sph2d__lanes_load(z->stick_xy + i),
+                           yy = 1 + dt * sph2d__lanes_load(z->stick_yy + i);
+        const vectors to = {v.x + dt * (a->x + by.x + k.x), v.y + dt * (a->y + by.y + k.y)};
+        const sph2d__lanes unit = 1 / (xx * yy - xy * xy);
+        const vectors next = {unit * (yy * to.x - xy * to.y), unit * (xx * to.y - xy * to.x)};
+        by.x += k.x - (1 / dt) * ((xx - 1) * next.x + xy * next.y);
+        by.y += k.y - (1 / dt) * (xy * next.x + (yy - 1) * next.y);
+        sph2d__lanes_store(z->mean_vx + i, sph2d__lanes_load(z->mean_vx + i) + z->share * next.x);
+        sph2d__lanes_store(z->mean_vy + i, sph2d__lanes_load(z->mean_vy + i) + z->share * next.y);
+    }
+    *a = (vectors){a->x + by.x, a->y + by.y};
+    *drag = (vectors){drag->x + m * by.x, drag->y + m * by.y};
+}
+
+/** Sums up external forces, and the work of those that have no potential. */
+SPH2D__INLINE void drive(const sph2d__system *s, size_t i, size_t last, vectors a, vectors middle, sph2d__slab_sum *sum)
+{
+    const sph2d__body *b = &s->body;
+    const sph2d__period *p = &s->fluid_cells.period;
+    const vectors at = load(s->frozen->px, s->frozen->py, i);
+    const vectors rest = {a.x + b->central_rate2 * (at.x - b->center_x) - (p->length_x > 0 ? 0 : b->gravity_x),
+                          a.y + b->central_rate2 * (at.y - b->center_y) - (p->length_y > 0 ? 0 : b->gravity_y)};
+    add_lanes(&sum->x, s->mass * a.x, i, last);
+    add_lanes(&sum->y, s->mass * a.y, i, last);
+    add_lanes(&sum->fourth, s->mass * s->frozen->dt * dot(rest, middle), i, last);
+}
+
+/** Particles in reservoirs keep their velocity. */
+SPH2D__INLINE void hold(const sph2d__system *s, size_t i, size_t last, vectors v, vectors *a, sph2d__slab_sum *sum)
+{
+    const sph2d__lanes held = sph2d__lanes_load(s->frozen->held + i);
+    add_lanes(&sum->third, s->mass * s->frozen->dt * held * dot(v, *a), i, last);
+    *a = (vectors){(1 - held) * a->x, (1 - held) * a->y};
+}
+
 /** Velocities by the forces of an acoustic step. */
-SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, sph2d__slab_sum *sum)
+SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, const force_sums *without,
+                        sph2d__slab_sum *sum)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *t = &s->fluid;
@@ -168,19 +251,53 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     const sph2d__lanes ry =
         sph2d__float2_y(rest) * weight + sph2d__float2_x(rest_y) * n.x + sph2d__float2_y(rest_y) * n.y;
     const vectors d = {strength * (f->dx + hv * (f->rx - rx)), strength * (f->dy + hv * (f->ry - ry))};
-    const double thick = m / s->rest_density * s->viscosity * s->central_weight;
-    const vectors drag = {thick * f->vx, thick * f->vy};
+    const double thick = m / s->rest_density * (s->viscosities ? 1 : s->viscosity) * s->central_weight;
+    vectors drag = {thick * f->vx, thick * f->vy};
     vectors force = {d.x + drag.x - f->px - (qxx * n.x + qxy * n.y), d.y + drag.y - f->py - (qxy * n.x + qyy * n.y)};
     const bool walls = s->neighbours.slices[i / SPH2D__LANES].walls > 0;
-    sph2d__lanes brake = {0};
-    if (walls)
+    sph2d__lanes brake = {0}, repel = {0};
+    const vectors front = load(z->front_nx, z->front_ny, i);
+    if (walls) {
         brake = add_walls(s, i, f, &force);
-    vectors a = fall(s, i, v);
+        repel = repelled(s, i, front);
+        force = (vectors){force.x + repel * front.x, force.y + repel * front.y};
+    }
+    const bool imaged = z->imaged[i / SPH2D__LANES] > 0;
+    const vectors driven = fall(s, i, v);
+    vectors a = driven, turned = {0}; /* what gravity beyond sides takes away */
+    if (imaged) {
+        turned =
+            (vectors){-2 * a.x * sph2d__lanes_load(z->across_x + i), -2 * a.y * sph2d__lanes_load(z->across_y + i)};
+        const sph2d__lanes w = sph2d__lanes_load(z->image_weight + i); /* the share of images in all of the above */
+        const vectors m_n = load(z->image_nx, z->image_ny, i);
+        const sph2d__lanes ix =
+            sph2d__float2_x(rest) * w + sph2d__float2_x(rest_x) * m_n.x + sph2d__float2_y(rest_x) * m_n.y;
+        const sph2d__lanes iy =
+            sph2d__float2_y(rest) * w + sph2d__float2_x(rest_y) * m_n.x + sph2d__float2_y(rest_y) * m_n.y;
+        const sph2d__lanes px = strength * (f->dx - without->dx + hv * (f->rx - without->rx - ix)) +
+                                thick * (f->vx - without->vx) - (f->px - without->px) - (qxx * m_n.x + qxy * m_n.y);
+        const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - iy)) +
+                                thick * (f->vy - without->vy) - (f->py - without->py) - (qxy * m_n.x + qyy * m_n.y);
+        sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * (px / m + turned.x));
+        sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * (py / m + turned.y));
+        a = (vectors){a.x + turned.x, a.y + turned.y};
+    }
     a = (vectors){a.x + force.x / m, a.y + force.y / m};
+    if (z->pulls)
+        a = (vectors){a.x + sph2d__lanes_load(z->pull_x + i), a.y + sph2d__lanes_load(z->pull_y + i)};
+    if (z->rubs || z->sticks)
+        rub(s, i, v, &a, &drag);
+    if (z->holds)
+        hold(s, i, last, v, &a, sum);
     const vectors middle = {v.x + dt / 2 * a.x, v.y + dt / 2 * a.y}, next = {v.x + dt * a.x, v.y + dt * a.y};
+    if (z->driven)
+        drive(s, i, last, driven, middle, sum);
     sph2d__lanes work = dt * dot(d, middle);
+    if (imaged)
+        work += dt * m * dot(turned, middle);
     if (walls)
-        work -= dt * brake * (dot(load(z->sx, z->sy, i), middle) - 0.5 * sph2d__lanes_load(z->wall_rate + i));
+        work += dt * (repel * (dot(front, middle) - sph2d__lanes_load(z->front_speed + i)) -
+                      brake * (dot(load(z->sx, z->sy, i), middle) - 0.5 * sph2d__lanes_load(z->wall_rate + i)));
     add_lanes(&sum->first, work, i, last);
     add_lanes(&sum->second, dt * dot(drag, middle), i, last);
     sph2d__lanes_store(z->diffused + i, -dt * SPH2D__DIFFUSION * s->sound_speed * f->diffused);
@@ -199,10 +316,10 @@ static void force(sph2d__system *s, size_t first, size_t last, sph2d__slab_sum *
 {
     sph2d__slab_sum sum = *to;
     for (size_t i = first; i < last; i += SPH2D__LANES) {
-        force_sums f = sum_forces(s, i);
+        force_sums without = {0}, f = sum_forces(s, i, &without);
         if (s->frozen->close[i / SPH2D__LANES] > 0)
-            add_repulsion(s, i, &f);
-        kick(s, i, last, &f, &sum);
+            add_repulsion(s, i, &f, &without);
+        kick(s, i, last, &f, &without, &sum);
     }
     *to = sum;
 }
@@ -266,7 +383,13 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__float2_store(z->rest + i, sph2d__float2_of(part * rx, part * ry));
     sph2d__float2_store(z->rest_x + i, sph2d__float2_of(smooth * rx * k.x, smooth * rx * k.y));
     sph2d__float2_store(z->rest_y + i, sph2d__float2_of(smooth * ry * k.x, smooth * ry * k.y));
-    const sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
+    sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
+    if (z->holds) {
+        const sph2d__lanes held = sph2d__lanes_load(z->held + i);
+        add_lanes(&sum->fourth, stiffness * held * sph2d__lanes_load(t->excess + i) * (drift * rate + change), i, last);
+        rate = (1 - held) * rate;
+        change = (1 - held) * change;
+    }
     const sph2d__lanes before = sph2d__lanes_load(t->excess + i) + time.before * rate;
     const sph2d__lanes damping = sph2d__lanes_load(z->damping + i), damped = damping * rate;
     const sph2d__lanes theta = before + change + time.after * rate;

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/** @file variational_friction.c
+ *  Forces on the liquid that stand still over a step, or are linear in its velocity, and its viscosity: friction of walls,
+ *  surface tension, rheology.
+ *
+ *  Liquid sticks to walls without slip as if the walls went on with its own velocity, so that it is theirs at the surface
+ *  (terms/stick.h): the viscous forces of variational.h with w times 1 + d_b/d_i, in all -K_i v_i + k_i. An acoustic step
+ *  takes K_i of the velocity at its end, so that it is stable however near the liquid is. */
+#include <string.h>
+
+#include "methods/terms/friction.h"
+#include "methods/terms/rheology.h"
+#include "methods/terms/stick.h"
+#include "methods/terms/tension.h"
+#include "methods/variational/variational.h"
+
+sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *s, size_t i, size_t b, const float g[2],
+                                           const float apart[2])
+{
+    const sph2d__store *w = &s->walls;
+    const double gx = (double)g[0], gy = (double)g[1], x = (double)apart[0], y = (double)apart[1];
+    const double size2 = gx * gx + gy * gy, gain = size2 > 0 ? sph2d__stick(s, b, x, y) : 0;
+    const double mu = s->viscosities ? s->viscosities[i] : s->viscosity;
+    const double scale = gain > 0 ? mu / s->rest_density * s->central_weight * hypot(x, y) / sqrt(size2) : 0;
+    const double turn = (gain - 1) * (s->wall_spin ? s->wall_spin[w->id[b]] : 0);
+    const double along = scale * (gx * (gain * w->vx[b] - turn * y) + gy * (gain * w->vy[b] + turn * x));
+    return (sph2d__frozen_stick){gain * scale * gx * gx, gain * scale * gx * gy, gain * scale * gy * gy, along * gx,
+                                 along * gy};
+}
+
+/** Sums over the walls around some particles. */
+static void stick_some(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; ++i) {
+        const sph2d__slice *at = &n->slices[i / n->lanes];
+        sph2d__frozen_stick sum = {0};
+        size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
+        for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
+            float g[2], apart[2];
+            memcpy(g, n->gradient + k, sizeof g);
+            memcpy(apart, z->linear + k, sizeof apart);
+            if (n->index[k] >= s->walls.count)
+                continue;
+            const sph2d__frozen_stick b = sph2d__frozen_stick_of(s, i, n->index[k], g, apart);
+            sum = (sph2d__frozen_stick){sum.xx + b.xx, sum.xy + b.xy, sum.yy + b.yy, sum.x + b.x, sum.y + b.y};
+        }
+        z->stick_xx[i] = sum.xx;
+        z->stick_xy[i] = sum.xy;
+        z->stick_yy[i] = sum.yy;
+        z->stick_x[i] = sum.x;
+        z->stick_y[i] = sum.y;
+        z->mean_vx[i] = z->mean_vy[i] = 0;
+    }
+}
+
+static void clear_some(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        s->fluid.ax[i] = s->fluid.ay[i] = 0;
+}
+
+static void take_rubbed(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; ++i) {
+        z->rub_x[i] = s->fluid.ax[i];
+        z->rub_y[i] = s->fluid.ay[i];
+    }
+    clear_some(s, first, last);
+}
+
+static void take_pulled(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; ++i) {
+        z->pull_x[i] = s->fluid.ax[i];
+        z->pull_y[i] = s->fluid.ay[i];
+    }
+}
+
+/** Strains by the slopes of velocity. */
+static void strain_some(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i) {
+        float v[2], w[2];
+        memcpy(v, s->frozen->slope_v + i, sizeof v);
+        memcpy(w, s->frozen->slope_w + i, sizeof w);
+        s->fluid.stretch[i] = ((double)v[0] - (double)w[0]) / 2;
+        s->fluid.shear[i] = (double)v[1];
+    }
+}
+
+/** Leaves to e what viscosity does not do: it makes what is not linear in a lattice fade at the rate mu/rho0 4/<r^2>
+ *  sum |G| r, too. */
+static void spare_some(sph2d__system *s, size_t first, size_t last)
+{
+    const double unit = s->central_weight * s->lattice_slopes / s->rest_density,
+                 wanted = SPH2D__SMOOTHING * s->sound_speed / s->spacing;
+    for (size_t i = first; i < last; ++i) {
+        const double rate = unit * (s->viscosities ? s->viscosities[i] : s->viscosity);
+        s->frozen->smooth[i] *= sqrt(fmax(1 - rate / wanted, 0));
+    }
+}
+
+bool sph2d__frozen_rub(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    const size_t count = s->fluid.count;
+    if (s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN)
+        sph2d__over_particles(s, count, strain_some);
+    if (!sph2d__rheology_set(s))
+        return false;
+    for (size_t k = 0; s->viscosities && k < s->frozen->images.count; ++k)
+        s->viscosities[s->frozen->first_image + k] = s->viscosities[sph2d__image_of(s->frozen, k)];
+    for (size_t i = count; s->viscosities && i < count + SPH2D__WIDEST; ++i)
+        s->viscosities[i] = s->viscosity; /* what lists end with */
+    if (s->viscosity > 0)
+        sph2d__over_particles(s, count, spare_some);
+    z->sticks = s->walls_rough && s->walls_press && s->viscosity > 0;
+    z->rubs = sph2d__has_friction(s);
+    z->pulls = s->surface_tension > 0;
+    if (z->sticks)
+        sph2d__over_particles(s, count, stick_some);
+    if (!z->rubs && !z->pulls)
+        return true;
+    sph2d__over_particles(s, count, clear_some);
+    sph2d__friction_set(s);
+    sph2d__friction_add(s);
+    sph2d__over_particles(s, count, take_rubbed);
+    sph2d__tension_add(s);
+    sph2d__over_particles(s, count, take_pulled);
+    return true;
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: MIT */
+/** @file variational_frozen.c
+ *  What stands still over a step of method `wcsph` with variational operators: its memory, and how it is set. */
+#include <math.h>
+#include <string.h>
+
+#include "kernels/kernel.h"
+#include "methods/variational/variational.h"
+
+/* Lattice sites on either side of a particle. */
+enum { REACH = SPH2D__LATTICE_REACH };
+
+/* Steps of the distance from a surface, over H, by which s is found. */
+enum { DISTANCES = 256 };
+
+/** Sums of K and Sigma over the first row of a lattice and those behind it. */
+static void sum_first_row(const sph2d__system *s, double *value, double *k)
+{
+    const double ratio = s->spacing / s->support, scale = sph2d__kernel_constant(s->method.kernel) * ratio * ratio;
+    *value = *k = 0;
+    for (int i = -REACH; i <= REACH; ++i)
+        for (int j = 0; j <= REACH; ++j) {
+            const double q = hypot(i, j) * ratio;
+            *value += sph2d__kernel_value_at(s->method.kernel, q) / s->lattice_values;
+            *k -= scale * sph2d__kernel_slope_at(s->method.kernel, q) * q * j * ratio;
+        }
+}
+
+/** s by K/Sigma of a liquid below a plane, its lack over the part of the lattice that is beyond a first row as large as
+ *  there. */
+static void find_left(const sph2d__system *s, sph2d__frozen *z)
+{
+    const sph2d_kernel kernel = s->method.kernel;
+    const double step = 1.0 / DISTANCES, scale = sph2d__kernel_constant(kernel) * step;
+    double values[DISTANCES + 1], slopes[DISTANCES + 1], value = 0.5, k = 0, row_value, row_k, row_left = 1;
+    for (int a = 0; a <= DISTANCES; ++a) {
+        values[a] = slopes[a] = 0;
+        for (int b = -DISTANCES; b <= DISTANCES; ++b) {
+            const double q = hypot(a, b) * step;
+            values[a] += q < 1 ? scale * sph2d__kernel_value_at(kernel, q) : 0;
+            slopes[a] -= q < 1 ? scale * sph2d__kernel_slope_at(kernel, q) * q * a * step : 0;
+        }
+    }
+    sum_first_row(s, &row_value, &row_k);
+    for (int a = DISTANCES; a > 0; --a)
+        k += (slopes[a] + slopes[a - 1]) * step / 2;
+    z->nearness = k / value;
+    z->left[SPH2D__FREE_PARTS] = value;
+    int entry = SPH2D__FREE_PARTS - 1;
+    for (int a = 1; a <= DISTANCES; ++a) {
+        const double before = value, near = k / value;
+        value = fmin(value + (values[a] + values[a - 1]) * step / 2, 1);
+        k = a < DISTANCES ? fmax(k - (slopes[a] + slopes[a - 1]) * step / 2, 0) : 0;
+        const double fall = near - k / value;
+        if (near >= row_k / row_value && k / value < row_k / row_value)
+            row_left = before + (value - before) * (near - row_k / row_value) / fall;
+        for (; entry >= 0 && z->nearness * entry / SPH2D__FREE_PARTS >= k / value; --entry)
+            z->left[entry] = before + (value - before) * (near - z->nearness * entry / SPH2D__FREE_PARTS) / fall;
+    }
+    z->first_row = 1 - row_value;
+    for (entry = 0; entry <= SPH2D__FREE_PARTS; ++entry)
+        z->left[entry] = 1 - (1 - z->left[entry]) * (1 - row_value) / (1 - row_left);
+}
+
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+#define COUNT_ONE(name) +1
+enum { ARRAYS = 0 SPH2D__FROZEN_ARRAYS(COUNT_ONE), PAIRS = 3, ALL = ARRAYS + PAIRS + 3 };
+
+static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
+{
+    size_t n = 0;
+#define BLOCK(name) out[n++] = (sph2d__growth){&z->name, sizeof *z->name};
+    SPH2D__FROZEN_ARRAYS(BLOCK)
+#undef BLOCK
+    out[n++] = (sph2d__growth){&z->linear, sizeof *z->linear};
+    out[n++] = (sph2d__growth){&z->inverse, sizeof *z->inverse};
+    out[n++] = (sph2d__growth){&z->distance, sizeof *z->distance};
+    out[n++] = (sph2d__growth){&z->flags, sizeof *z->flags};
+    out[n++] = (sph2d__growth){&z->close, sizeof *z->close};
+    out[n++] = (sph2d__growth){&z->imaged, sizeof *z->imaged};
+}
+
+/* ---- room -------------------------------------------------------------------------------------------------------- */
+
+/** Makes room for the neighbour lists' pairs and slices, and the particles of the store. */
+static bool reserve(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    const size_t slabs = sph2d__slabs(s->neighbours.particles), pairs = slabs * s->neighbours.each * SPH2D__SLAB;
+    const size_t slices = slabs * SPH2D__SLAB / SPH2D__NARROWEST, particles = s->fluid.capacity + SPH2D__PADDING;
+    sph2d__growth blocks[ALL];
+    list_blocks(z, blocks);
+    if (particles > z->capacity) {
+        if (!sph2d__grow_all(s->memory, blocks, ARRAYS, z->capacity, particles))
+            return false;
+        z->capacity = particles;
+    }
+    if (pairs > z->pairs) {
+        if (!sph2d__grow_all(s->memory, blocks + ARRAYS, PAIRS, z->pairs, pairs))
+            return false;
+        z->pairs = pairs;
+    }
+    if (slices > z->slices) {
+        if (!sph2d__grow_all(s->memory, blocks + ARRAYS + PAIRS, 3, z->slices, slices))
+            return false;
+        z->slices = slices;
+    }
+    return true;
+}
+
+/** Makes room for the boundary particles. */
+static bool reserve_walls(sph2d__system *s, const sph2d__sides *sides)
+{
+    const bool fresh = !s->frozen;
+    if (fresh)
+        s->frozen = sph2d__alloc(s->memory, 1, sizeof *s->frozen);
+    sph2d__frozen *z = s->frozen;
+    if (!z)
+        return false;
+    if (fresh)
+        find_left(s, z);
+    const bool other = memcmp(&z->sides, sides, sizeof *sides) != 0;
+    z->sides = *sides;
+    const size_t walls = s->walls.capacity + SPH2D__PADDING;
+    const sph2d__growth block = {&z->part, sizeof *z->part};
+    if (walls > z->walls) {
+        if (!sph2d__grow_all(s->memory, &block, 1, z->walls, walls))
+            return false;
+        z->walls = walls;
+        sph2d__wall_parts_find(s);
+    } else if (other) {
+        sph2d__wall_parts_find(s);
+    }
+    return true;
+}
+
+void sph2d__frozen_free(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    if (!z)
+        return;
+    sph2d__growth blocks[ALL];
+    list_blocks(z, blocks);
+    for (size_t k = 0; k < ALL; ++k)
+        sph2d__release(s->memory, blocks[k].slot,
+                       k < ARRAYS           ? z->capacity
+                       : k < ARRAYS + PAIRS ? z->pairs
+                                            : z->slices,
+                       blocks[k].size);
+    sph2d__frozen_bodies_free(s);
+    void *of_walls = z->part, *all = z;
+    sph2d__release(s->memory, &of_walls, z->walls, sizeof *z->part);
+    sph2d__store_free(&z->images, s->memory);
+    sph2d__cells_free(&z->image_cells, s->memory);
+    sph2d__release(s->memory, &all, 1, sizeof *z);
+    s->frozen = NULL;
+}
+
+/* ---- what stands still ------------------------------------------------------------------------------------------- */
+
+/** Puts the particles that shorter lists end with where no kernel reaches, with values that are numbers. */
+static void end_store(const sph2d__store *t)
+{
+    const size_t end = t->count + SPH2D__WIDEST - t->count % SPH2D__WIDEST;
+    for (size_t i = t->count; i < end && t->capacity > 0; ++i)
+        t->x[i] = t->y[i] = 1e30;
+}
+
+static void end_rows(sph2d__system *s)
+{
+    const sph2d__store *f = &s->fluid;
+    sph2d__frozen *z = s->frozen;
+    end_store(f);
+    if (s->walls.capacity > 0) {
+        end_store(&s->walls);
+        s->walls.mass[s->walls.count] = 0;
+    }
+    if (f->capacity == 0)
+        return;
+    const size_t end = f->count + SPH2D__WIDEST - f->count % SPH2D__WIDEST;
+    for (size_t i = f->count; i < end; ++i) {
+        f->vx[i] = f->vy[i] = f->excess[i] = 0;
+#define ZERO(name) z->name[i] = 0;
+        SPH2D__FROZEN_ARRAYS(ZERO)
+#undef ZERO
+        z->px[i] = z->py[i] = 1e30;
+    }
+}
+
+/* By how much particles may become faster during a step. */
+static const double MARGIN = 1.5;
+
+static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    sum->most = !sph2d__variational_gather_find(s->isa)->gather[s->method.kernel](s, slab->first / SPH2D__SLAB);
+}
+
+/* The most that Z is. */
+static const double DAMPING = 0.1;
+/* The largest g c0 dt of a particle. With g = (|B| + |C|) sum |G| + |S| no row of D has a larger sum than 2 g. On a lattice
+ * its norm is 0.52 sum |G|, so that a leapfrog is stable up to g c0 dt = 3.8. */
+static const double MOST_RATE = 2;
+
+/** Bounds C of particle i, and Z m c0 H, by what an acoustic step bears. */
+static void bound(const sph2d__system *s, size_t i)
+{
+    sph2d__frozen *z = s->frozen;
+    const double trace = z->bxx[i] + z->byy[i], det = z->bxx[i] * z->byy[i] - z->bxy[i] * z->bxy[i];
+    const double largest = (trace + sqrt(fmax(trace * trace - 4 * det, 0))) / 2;
+    const double turned2 =
+        z->cxx[i] * z->cxx[i] + z->cxy[i] * z->cxy[i] + z->cyx[i] * z->cyx[i] + z->cyy[i] * z->cyy[i];
+    const double straight = largest * z->weight[i] + sqrt(z->sx[i] * z->sx[i] + z->sy[i] * z->sy[i]),
+                 turned = sqrt(turned2) * z->weight[i], most = MOST_RATE / (s->sound_speed * z->dt);
+    const double part = straight + turned > most && turned > 0 ? fmax(most - straight, 0) / turned : 1;
+    z->cxx[i] *= part;
+    z->cxy[i] *= part;
+    z->cyx[i] *= part;
+    z->cyy[i] *= part;
+    z->wall_zx[i] *= part;
+    z->wall_zy[i] *= part;
+    z->walled[i] *= part;
+    /* The columns of D's transpose are as large where particles are alike: stable with Z c0 H (2 g)^2 dt = 2. Here it is 1. */
+    const double g = straight + part * turned, diffusivity = DAMPING * s->sound_speed * s->support,
+                 limit = 4 * g * g * z->dt;
+    z->damping[i] = s->mass * (diffusivity * limit > 1 ? 1 / limit : diffusivity);
+}
+
+static void bound_some(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        bound(s, i);
+}
+
+bool sph2d__frozen_gather(sph2d__system *s, const sph2d__sides *sides)
+{
+    const sph2d__variational_gather_pass *pass = sph2d__variational_gather_find(s->isa);
+    const double ratio = s->support / s->spacing;
+    size_t each = (size_t)(2 * SPH2D__PI * ratio * ratio) + 8; /* with walls, and half as many again for disorder */
+    if (!reserve_walls(s, sides) || !sph2d__images_place(s))
+        return false;
+    for (;; each = 2 * s->neighbours.each) {
+        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) || !reserve(s))
+            return false;
+        s->neighbours.lanes = pass->lanes;
+        s->frozen->apart = SPH2D__CLOSE * s->spacing + MARGIN * s->speed * s->step;
+        end_rows(s);
+        sph2d__images_start(s);
+        if (sph2d__over_fluid(s, gather_slab, NULL).most == 0)
+            break;
+    }
+    sph2d__images_of_slopes(s);
+    sph2d__over_particles(s, s->fluid.count, pass->compare);
+    s->frozen->dt = s->step / (double)sph2d__acoustic_steps(s, s->step);
+    sph2d__over_particles(s, s->fluid.count, bound_some);
+    return true;
+}

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+/** @file variational_images.c
+ *  Sides of the domain that mirror the liquid (variational.h): images of what is near them, behind the particles in all
+ *  arrays, and what is left of boundary particles there. */
+#include <math.h>
+#include <string.h>
+
+#include "kernels/kernel.h"
+#include "methods/variational/variational.h"
+
+/* ---- sides ------------------------------------------------------------------------------------------------------- */
+
+enum { LOW_X = 1, HIGH_X = 2, LOW_Y = 4, HIGH_Y = 8, IMAGE_SIDES = 16 };
+
+/** The sides of which (x, y) is nearer than the support. */
+static int sides_near(const sph2d__system *s, double x, double y)
+{
+    const sph2d__sides *d = &s->frozen->sides;
+    return (x - d->low_x < s->support ? LOW_X : 0) | (d->high_x - x < s->support ? HIGH_X : 0) |
+           (y - d->low_y < s->support ? LOW_Y : 0) | (d->high_y - y < s->support ? HIGH_Y : 0);
+}
+
+static sph2d_vec2 mirrored(const sph2d__sides *d, int in, sph2d_vec2 p)
+{
+    return (sph2d_vec2){in & LOW_X    ? 2 * d->low_x - p.x
+                        : in & HIGH_X ? 2 * d->high_x - p.x
+                                      : p.x,
+                        in & LOW_Y    ? 2 * d->low_y - p.y
+                        : in & HIGH_Y ? 2 * d->high_y - p.y
+                                      : p.y};
+}
+
+/* Support radius of the kernel by which obstacles are looked for at the image of a boundary particle, over dx. */
+static const double LOOK_SUPPORT = 2;
+
+static bool is_beyond(const sph2d__sides *d, double x, double y)
+{
+    return x < d->low_x || x > d->high_x || y < d->low_y || y > d->high_y;
+}
+
+/** How much of a boundary particle beyond a side acts: as much as there are obstacles at its image, since the liquid's
+ *  images stand for the rest. */
+static double behind_side(const sph2d__system *s, size_t b)
+{
+    const sph2d__store *w = &s->walls;
+    const sph2d__sides *d = &s->frozen->sides;
+    if (w->id[b] < d->first)
+        return 0; /* an obstacle's, which no liquid sees */
+    const int beyond = (w->x[b] < d->low_x ? LOW_X : 0) | (w->x[b] > d->high_x ? HIGH_X : 0) |
+                       (w->y[b] < d->low_y ? LOW_Y : 0) | (w->y[b] > d->high_y ? HIGH_Y : 0);
+    const sph2d_vec2 at = mirrored(d, beyond, (sph2d_vec2){w->x[b], w->y[b]});
+    const double h = LOOK_SUPPORT * s->spacing;
+    const double scale = sph2d__kernel_constant(s->method.kernel) / (h * h * s->rest_density);
+    const uint32_t cell = sph2d__cells_find(&s->wall_cells, at.x, at.y);
+    double of[2] = {0, 0}; /* area of obstacles, of sides */
+    sph2d__ranges ranges = {0};
+    if (cell != UINT32_MAX)
+        sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
+    SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
+        const double dx = at.x + ranges.x[r] - w->x[j], dy = at.y + ranges.y[r] - w->y[j], r2 = dx * dx + dy * dy;
+        if (r2 < h * h)
+            of[w->id[j] >= d->first] += scale * w->mass[j] * sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / h);
+    }
+    return fmin(of[0] / fmax(1 - of[1], 0.1), 1);
+}
+
+void sph2d__wall_parts_find(sph2d__system *s)
+{
+    const sph2d__store *w = &s->walls;
+    const sph2d__sides *d = &s->frozen->sides;
+    for (size_t b = 0; b < w->count; ++b)
+        s->frozen->part[b] = is_beyond(d, w->x[b], w->y[b]) ? behind_side(s, b) : 1;
+}
+
+/* ---- images ------------------------------------------------------------------------------------------------------ */
+
+bool sph2d__images_place(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    sph2d__store *f = &s->fluid, *t = &z->images;
+    t->has = t->carried = SPH2D__STORE_BASIC;
+    t->count = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        const int near = sides_near(s, f->x[i], f->y[i]);
+        if (near == 0)
+            continue;
+        if (t->count + 8 > t->capacity && !sph2d__store_reserve(t, s->memory, 2 * t->count + 64))
+            return false;
+        for (int x = 0; x <= HIGH_X; ++x)
+            for (int y = 0; y <= HIGH_Y; y += LOW_Y)
+                if ((x | y) != 0 && (near & (x | y)) == (x | y)) {
+                    const sph2d_vec2 at = mirrored(&z->sides, x | y, (sph2d_vec2){f->x[i], f->y[i]});
+                    sph2d__store_add(t, i * IMAGE_SIDES + (size_t)(x | y), at.x, at.y);
+                }
+    }
+    z->image_cells.period = s->fluid_cells.period;
+    z->image_cells.columns = s->fluid_cells.columns;
+    z->first_image = f->count + 2 * SPH2D__WIDEST;
+    return t->count == 0 || (sph2d__cells_build(&z->image_cells, t, s->reach, s->memory) &&
+                             sph2d__store_reserve(f, s->memory, z->first_image + t->count + SPH2D__WIDEST));
+}
+
+size_t sph2d__image_of(const sph2d__frozen *z, size_t k)
+{
+    return (size_t)z->images.id[k] / IMAGE_SIDES;
+}
+
+/** Signs of an image's components. */
+typedef struct image {
+    size_t of;
+    int sides;
+    double x, y;
+} image;
+
+static image image_at(const sph2d__frozen *z, size_t k)
+{
+    const int sides = (int)(z->images.id[k] % IMAGE_SIDES);
+    return (image){sph2d__image_of(z, k), sides, sides & (LOW_X | HIGH_X) ? -1 : 1, sides & (LOW_Y | HIGH_Y) ? -1 : 1};
+}
+
+/** Two floats of an image, of those of its particle and their signs. */
+static double with_signs(double pair, double first, double second)
+{
+    float v[2];
+    memcpy(v, &pair, sizeof v);
+    v[0] *= (float)first;
+    v[1] *= (float)second;
+    memcpy(&pair, v, sizeof v);
+    return pair;
+}
+
+void sph2d__images_start(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    sph2d__store *f = &s->fluid;
+    for (size_t k = 0; k < z->images.count; ++k) {
+        const image m = image_at(z, k);
+        const size_t i = z->first_image + k;
+        f->x[i] = z->images.x[k];
+        f->y[i] = z->images.y[k];
+        f->vx[i] = m.x * f->vx[m.of];
+        f->vy[i] = m.y * f->vy[m.of];
+        f->excess[i] = f->excess[m.of];
+        z->across_x[i] = m.x < 0;
+        z->across_y[i] = m.y < 0;
+    }
+    const size_t end = z->first_image + z->images.count;
+    if (z->images.count > 0) {
+        f->x[end] = f->y[end] = 1e30;
+        f->vx[end] = f->vy[end] = f->excess[end] = 0;
+#define ZERO_END(name) z->name[end] = 0;
+        SPH2D__FROZEN_ARRAYS(ZERO_END)
+#undef ZERO_END
+        z->px[end] = z->py[end] = 1e30;
+    }
+}
+
+static void slopes_of(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = first; k < last; ++k) {
+        const image m = image_at(z, k);
+        const size_t i = z->first_image + k;
+        z->slope_v[i] = with_signs(z->slope_v[m.of], 1, m.x * m.y);
+        z->slope_w[i] = z->slope_w[m.of];
+        z->slope_p[i] = with_signs(z->slope_p[m.of], m.x, m.y);
+        z->walled[i] = z->walled[m.of];
+    }
+}
+
+static void velocity_of(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = first; k < last; ++k) {
+        const image m = image_at(z, k);
+        const size_t i = z->first_image + k;
+        z->velocity[i] = with_signs(z->velocity[m.of], m.x, m.y);
+        z->zx[i] = m.x * z->zx[m.of];
+        z->zy[i] = m.y * z->zy[m.of];
+    }
+}
+
+static void pressure_of(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = first; k < last; ++k) {
+        const image m = image_at(z, k);
+        const size_t i = z->first_image + k;
+        const double both = m.x * m.y;
+        const sph2d_vec2 at = mirrored(&z->sides, m.sides, (sph2d_vec2){z->px[m.of], z->py[m.of]});
+        z->px[i] = at.x;
+        z->py[i] = at.y;
+        z->press[i] = with_signs(z->press[m.of], 1, both);
+        z->press_more[i] = z->press_more[m.of];
+        z->work[i] = z->work[m.of];
+        z->rest[i] = with_signs(z->rest[m.of], m.x, m.y);
+        z->rest_x[i] = with_signs(z->rest_x[m.of], 1, both);
+        z->rest_y[i] = with_signs(z->rest_y[m.of], both, 1);
+    }
+}
+
+void sph2d__images_of_slopes(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->frozen->images.count, slopes_of);
+}
+void sph2d__images_of_velocity(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->frozen->images.count, velocity_of);
+}
+void sph2d__images_of_pressure(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->frozen->images.count, pressure_of);
+}

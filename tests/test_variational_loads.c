@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+/** @file test_variational_loads.c
+ *  Variational operators with bodies, friction, openings, surface tension and rheology: energy and momentum to rounding,
+ *  and what is known exactly. */
+#include <math.h>
+#include <string.h>
+
+#include "common.h"
+#include "sim/simulation.h"
+
+static struct {
+    sph2d_scene scene;
+    sph2d_block block;
+    sph2d_body body;
+    sph2d_opening openings[2];
+    sph2d_obstacle obstacle;
+    sph2d_sim *sim;
+} pool;
+
+/** Water, in a domain of width x height that is open at the top. */
+static void lay_out(double dx, double width, double height)
+{
+    memset(&pool, 0, sizeof pool);
+    pool.scene = sph2d_scene_default();
+    pool.scene.domain = (sph2d_box){{0, 0}, {width, height}};
+    pool.scene.spacing = dx;
+    pool.scene.method.operators = SPH2D_OPERATORS_VARIATIONAL;
+    pool.scene.fluid.dynamic_viscosity = 0;
+    pool.scene.blocks = &pool.block;
+    pool.scene.block_count = 1;
+}
+
+static void add_body(double x0, double y0, double x1, double y1, double density)
+{
+    pool.body = sph2d_body_default();
+    pool.body.name = "body";
+    pool.body.density = density;
+    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{x0, y0}, {x1, y1}}};
+    pool.scene.bodies = &pool.body;
+    pool.scene.body_count = 1;
+}
+
+static sph2d_summary run_until(double time)
+{
+    pool.sim = test_create(&pool.scene, NULL);
+    while (sph2d_sim_time(pool.sim) < time)
+        test_steps(pool.sim, 1);
+    return sph2d_sim_summary(pool.sim);
+}
+
+/** Of energy a part of the scene's may be unaccounted for, of momentum 1e-8 of what moved. */
+static void balances(const sph2d_summary *s, double part)
+{
+    ck_assert_double_le(fabs(s->energy_error), part * sph2d__sim_energy_scale(pool.sim));
+    ck_assert_double_le(s->momentum_error_max, 1e-8 * s->momentum_moved);
+}
+
+/* ---- bodies ------------------------------------------------------------------------------------------------------ */
+
+/** A box falls into water and floats: as deep as Archimedes says, a cork of 20 kg/m^3 as calmly as wood. */
+START_TEST(bodies_float_and_keep_energy)
+{
+    const double density = _i == 0 ? 500 : 20;
+    lay_out(0.04, 1.2, 1.2);
+    pool.block = test_block(0, 0, 1.2, 0.48);
+    add_body(0.4, 0.5, 0.8, 0.7, density);
+    const sph2d_summary s = run_until(3);
+    balances(&s, 1e-7);
+    const sph2d__rigid *r = &pool.sim->bodies.items[0];
+    const double area = 1.2 * 0.48 + density / 1000 * 0.4 * 0.2, level = area / 1.2;
+    const double bottom = 0.5 + r->state->place.y;
+    ck_assert_double_eq_tol(level - bottom, density / 1000 * 0.2, 0.3 * 0.04);
+    ck_assert_double_le(fabs(r->state->place.turn), 0.02);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/** Liquid thrown at a free body in free flight: both together keep their momentum and, what sticks, angular momentum. */
+START_TEST(liquid_and_body_keep_their_momentum)
+{
+    lay_out(0.04, 4, 2);
+    pool.scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.scene.method.sound_speed = 20;
+    pool.scene.wall_slip = _i == 0 ? SPH2D_SLIP_FREE : SPH2D_SLIP_NONE;
+    pool.scene.fluid.dynamic_viscosity = _i == 0 ? 0 : 5;
+    pool.block = test_block(0.6, 0.8, 1.2, 1.2);
+    pool.block.velocity = (sph2d_vec2){1, 0};
+    add_body(1.4, 0.6, 1.8, 1.1, 600);
+    const sph2d_summary s = run_until(0.8);
+    const sph2d__rigid *r = &pool.sim->bodies.items[0];
+    ck_assert_double_gt(r->state->velocity.x, 0.1);
+    ck_assert_double_gt(fabs(r->state->velocity.turn), 0.01);
+    ck_assert_double_eq_tol(s.momentum[0] + r->mass * r->state->velocity.x, 1000 * 0.24, 1e-7);
+    ck_assert_double_eq_tol(s.momentum[1] + r->mass * r->state->velocity.y, 0, 1e-7);
+    ck_assert_double_le(fabs(s.energy_error), 1e-7 * 1000 * 0.24 / 2);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/* ---- friction ---------------------------------------------------------------------------------------------------- */
+
+/** Flow between plates, rho g/(2 mu) y (h - y), 16 spacings across; also as gravity brings it about from rest, with
+ *  particles out of order. */
+START_TEST(liquid_sticks_to_walls)
+{
+    const double h = 0.8, mu = 40, g = 0.5;
+    lay_out(0.05, 0.8, h);
+    pool.scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+    pool.scene.gravity = (sph2d_vec2){g, 0};
+    pool.scene.method.sound_speed = 10;
+    pool.scene.wall_slip = SPH2D_SLIP_NONE;
+    pool.scene.fluid.dynamic_viscosity = mu;
+    pool.block = test_block(0, 0, 0.8, h);
+    pool.block.perturb.amplitude = 0.15;
+    const sph2d_summary s = run_until(20);
+    balances(&s, 1e-6);
+    const sph2d__store *f = &pool.sim->system.fluid;
+    const double most = 1000 * g * h * h / (8 * mu);
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq_tol(f->vx[i], 1000 * g / (2 * mu) * f->y[i] * (h - f->y[i]), 0.03 * most);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/** What a lid puts into a closed box, by a force or by its work, is in the liquid or has become heat. */
+START_TEST(the_work_of_a_lid_is_known)
+{
+    lay_out(0.05, 1, 1);
+    pool.scene.boundary.top = SPH2D_SIDE_WALL;
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.scene.method.sound_speed = 10;
+    pool.scene.wall_slip = _i == 0 ? SPH2D_SLIP_NONE : SPH2D_SLIP_SMOOTH;
+    pool.scene.wall_speeds.top = 1;
+    pool.scene.fluid.dynamic_viscosity = 10;
+    pool.block = test_block(0, 0, 1, 1);
+    const sph2d_summary s = run_until(1.5);
+    ck_assert_double_gt(pool.sim->record.energy_walls, 1);
+    ck_assert_double_gt(pool.sim->record.energy_viscous, 0.5);
+    ck_assert_double_le(fabs(s.energy_error), 1e-7 * pool.sim->record.energy_walls);
+    ck_assert_double_le(s.momentum_error_max, 1e-8 * s.momentum_moved);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/** A power law's flow between plates: u = n/(n+1) (rho g/K)^(1/n) ((h/2)^(1+1/n) - |y - h/2|^(1+1/n)). */
+START_TEST(shear_thinning_liquid_has_its_profile)
+{
+    const double h = 0.8, n = 0.5, K = 40, g = 0.25;
+    lay_out(0.05, 0.6, h);
+    pool.scene.boundary = (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+    pool.scene.gravity = (sph2d_vec2){g, 0};
+    pool.scene.method.sound_speed = 20;
+    pool.scene.wall_slip = SPH2D_SLIP_NONE;
+    pool.scene.fluid.dynamic_viscosity = sph2d_scene_default().fluid.dynamic_viscosity;
+    pool.scene.fluid.model = SPH2D_RHEOLOGY_POWER_LAW;
+    pool.scene.fluid.index = n;
+    pool.scene.fluid.consistency = K;
+    pool.scene.fluid.regularisation = 100;
+    pool.block = test_block(0, 0, 0.6, h);
+    const sph2d_summary s = run_until(30);
+    balances(&s, 1e-6);
+    const sph2d__store *f = &pool.sim->system.fluid;
+    const double q = 1 + 1 / n, factor = n / (n + 1) * pow(1000 * g / K, 1 / n), most = factor * pow(h / 2, q);
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq_tol(f->vx[i], factor * (pow(h / 2, q) - pow(fabs(f->y[i] - h / 2), q)), 0.07 * most);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/* ---- openings and tension ---------------------------------------------------------------------------------------- */
+
+/** A uniform stream through a channel without friction stays uniform, and as much leaves as enters. */
+START_TEST(a_stream_passes_through_openings)
+{
+    lay_out(0.05, 1, 0.5);
+    pool.scene.boundary.top = SPH2D_SIDE_WALL;
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.scene.method.sound_speed = 10;
+    pool.scene.wall_slip = SPH2D_SLIP_FREE;
+    pool.block = test_block(0, 0, 1, 0.5);
+    pool.block.velocity = (sph2d_vec2){0.5, 0};
+    pool.openings[0] = pool.openings[1] = sph2d_opening_default();
+    pool.openings[0].side = SPH2D_SIDE_NAME_LEFT;
+    pool.openings[0].velocity = 0.5;
+    pool.openings[1].side = SPH2D_SIDE_NAME_RIGHT;
+    pool.openings[1].pressure = 0;
+    pool.scene.openings = pool.openings;
+    pool.scene.opening_count = 2;
+    const sph2d_summary s = run_until(4);
+    ck_assert_double_le(fabs(s.energy_error), 1e-6 * 1000 * 0.5 * 0.125);
+    ck_assert_uint_gt(s.let_in, 350);
+    const sph2d__store *f = &pool.sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq_tol(f->vx[i], 0.5, 0.005);
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+/** A square drop becomes round; what its surface gives up is motion, or heat. */
+START_TEST(surface_tension_gives_its_energy)
+{
+    lay_out(0.05, 2, 2);
+    pool.scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    pool.scene.gravity = (sph2d_vec2){0, 0};
+    pool.scene.method.sound_speed = 10;
+    pool.scene.fluid.surface_tension = 10;
+    pool.scene.fluid.dynamic_viscosity = 10;
+    pool.block = test_block(0.6, 0.6, 1.4, 1.4);
+    const sph2d_summary s = run_until(6);
+    const double side = 0.8, radius = side / sqrt(TEST_PI), given = 10 * (4 * side - 2 * TEST_PI * radius);
+    balances(&s, 0.01);
+    ck_assert_double_ge(pool.sim->record.energy_viscous, 0.5 * given);
+    const sph2d__store *f = &pool.sim->system.fluid;
+    double farthest = 0;
+    for (size_t i = 0; i < f->count; ++i)
+        farthest = fmax(farthest, hypot(f->x[i] - 1, f->y[i] - 1));
+    ck_assert_double_eq_tol(farthest, radius - 0.025, 0.04); /* the corners were at 0.53 */
+    sph2d_sim_destroy(pool.sim);
+}
+END_TEST
+
+Suite *suite_variational_loads(void)
+{
+    Suite *suite = suite_create("variational_loads");
+    TCase *tests = tcase_create("variational_loads");
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, bodies_float_and_keep_energy, 0, 2);
+    tcase_add_loop_test(tests, liquid_and_body_keep_their_momentum, 0, 2);
+    tcase_add_test(tests, liquid_sticks_to_walls);
+    tcase_add_loop_test(tests, the_work_of_a_lid_is_known, 0, 2);
+    tcase_add_test(tests, shear_thinning_liquid_has_its_profile);
+    tcase_add_test(tests, a_stream_passes_through_openings);
+    tcase_add_test(tests, surface_tension_gives_its_energy);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
