@@ -30,7 +30,8 @@
  *  diffuses between particles alone, because of the bend.
  *
  *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
- *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z. Dissipation acts where velocities and pressures are not linear:
+ *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z. Dissipation acts where velocities and
+ *  pressures are not linear:
  *
  *      d_i  = V0 rho0 c0 sum_j b s G_ij,  w = v_ij . e,  s = minmod(w, w - e . (grad v_i + grad v_j)/2 . r),
  *             b = min(3 |s|/c0, 1)       the limiter of Zhang, Hu & Adams 2017, J. Comput. Phys. 335, 605-620
@@ -42,8 +43,8 @@
  *      P_i += Z m c0 H D_i, the damping of sound (Sun, Pilloni, Antuono & Colagrossi 2023, J. Comput. Phys. 483, 112056),
  *             0 where the liquid keeps its volume; Z at most 0.1, and as much as an acoustic step bears
  *      pairs nearer than r0 = dx/2 repel each other by R (1 - r/r0)^2, R = 0.2 rho0 c0^2 dx: nothing else keeps two
- *      particles from one place. A particle's image in any wall, an obstacle's too, does so as well: tension pulls
- *      liquid into walls
+ *      particles from one place. A particle's image in an obstacle does so as well, until the particle stops: tension
+ *      pulls liquid into walls
  *      dtheta_i/dt += -C c0 sum_j s |G_ij|,  s = minmod(theta_ij, theta_ij - (grad theta_i + grad theta_j)/2 . r)
  *
  *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles
@@ -95,7 +96,7 @@ static inline double sph2d__density_ratio(double theta)
     X(rest) X(rest_x) X(rest_y)      /* two floats: lambda r over sum |G|; lambda rx k; lambda ry k */                 \
     X(shift_x) X(shift_y)            /* way by shifting over the step [m] */                                            \
     X(summed)                        /* density by summation, less density, over rest density */                       \
-    X(walled)                        /* the part of C that acts, 0 where none does */                                                  \
+    X(walled)                        /* the part of C that acts, 0 where none does */                                   \
     X(slope_v) X(slope_w) X(slope_p) /* two floats: stretch and half of shear; dvy/dy and nothing; grad p */ \
     X(velocity) X(next_velocity)     /* two floats [m/s] */                                                            \
     X(press) X(press_more)           /* two floats: P B by xx, xy; by yy, and theta */                                 \

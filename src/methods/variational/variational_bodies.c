@@ -8,8 +8,9 @@
  *      D_i -= 2 w_d s_id;  z_i -= A_i w_d t_id;  F_d = sum_i ((2 P_i + l_i) s_id - e_i . t_id)
  *
  *  where e_i = A_i sum_k (P_k - P_i) G_ik. Where liquid sticks, with K_ib and k_ib (variational_friction.c), these are its
- *  forces on the liquid; that on the body, minus their sum, takes the body's velocity as it is at the step's start. So a body takes part in what acoustic steps keep, with its own mass, however
- *  light it is: they are as short as D's row of a body over that mass asks for. */
+ *  forces on the liquid; that on the body, minus their sum, takes the body's velocity as it is at the step's start. So a
+ *  body takes part in what acoustic steps keep, with its own mass, however light it is: they are as short as D's row of a
+ *  body over that mass asks for. */
 #include <string.h>
 
 #include "methods/variational/variational.h"
