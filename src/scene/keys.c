@@ -677,7 +677,7 @@ static const sph2d_key method_items[] = {
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .default_text = "muller 0.4, wcsph 0.3 (symmetric), 0.25 (fitted) or 0.2 (variational), hybrid 0.9, else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max); pcisph and constraint without c0 and at most "
-             "dx/H, wcsph at most 0.75 (symmetric) or 0.4 (variational, whose steps are up to five of these)"},
+             "dx/H, wcsph at most 0.75 (symmetric) or 0.25 (variational, whose steps are up to five of these)"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .default_text = "adaptive", .text = "a fixed step"},
     {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",

@@ -90,7 +90,7 @@ static const sph2d__method_row rows[] = {
                           HAS(SURFACE_TENSION) | HAS(WALL_SLIP) | HAS(SMOOTH_WALLS) | HAS(RHEOLOGY) | HAS(OPENINGS),
               .wall_forms = WALL(GENERALISED)},
      .cfl = 0.2,
-     .most_cfl = 0.4,
+     .most_cfl = 0.25,
      .damping_hint = "a smaller method.cfl",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_CONSTRAINT,
