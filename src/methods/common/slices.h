@@ -26,7 +26,8 @@ static inline sph2d__pairs sph2d__pairs_start(const sph2d__neighbours *n, size_t
                           .found = n->found + k * longest * SPH2D__WIDEST,
                           .longest = longest,
                           .fluid = SPH2D__CURSOR_START,
-                          .walls = SPH2D__CURSOR_START};
+                          .walls = SPH2D__CURSOR_START,
+                          .images = SPH2D__CURSOR_START};
 }
 
 /** Lists the particles nearer than the support around (x, y), but particle `but`. */
