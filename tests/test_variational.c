@@ -58,7 +58,8 @@ static sph2d_summary run_until(double time)
 /* ---- what is exact ----------------------------------------------------------------------------------------------- */
 
 /** Inside a disordered square of liquid in pure strain density does not change; by the plain sum of the same pairs it
- *  would by up to a fifth of the strain. Dissipation sees nothing in it. */
+ *  would by up to a fifth of the strain; some 0.01 is relaxation, which what the surface dissipates pays for. Dissipation
+ *  sees nothing in it. */
 START_TEST(linear_velocities_have_their_exact_rate)
 {
     lay_out(DX, 2, 2, 0);
@@ -67,7 +68,7 @@ START_TEST(linear_velocities_have_their_exact_rate)
     sph2d_block *block = add(0.5, 0.5, 1.5, 1.5);
     block->perturb.amplitude = 0.15;
     block->perturb.seed = 3;
-    block->start.flow = (sph2d_flow){SPH2D_FLOW_STRAIN, .speed = 1, .length = 1, .center = {1, 1}};
+    block->start.flow = (sph2d_flow){SPH2D_FLOW_STRAIN, .speed = 10, .length = 1, .center = {1, 1}};
     pool.scene.method.time_step = 1e-5;
     start();
     const sph2d__store *f = &pool.sim->system.fluid;
@@ -77,9 +78,9 @@ START_TEST(linear_velocities_have_their_exact_rate)
     }
     test_steps(pool.sim, 1);
     for (size_t i = 0; i < f->count; ++i)
-        ck_assert_msg(fmax(fabs(f->x[i] - 1), fabs(f->y[i] - 1)) > 0.5 - 3 * DX || fabs(f->excess[i]) < 1e-9,
-                      "rate %g of the strain at (%g, %g)", f->excess[i] / 1e-5, f->x[i], f->y[i]);
-    ck_assert_double_le(fabs(pool.sim->record.energy_pressed), 1e-5); /* by rates at the surface: 1 J/(m s) in all */
+        ck_assert_msg(fmax(fabs(f->x[i] - 1), fabs(f->y[i] - 1)) > 0.5 - 3 * DX || fabs(f->excess[i]) < 2e-6,
+                      "rate %g of the strain at (%g, %g)", f->excess[i] / 1e-4, f->x[i], f->y[i]);
+    ck_assert_double_le(fabs(pool.sim->record.energy_pressed), 1e-3); /* by rates at the surface: 100 J/(m s) in all */
     sph2d_sim_destroy(pool.sim);
 }
 END_TEST

@@ -91,7 +91,7 @@ static const sph2d__method_row rows[] = {
               .wall_forms = WALL(GENERALISED)},
      .cfl = 0.2,
      .most_cfl = 0.25,
-     .damping_hint = "a smaller method.cfl",
+     .damping_hint = "more fluid.dynamic_viscosity",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_CONSTRAINT,
               .word = "constraint",

@@ -73,7 +73,10 @@ static void look_at_energy(watch *w, library_run *run)
         w->scene->method.name == SPH2D_METHOD_PCISPH || w->scene->method.name == SPH2D_METHOD_CONSTRAINT;
     if (projected)
         fluid.pressure = acting_pressure(w->sim, fluid.pressure);
+    const bool pairs = w->scene->method.name == SPH2D_METHOD_WCSPH &&
+                       w->scene->method.operators == SPH2D_OPERATORS_VARIATIONAL; // close ones have energy, too
     double elastic = w->scene->method.name == SPH2D_METHOD_HYBRID ? 0
+                     : pairs                                      ? s.elastic
                      : projected ? held_energy(w->scene, plan, &fluid, sph2d_sim_steps(w->sim) == 0)
                                  : elastic_energy(w->scene, plan, &fluid);
     if (w->scene->method.name == SPH2D_METHOD_PCISPH)

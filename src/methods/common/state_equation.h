@@ -4,6 +4,7 @@
  *
  *      linear   p = c0^2 (rho - rho0)
  *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
+ *      variational operators   p = c0^2 rho ln(rho/rho0): only the inverse is here (methods/variational)
  *
  *  Both have dp/drho = c0^2 at rest density. Pressure is at least -tension (system.h). The elastic energy per mass,
  *
@@ -32,6 +33,12 @@ static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 static inline double sph2d__density_of(const sph2d__system *s, double pressure)
 {
     double c2 = s->sound_speed * s->sound_speed;
+    if (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL) {
+        double part = fmax(pressure / (s->rest_density * c2), -0.3), x = 1 + part; /* x ln x, at least -1/e */
+        for (int k = 0; k < 6; ++k)
+            x -= (x * log(x) - part) / (log(x) + 1);
+        return x * s->rest_density;
+    }
     double density = s->method.state_equation == SPH2D_STATE_LINEAR
                          ? s->rest_density + pressure / c2
                          : s->rest_density * pow(fmax(1 + 7 * pressure / (s->rest_density * c2), 0), 1.0 / 7);

@@ -81,17 +81,23 @@ static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
         s->fluid.excess[i] += relaxed(s, i, *part);
 }
 
-/** Moves densities towards their sums, as far as what was dissipated pays for it. */
-static void relax(sph2d_sim *sim, double dt)
+/** Energy dissipated so far [J/m]. */
+static double dissipated(const sph2d_sim *sim)
+{
+    return sim->record.energy_pressed + sim->record.energy_diffused + sim->record.energy_viscous;
+}
+
+/** Moves densities towards their sums, as far as what the step has dissipated, `paid`, pays for it: energy never rises by
+ *  it. */
+static void relax(sph2d_sim *sim, double dt, double paid)
 {
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
     double part = fmin(dt * s->sound_speed / (RELAXATION_TIME * s->support), 1);
     const double stiffness = s->mass * s->sound_speed * s->sound_speed;
     const double asked = stiffness * sph2d__over_fluid(s, sum_relaxed, &part).first;
-    const double left = fmax(r->energy_pressed + r->energy_diffused, 0);
-    if (asked > left)
-        part *= left / asked;
+    if (asked > 0)
+        part *= fmin(fmax(paid, 0) / asked, 1);
     r->energy_diffused -= stiffness * sph2d__over_fluid(s, relax_slab, &part).first;
 }
 
@@ -136,15 +142,60 @@ static void swap(double **a, double **b)
     *b = c;
 }
 
-/** Densities and pressures that are read from outside. */
-static void report(sph2d__system *s, size_t first, size_t last)
+/** The shortest way across periodic sides, of which places are at most half a period beyond; 1e30 stays far. */
+static double shortest(double d, double length)
+{
+    return !(length > 0) ? d : d > length / 2 ? d - length : d < -length / 2 ? d + length : d;
+}
+
+/** Potential energy of a particle's part of the pairs that repel each other, where it is now [J/kg]. */
+static double close_energy(const sph2d__system *s, size_t i)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__period *p = &s->fluid_cells.period;
+    const sph2d__slice *at = &n->slices[i / n->lanes];
+    const double near = SPH2D__CLOSE * s->spacing, c2 = s->sound_speed * s->sound_speed;
+    size_t k = at->begin + ((size_t)at->fluid + at->walls) * n->lanes + i % n->lanes;
+    double sum = 0;
+    for (uint32_t slot = 0; slot < z->close[i / n->lanes]; ++slot, k += n->lanes) {
+        const double dx = shortest(z->px[i] - z->px[n->index[k]], p->length_x);
+        const double dy = shortest(z->py[i] - z->py[n->index[k]], p->length_y);
+        const double t = fmax(1 - sqrt(dx * dx + dy * dy) / near, 0);
+        sum += t * t * t;
+    }
+    return SPH2D__REPULSION * c2 * SPH2D__CLOSE / 6 * sum;
+}
+
+/** Sums up the energy of close pairs at the start of a step [J/kg], and by how much it is other than at the end of the last
+ *  one: particles are new. */
+static void meet_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const double energy = close_energy(s, i);
+        sum->first += energy - s->fluid.slide[i];
+        s->fluid.slide[i] = energy;
+    }
+}
+
+/** What is read from outside; sums up the change of the energy of close pairs [J/kg]. */
+static void report_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const sph2d__store *f = &s->fluid;
     const double c2 = s->sound_speed * s->sound_speed;
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = slab->first; i < slab->last; ++i) {
         f->density[i] = s->rest_density * sph2d__density_ratio(f->excess[i]);
         f->pressure[i] = f->density[i] * c2 * f->excess[i];
     }
+    meet_slab(s, slab, with, sum);
+}
+
+/** Densities and pressures, and the energy of close pairs, which is not dissipated. */
+static void report(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    sim->record.energy_pressed -= s->mass * sph2d__over_fluid(s, report_slab, NULL).first;
 }
 
 /** The external force, before what acoustic steps add. */
@@ -178,6 +229,7 @@ static void sound(sph2d_sim *sim, double dt)
     start_external(s);
     const double half = z->dt / 2;
     sph2d__images_of_velocity(s);
+    sim->record.energy_fed += s->mass * sph2d__over_fluid(s, meet_slab, NULL).first;
     sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half});
     sph2d__images_of_pressure(s);
     const double before = rates.third;
@@ -205,7 +257,6 @@ static void sound(sph2d_sim *sim, double dt)
         sim->record.energy_pressed += rates.first;
         sim->record.energy_fed -= rates.fourth;
     }
-    sph2d__over_particles(s, s->fluid.count, report);
     sim->record.energy_pressed +=
         s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (before - rates.third);
 }
@@ -218,7 +269,8 @@ static void hold(sph2d_sim *sim)
     z->holds = sim->openings.count > 0;
     for (size_t i = 0; z->holds && i < f->count; ++i) {
         z->held[i] = sph2d__opening_at(sim, f->x[i], f->y[i]) != NULL;
-        z->summed[i] = z->held[i] > 0 ? 0 : z->summed[i];
+        if (z->held[i] > 0)
+            z->summed[i] = z->shift_x[i] = z->shift_y[i] = 0;
     }
 }
 
@@ -233,12 +285,13 @@ static sph2d_status push_bodies(sph2d_sim *sim, double dt)
     return sph2d__bodies_carry(sim, dt);
 }
 
-/** The sides of the domain that are walls, and mirrors: not where liquid sticks or passes. */
+/** The sides of the domain that are walls, and mirrors: not where liquid sticks. */
 static sph2d__sides mirrors_of(const sph2d_sim *sim)
 {
     const sph2d_box *d = &sim->scene.domain;
     sph2d_boundary open = {SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
-    const bool none = sim->openings.count > 0 || (sim->system.walls_rough && sim->system.viscosity > 0);
+    const bool thick = sim->system.viscosity > 0 || sim->scene.fluid.model != SPH2D_RHEOLOGY_NEWTONIAN;
+    const bool none = sim->system.walls_rough && thick;
     const sph2d_boundary *b = none ? &open : &sim->scene.boundary;
     const size_t obstacles = sim->scene.obstacle_count;
     return (sph2d__sides){.low_x = b->left == SPH2D_SIDE_WALL ? d->min.x : -INFINITY,
@@ -267,18 +320,21 @@ sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt)
         return SPH2D_NOMEM;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     hold(sim);
-    relax(sim, dt);
     s->frozen->past = 0;
     if (!sph2d__frozen_rub(s) || !sph2d__frozen_bodies_gather(s))
         return SPH2D_NOMEM;
     sph2d__bodies_press(sim); /* by what stays as it is */
     sph2d__bodies_expect(sim, middle);
+    const double before = dissipated(sim);
     sound(sim, dt);
+    relax(sim, dt, dissipated(sim) - before);
+    report(sim);
+    sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
+    sph2d__loads_find(sim, 1);
     status = push_bodies(sim, dt);
     if (status != SPH2D_OK)
         return status;
     sph2d__sim_book_wall_work(sim, dt);
-    sph2d__loads_find(sim, 1);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
     sph2d__over_particles(s, s->fluid.count, go_back);
     sph2d__sim_set_drift_interval(sim, start, end);

@@ -76,7 +76,7 @@ static bool evaluate(sph2d__system *s)
 static double elastic(const sph2d__system *s, size_t i, bool stepped)
 {
     (void)stepped;
-    return s->sound_speed * s->sound_speed * s->fluid.excess[i] * s->fluid.excess[i] / 2;
+    return s->sound_speed * s->sound_speed * s->fluid.excess[i] * s->fluid.excess[i] / 2 + s->fluid.slide[i];
 }
 
 /** By the means over the step, at the places of its middle. */
@@ -168,9 +168,12 @@ const sph2d__method sph2d__wcsph_variational = {
     .name = "wcsph",
     .step = sph2d__variational_step,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
-             SPH2D__BIT(excess) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(stretch) | SPH2D__BIT(shear),
+             SPH2D__BIT(excess) | SPH2D__BIT(slide) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(stretch) |
+             SPH2D__BIT(shear),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
-               SPH2D__BIT(excess) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y),
+               SPH2D__BIT(excess) | SPH2D__BIT(slide) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |
+               /* a resumed run knows its largest viscosity by them */
+               SPH2D__BIT(stretch) | SPH2D__BIT(shear),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(depth) | SPH2D__BIT(skin) | SPH2D__BIT(drag),

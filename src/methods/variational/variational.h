@@ -43,14 +43,14 @@
  *      P_i += Z m c0 H D_i, the damping of sound (Sun, Pilloni, Antuono & Colagrossi 2023, J. Comput. Phys. 483, 112056),
  *             0 where the liquid keeps its volume; Z at most 0.1, and as much as an acoustic step bears
  *      pairs nearer than r0 = dx/2 repel each other by R (1 - r/r0)^2, R = 0.2 rho0 c0^2 dx: nothing else keeps two
- *      particles from one place. A particle's image in an obstacle does so as well, until the particle stops: tension
- *      pulls liquid into walls
+ *      particles from one place. Its potential, R r0/3 (1 - r/r0)^3, is part of the elastic energy. A particle's image in
+ *      an obstacle does so as well, without a potential, until the particle stops: tension pulls liquid into walls
  *      dtheta_i/dt += -C c0 sum_j s |G_ij|,  s = minmod(theta_ij, theta_ij - (grad theta_i + grad theta_j)/2 . r)
  *
  *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles
  *  beyond sides act as far as there is an obstacle at their image.
  *
- *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it. Their kernel sum
+ *  Once a step theta is moved towards what the neighbours say, as far as the dissipation of the step pays for it. Their kernel sum
  *  Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and K = |sum_j G |r|| both
  *  grow as density does: K/Sigma tells how near a surface is, whatever the density, and s is that of a plane so near:
  *
@@ -130,6 +130,7 @@ typedef struct sph2d__frozen_body {
     sph2d__twist mean, before;          /**< by pressure, with the last acoustic step and without it [N/m, N] */
     sph2d__twist rubbed, rubbed_before; /**< the same by the friction of liquid that sticks */
     double rate2;                       /**< of its part of D over its mass [1/s^2] */
+    double brake;                       /**< the most that l slows it down by [1/s] */
 } sph2d__frozen_body;
 
 typedef struct sph2d__frozen_row sph2d__frozen_row;
@@ -179,8 +180,8 @@ typedef struct sph2d__frozen {
     double first_row;                   /**< the part of the kernel that is beyond the first row of a lattice */
 } sph2d__frozen;
 
-/* r0 over dx: nearer pairs repel each other. */
-static const double SPH2D__CLOSE = 0.5;
+/* r0 over dx: nearer pairs repel each other. R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */
+static const double SPH2D__CLOSE = 0.5, SPH2D__REPULSION = 0.2;
 /* Rate at which what is not linear in velocities fades, over c0/dx. */
 static const double SPH2D__SMOOTHING = 0.1;
 
@@ -243,8 +244,8 @@ sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i
 /** Bodies in acoustic steps (variational_bodies.c): sets their rows and velocities, once the liquid's are gathered. False
  *  when memory is short. */
 bool sph2d__frozen_bodies_gather(sph2d__system *system);
-/** Root of the largest eigenvalue, or more, of a body's part of acoustic oscillations [1/s]: acoustic steps are at most
- *  one over it, half the limit of a leapfrog. */
+/** Root of the largest eigenvalue, or more, of a body's part of acoustic oscillations, or the rate of its l [1/s]:
+ *  acoustic steps are at most one over it, half the limit of a leapfrog. */
 double sph2d__frozen_bodies_rate(sph2d__system *system);
 /** Their velocities by an acoustic step, whose sweep of the forces has been, and what follows for the next rates of density.
  *  `done` is the part of the step that is over with it, `friction` becomes the work of friction on bodies. Returns what l

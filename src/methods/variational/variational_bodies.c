@@ -133,20 +133,22 @@ bool sph2d__frozen_bodies_gather(sph2d__system *s)
 double sph2d__frozen_bodies_rate(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
-    const double scale = 4 * s->mass * s->sound_speed * s->sound_speed;
+    const double c = s->sound_speed;
     double most = 0;
     for (size_t k = 0; k < s->rigid_count; ++k)
-        z->bodies[k].rate2 = 0;
+        z->bodies[k].rate2 = z->bodies[k].brake = 0;
     for (size_t k = 0; k < z->row_count; ++k) {
         const sph2d__frozen_row *row = &z->rows[k];
         const sph2d__rigid *r = &s->rigids[row->body];
-        const double *p = row->press;
-        z->bodies[row->body].rate2 += scale * ((r->free.x * p[0] * p[0] + r->free.y * p[1] * p[1]) / r->mass +
-                                               r->free.turn * p[2] * p[2] / r->inertia);
+        const double *p = row->press, size = hypot(p[0], p[1]);
+        const double light =
+            (r->free.x * p[0] * p[0] + r->free.y * p[1] * p[1]) / r->mass + r->free.turn * p[2] * p[2] / r->inertia;
+        z->bodies[row->body].rate2 += 4 * s->mass * c * c * light;
+        z->bodies[row->body].brake += size > 0 ? 2 * s->mass * c * light / size : 0;
     }
     for (size_t k = 0; k < s->rigid_count; ++k)
-        most = fmax(most, z->bodies[k].rate2);
-    return sqrt(most);
+        most = fmax(most, fmax(sqrt(z->bodies[k].rate2), z->bodies[k].brake));
+    return most;
 }
 
 /** The change of a velocity, times a row. */

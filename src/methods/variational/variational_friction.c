@@ -80,15 +80,63 @@ static void take_pulled(sph2d__system *s, size_t first, size_t last)
     }
 }
 
+/** Slopes of velocity: of vx along x and y, then of vy. */
+typedef struct slopes {
+    double xx, xy, yx, yy;
+} slopes;
+
+static slopes slopes_of(const sph2d__frozen *z, size_t i)
+{
+    float v[2], w[2];
+    memcpy(v, z->slope_v + i, sizeof v);
+    memcpy(w, z->slope_w + i, sizeof w);
+    return (slopes){(double)v[0], (double)v[1] + (double)w[1], (double)v[1] - (double)w[1], (double)w[0]};
+}
+
+/** The same by the liquid and the walls that it sticks to, which have the velocities of stick.h: L M of the liquid alone, and
+ *  what walls add to it, times the inverse of M with theirs. */
+static slopes slopes_at_walls(const sph2d__system *s, size_t i)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__store *w = &s->walls, *f = &s->fluid;
+    const sph2d__frozen *z = s->frozen;
+    const slopes alone = slopes_of(z, i);
+    const double det = z->axx[i] * z->ayy[i] - z->axy[i] * z->axy[i];
+    double xx = z->ayy[i] / det, xy = -z->axy[i] / det, yy = z->axx[i] / det; /* M */
+    slopes sum = {alone.xx * xx + alone.xy * xy, alone.xx * xy + alone.xy * yy, alone.yx * xx + alone.yy * xy,
+                  alone.yx * xy + alone.yy * yy};
+    const sph2d__slice *at = &n->slices[i / n->lanes];
+    size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
+    for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
+        float g[2], r[2];
+        memcpy(g, n->gradient + k, sizeof g);
+        memcpy(r, z->linear + k, sizeof r);
+        const size_t b = n->index[k];
+        const double gx = (double)g[0], gy = (double)g[1], x = (double)r[0], y = (double)r[1];
+        const double stick = b < w->count && (gx != 0 || gy != 0) ? sph2d__stick(s, b, x, y) : 0;
+        if (!(stick > 0))
+            continue;
+        const sph2d_vec2 jump = sph2d__stick_jump(s, b, stick, x, y, f->vx[i] - w->vx[b], f->vy[i] - w->vy[b]);
+        xx -= x * gx; /* G points to b, which is at -(x, y) */
+        xy -= (x * gy + y * gx) / 2;
+        yy -= y * gy;
+        sum = (slopes){sum.xx - jump.x * gx, sum.xy - jump.x * gy, sum.yx - jump.y * gx, sum.yy - jump.y * gy};
+    }
+    const double all = xx * yy - xy * xy;
+    return (slopes){(sum.xx * yy - sum.xy * xy) / all, (sum.xy * xx - sum.xx * xy) / all,
+                    (sum.yx * yy - sum.yy * xy) / all, (sum.yy * xx - sum.yx * xy) / all};
+}
+
 /** Strains by the slopes of velocity. */
 static void strain_some(sph2d__system *s, size_t first, size_t last)
 {
+    const sph2d__neighbours *n = &s->neighbours;
+    const bool sticks = s->walls_rough && s->walls_press;
     for (size_t i = first; i < last; ++i) {
-        float v[2], w[2];
-        memcpy(v, s->frozen->slope_v + i, sizeof v);
-        memcpy(w, s->frozen->slope_w + i, sizeof w);
-        s->fluid.stretch[i] = ((double)v[0] - (double)w[0]) / 2;
-        s->fluid.shear[i] = (double)v[1];
+        const bool walled = sticks && n->slices[i / n->lanes].walls > 0;
+        const slopes l = walled ? slopes_at_walls(s, i) : slopes_of(s->frozen, i);
+        s->fluid.stretch[i] = (l.xx - l.yy) / 2;
+        s->fluid.shear[i] = (l.xy + l.yx) / 2;
     }
 }
 

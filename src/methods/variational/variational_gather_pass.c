@@ -346,7 +346,9 @@ static void finish(const sph2d__system *s, size_t i, int l, const sums *f, const
     z->slope_v[i] =
         sph2d__pair_of_floats(a.xx * all->uxx[l] + a.xy * all->uxy[l],
                               (a.xy * all->uxx[l] + a.yy * all->uxy[l] + a.xx * all->vxx[l] + a.xy * all->vxy[l]) / 2);
-    z->slope_w[i] = sph2d__pair_of_floats(a.xy * all->vxx[l] + a.yy * all->vxy[l], 0);
+    z->slope_w[i] =
+        sph2d__pair_of_floats(a.xy * all->vxx[l] + a.yy * all->vxy[l],
+                              (a.xy * all->uxx[l] + a.yy * all->uxy[l] - a.xx * all->vxx[l] - a.xy * all->vxy[l]) / 2);
     const double own = sph2d__kernel_value_at(kernel, 0), kx = all->kx[l] + w->kx[l], ky = all->ky[l] + w->ky[l];
     const double sum = (own + all->value[l] + w->value[l]) / s->lattice_values;
     const double left = s->fills ? 1 : left_by_surface(z, sqrt(kx * kx + ky * ky) / sum);

@@ -59,7 +59,8 @@ static double behind_side(const sph2d__system *s, size_t b)
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         const double dx = at.x + ranges.x[r] - w->x[j], dy = at.y + ranges.y[r] - w->y[j], r2 = dx * dx + dy * dy;
         if (r2 < h * h)
-            of[w->id[j] >= d->first] += scale * w->mass[j] * sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / h);
+            of[is_beyond(d, w->x[j], w->y[j])] +=
+                scale * w->mass[j] * sph2d__kernel_value_at(s->method.kernel, sqrt(r2) / h);
     }
     return fmin(of[0] / fmax(1 - of[1], 0.1), 1);
 }
@@ -168,12 +169,21 @@ static void slopes_of(sph2d__system *s, size_t first, size_t last)
     }
 }
 
+/** Where an image is now. */
+static void place(sph2d__frozen *z, size_t i, image m)
+{
+    const sph2d_vec2 at = mirrored(&z->sides, m.sides, (sph2d_vec2){z->px[m.of], z->py[m.of]});
+    z->px[i] = at.x;
+    z->py[i] = at.y;
+}
+
 static void velocity_of(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
     for (size_t k = first; k < last; ++k) {
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
+        place(z, i, m);
         z->velocity[i] = with_signs(z->velocity[m.of], m.x, m.y);
         z->zx[i] = m.x * z->zx[m.of];
         z->zy[i] = m.y * z->zy[m.of];
@@ -187,9 +197,7 @@ static void pressure_of(sph2d__system *s, size_t first, size_t last)
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
         const double both = m.x * m.y;
-        const sph2d_vec2 at = mirrored(&z->sides, m.sides, (sph2d_vec2){z->px[m.of], z->py[m.of]});
-        z->px[i] = at.x;
-        z->py[i] = at.y;
+        place(z, i, m);
         z->press[i] = with_signs(z->press[m.of], 1, both);
         z->press_more[i] = z->press_more[m.of];
         z->work[i] = z->work[m.of];

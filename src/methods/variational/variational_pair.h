@@ -11,8 +11,6 @@
 static const double SPH2D__LIMITER = 3;
 /* C, the factor of the diffusion of density. */
 static const double SPH2D__DIFFUSION = 0.03;
-/* R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */
-static const double SPH2D__REPULSION = 0.2;
 
 /** Two floats in the space of a double, as sph2d__float2 has them. */
 static inline double sph2d__pair_of_floats(double a, double b)

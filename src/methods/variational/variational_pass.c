@@ -263,7 +263,11 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         force = (vectors){force.x + repel * front.x, force.y + repel * front.y};
     }
     const bool imaged = z->imaged[i / SPH2D__LANES] > 0;
-    const vectors driven = fall(s, i, v);
+    vectors driven = fall(s, i, v);
+    if (s->body.frame.moves) { /* Coriolis' force by the velocity in the middle: of second order, and without work */
+        const vectors to = {v.x + dt / 2 * (driven.x + force.x / m), v.y + dt / 2 * (driven.y + force.y / m)};
+        driven = fall(s, i, to);
+    }
     vectors a = driven, turned = {0}; /* what gravity beyond sides takes away */
     if (imaged) {
         turned =
