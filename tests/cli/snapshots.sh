@@ -87,7 +87,7 @@ for path in sys.argv[2:]:
             name = name.decode().split("/")[-1]
             row = re.search(r"^\| `%s` \| ([^|]*)\|" % name, page, re.M)
             exponents = {"": (0, 0, 0), "m": (1, 0, 0), "s": (0, 0, 1), "m/s": (1, 0, -1), "m/s^2": (1, 0, -2),
-                         "kg/m^3": (-3, 1, 0), "J/m": (1, 1, -2), "kg/s": (0, 1, -1), "N/m": (0, 1, -2), "W/m": (1, 1, -3), "Pa": (-1, 1, -2),
+                         "kg/m^3": (-3, 1, 0), "J/m": (1, 1, -2), "J/kg": (2, 0, -2), "kg/s": (0, 1, -1), "N/m": (0, 1, -2), "W/m": (1, 1, -3), "Pa": (-1, 1, -2),
                          "1/s": (0, 0, -1), "kg/(m^3 s)": (-3, 1, -1)}
             if not row or exponents[row.group(1).strip()] != tuple(unit):
                 print(f"{name}: its row is missing or has another unit")
