@@ -183,11 +183,9 @@ VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2
 SOMAJOR := 0
 # A folder uses only those before it; the methods do not know each other.
 CORE_DIRS := base simd kernels scene particles flows boundary methods/common methods/terms sim start probes \
-    methods/muller methods/wcsph methods/fitted methods/variational methods/projection methods/hybrid methods run
+    methods/muller methods/wcsph methods/fitted methods/projection methods/hybrid methods run
 CORE_SRC := $(sort $(foreach d,$(CORE_DIRS),$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
-# Those that are compiled for floats, too.
-MIXED_SRC := $(filter src/methods/wcsph/% src/methods/fitted/%,$(PASS_SRC))
 IO_SRC := $(sort $(wildcard src/files/*.c))
 STUDY_SRC := $(sort $(wildcard src/study/*.c))
 CONTACTS_SRC := $(sort $(wildcard src/contacts/*.c))
@@ -233,7 +231,7 @@ VARIANT := $(FLAGS_HASH)-$(call hash,$(WITH_SHARED) $(AR) $(ALL_LDFLAGS) $(IO_LI
     $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(SHADERS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
-PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o) $(MIXED_SRC:%.c=$(OBJ)/%.$(i)_mixed.o))
+PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o))
 CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC),$(CORE_SRC))) $(PASS_OBJ)
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
 BASE_OBJ := $(call objects,$(filter-out $(addprefix src/base/,report.c shared.c version.c),$(filter src/base/%,$(CORE_SRC))))
@@ -301,8 +299,6 @@ $(OBJ)/src/methods/%_pass.$(1).o: src/methods/%_pass.c
 	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
 $(OBJ)/tests/bench/variants/%_rows.$(1).o: tests/bench/variants/%_rows.c
 	$$(call compile,$$< ($(1)),$(ISA_FLAGS_$(1)) -DSPH2D__ISA=$(1))
-$(OBJ)/src/methods/%_pass.$(1)_mixed.o: src/methods/%_pass.c
-	$$(call compile,$$< ($(1), mixed),$(ISA_FLAGS_$(1)) -DSPH2D__MIXED -DSPH2D__ISA=$(1)_mixed)
 endef
 $(foreach i,$(ISAS),$(eval $(call isa_rule,$(i))))
 $(OBJ)/gen/%.o: $(BUILD)/gen/%.c
@@ -603,7 +599,7 @@ bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BEN
 bench-command: $(BUILD)/sph2d ## the command's own choice of threads against one thread; COMMAND='beside particles=1000,1000000'
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d $(COMMAND)
 
-bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes in a step, by callgrind; SCENES='lean wcsph'
+bench-instructions: $(BUILD)/tests/bench ## instructions that a particle takes in a step, by callgrind; SCENES='wcsph fitted'
 	$(hush)tests/bench/instructions.sh $(BUILD)/tests/bench $(SCENES)
 
 bench-variants: $(BUILD)/tests/variants ## ways through the pairs beside the library's; VARIANTS='--particles 250000 --isa avx512'
@@ -611,10 +607,6 @@ bench-variants: $(BUILD)/tests/variants ## ways through the pairs beside the lib
 
 bench-frames: $(BUILD)/tests/frames ## CPU time of frames, drawn by one thread; FRAMES='4000 2 3' (particles, frames, rounds)
 	$(hush)$(BUILD)/tests/frames $(FRAMES)
-
-test-terms: $(BUILD)/tests/bench ## that terms which a scene does not name cost it nothing (valgrind; builds twice)
-	$(hush)$(MAKE) BUILD=$(BUILD)/bare CPPFLAGS='$(CPPFLAGS) -DSPH2D__BARE' $(BUILD)/bare/tests/bench
-	$(hush)tests/bench/terms.sh $(BUILD)/tests/bench $(BUILD)/bare/tests/bench
 
 # ---- what an error costs ---------------------------------------------------------------------------------------------
 REPORT := tests/report/report.sh $(BUILD)/sph2d
@@ -785,7 +777,7 @@ help: ## this list
 	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
-    test-valgrind test-ports test-foretold test-mutants test-terms test-full bench bench-command strangers strangers-dozen test-restarts \
+    test-valgrind test-ports test-foretold test-mutants test-full bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE

@@ -248,7 +248,7 @@ static void print_materials(void)
                materials[i].source);
     }
     printf(
-        "\nTheir viscosity depends on the shear rate: with wcsph (symmetric operators), constraint and pcisph. With\n"
+        "\nTheir viscosity depends on the shear rate: with wcsph (variational operators), constraint and pcisph. With\n"
         "'model: newtonian' and a dynamic_viscosity they are liquids for every method.\n\n");
     for (size_t i = 1; i < count; ++i)
         if (keys_law(&materials[i], law, sizeof law)[0] != '\0')

@@ -14,9 +14,6 @@ void cloud_plain(double c0)
     cloud.scene.method = sph2d_scene_default().method;
     cloud.scene.method.name = SPH2D_METHOD_WCSPH;
     cloud.scene.method.sound_speed = c0;
-    cloud.scene.method.density_diffusion = 0;
-    cloud.scene.method.shifting = 0;
-    cloud.scene.method.tensile_control = SPH2D_SWITCH_OFF;
 }
 
 void cloud_start(void)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file cloud.h
- *  A cloud of compressible liquid for method `wcsph` that neither dissipates nor shifts, one at a time. */
+ *  A cloud of compressible liquid for method `wcsph` in the open, one at a time. */
 #ifndef SPH2D_TESTS_CLOUD_H
 #define SPH2D_TESTS_CLOUD_H
 
@@ -14,7 +14,7 @@ typedef struct test_cloud {
 
 extern test_cloud cloud;
 
-/** Compressible liquid of speed of sound c0 [m/s] that neither dissipates nor shifts. */
+/** Compressible liquid of speed of sound c0 [m/s]. */
 void cloud_plain(double c0);
 /** A cloud of 400 particles in the open, displaced by up to 0.2 spacings. */
 void cloud_start(void);

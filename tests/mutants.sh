@@ -9,7 +9,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 files=("$@")
 [ $# -gt 0 ] || mapfile -t files < <(sed '/^#/d;/^$/d' "$root/tests/mutants/files")
-usual="kernels smoothing projection solvers wcsph wcsph_walls friction wcsph_surface muller muller_energy terms tension fitted fitted_walls
+usual="kernels smoothing projection solvers variational variational_loads friction muller muller_energy tension fitted fitted_walls
     cells periodic leapfrog layers walls invariance tunnelling conservation symmetry flows flows_channels
     flows_free pose barrier"
 read -ra suites -d "" <<<"${SUITES:-$usual}" || true

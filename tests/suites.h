@@ -29,12 +29,7 @@
     X(periodic)                                                                                                        \
     X(muller)                                                                                                          \
     X(muller_energy)                                                                                                   \
-    X(wcsph)                                                                                                           \
-    X(wcsph_walls)                                                                                                     \
     X(friction)                                                                                                        \
-    X(wcsph_surface)                                                                                                   \
-    X(mixed)                                                                                                           \
-    X(terms)                                                                                                           \
     X(tension)                                                                                                         \
     X(fitted)                                                                                                          \
     X(fitted_walls)                                                                                                    \
@@ -63,7 +58,6 @@
     X(turning)                                                                                                         \
     X(arcs)                                                                                                            \
     X(slip)                                                                                                            \
-    X(stick)                                                                                                           \
     X(barrier)                                                                                                         \
     X(tunnelling)                                                                                                      \
     X(absorb)                                                                                                          \
@@ -110,8 +104,6 @@
     X(bodies)                                                                                                          \
     X(bodies_carried)                                                                                                  \
     X(gaps)                                                                                                            \
-    X(viscosity_form)                                                                                                  \
-    X(viscous_step)                                                                                                    \
     X(outlines)                                                                                                        \
     X(vorticity)                                                                                                       \
     X(coverage)                                                                                                        \

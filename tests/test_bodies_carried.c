@@ -30,8 +30,6 @@ static void start_dry(sph2d_method method, double x, double y)
     dry.scene.method.name = method;
     dry.scene.method.sound_speed = 20;
     dry.scene.method.stiffness = 0;
-    if (method == SPH2D_METHOD_WCSPH)
-        dry.scene.method.tensile_control = SPH2D_SWITCH_OFF;
     dry.scene.gravity = (sph2d_vec2){0, -GRAVITY};
     dry.block = test_block(0, 0, 0.16, 0.04);
     dry.scene.blocks = &dry.block;

@@ -17,7 +17,7 @@ static void choose(sph2d_scene *scene, int solver)
                          : solver == PCISPH     ? SPH2D_METHOD_PCISPH
                          : solver == CONSTRAINT ? SPH2D_METHOD_CONSTRAINT
                                                 : SPH2D_METHOD_WCSPH;
-    scene->method.operators = solver == FITTED ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_SYMMETRIC;
+    scene->method.operators = solver == FITTED ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_VARIATIONAL;
     scene->method.sound_speed = 20;
 }
 
@@ -161,7 +161,6 @@ static void set_obstacle_moving(stage *s)
     set_obstacle(s, SPH2D_WALL_DEFAULT);
     s->obstacle.motion.amplitude.x = 0.05;
     s->obstacle.motion.frequency = 1;
-    s->scene.run.max_energy_rise = 1; /* it starts at full speed, and tensile control makes energy behind it */
 }
 
 static void set_spring(stage *s)
@@ -189,19 +188,9 @@ static void set_cubic(stage *s)
     s->scene.method.kernel = SPH2D_KERNEL_CUBIC;
 }
 
-static void set_mixed(stage *s)
-{
-    s->scene.method.precision = SPH2D_PRECISION_MIXED;
-}
-
 static void set_tait(stage *s)
 {
     s->scene.method.state_equation = SPH2D_STATE_TAIT;
-}
-
-static void set_monaghan(stage *s)
-{
-    s->scene.method.viscosity_form = SPH2D_VISCOSITY_MONAGHAN;
 }
 
 static void set_alpha(stage *s)
@@ -209,33 +198,14 @@ static void set_alpha(stage *s)
     s->scene.method.artificial_viscosity = 0.1;
 }
 
-static void set_eddies(stage *s)
-{
-    s->scene.method.turbulence = SPH2D_TURBULENCE_SMAGORINSKY;
-}
-
 static void set_delta(stage *s)
 {
     s->scene.method.density_diffusion = 0.05;
 }
 
-static void set_fourtakas(stage *s)
-{
-    s->scene.method.diffusion_form = SPH2D_DIFFUSION_FOURTAKAS;
-    if (s->scene.method.name == SPH2D_METHOD_WCSPH && s->scene.method.operators == SPH2D_OPERATORS_SYMMETRIC) {
-        s->scene.method.shifting = 0;
-        s->scene.method.tensile_control = SPH2D_SWITCH_OFF;
-    }
-}
-
 static void set_shifting(stage *s)
 {
     s->scene.method.shifting = 0.5;
-}
-
-static void set_tensile(stage *s)
-{
-    s->scene.method.tensile_control = SPH2D_SWITCH_OFF;
 }
 
 static void set_damping(stage *s)
@@ -287,22 +257,17 @@ static const struct feature {
     {"obstacles", ALL, set_obstacle_default},
     {"obstacles[0].form", MULLER | PCISPH | CONSTRAINT, set_obstacle_heavy},
     {"obstacles[0].form", ALL & ~MULLER, set_obstacle_layered},
-    {"obstacles[0].form", ALL, set_obstacle_reflecting},
+    {"obstacles[0].form", ALL & ~WCSPH, set_obstacle_reflecting},
     {"obstacles[0].motion", ALL, set_obstacle_moving},
     {"walls", MULLER, set_spring},
     {"walls", MULLER | PCISPH | CONSTRAINT, set_heavy},
-    {"walls", ALL, set_reflecting},
+    {"walls", ALL & ~WCSPH, set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
     {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_cubic},
-    {"method.precision", WCSPH | FITTED, set_mixed},
-    {"method.state_equation", WCSPH | FITTED, set_tait},
-    {"method.viscosity_form", WCSPH, set_monaghan},
-    {"method.artificial_viscosity", MULLER | WCSPH | PCISPH | CONSTRAINT, set_alpha},
-    {"method.turbulence", WCSPH, set_eddies},
-    {"method.density_diffusion", WCSPH | FITTED, set_delta},
-    {"method.diffusion_form", WCSPH, set_fourtakas},
-    {"method.shifting", WCSPH | FITTED, set_shifting},
-    {"method.tensile_control", WCSPH, set_tensile},
+    {"method.state_equation", FITTED, set_tait},
+    {"method.artificial_viscosity", MULLER | PCISPH | CONSTRAINT, set_alpha},
+    {"method.density_diffusion", FITTED, set_delta},
+    {"method.shifting", FITTED, set_shifting},
     {"method.damping", CONSTRAINT, set_damping},
     {"method.tolerance", CONSTRAINT, set_tolerance},
     {"method.criterion", PCISPH, set_criterion},

@@ -11,16 +11,13 @@
 static sph2d_scene scene;
 static sph2d_block block;
 
-/** Liquid of wcsph that neither dissipates nor shifts, c0 = 10 m/s, in a box of 1 m. */
+/** Liquid of wcsph, c0 = 10 m/s, in a box of 1 m. */
 static void plain_liquid(double dx)
 {
     scene = test_scene(dx, 0, 0, 1, 1);
     scene.method = sph2d_scene_default().method;
     scene.method.name = SPH2D_METHOD_WCSPH;
     scene.method.sound_speed = 10;
-    scene.method.density_diffusion = 0;
-    scene.method.shifting = 0;
-    scene.method.tensile_control = SPH2D_SWITCH_OFF;
     block = test_block(0, 0, 1, 1);
     scene.blocks = &block;
     scene.block_count = 1;
@@ -47,21 +44,14 @@ static sph2d_summary run(sph2d_sim *sim, int steps)
 
 /* ---- what takes -------------------------------------------------------------------------------------------------- */
 
-/** Vortices that decay: both forms of viscosity, artificial viscosity, fitted operators, and muller's. */
+/** Vortices that decay, by both operators. */
 START_TEST(viscosity_takes_what_vortices_lose)
 {
     plain_liquid(0.05);
     close_periods();
     block.start.flow = (sph2d_flow){.kind = SPH2D_FLOW_TAYLOR_GREEN, .speed = 1, .length = 1};
-    scene.fluid.dynamic_viscosity = _i == 2 ? 0 : 10;
-    scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
-    scene.method.artificial_viscosity = _i == 2 ? 0.2 : 0;
-    if (_i == 3) {
-        scene.method = sph2d_scene_default().method;
-        scene.method.name = SPH2D_METHOD_WCSPH;
-        scene.method.operators = SPH2D_OPERATORS_FITTED;
-        scene.method.sound_speed = 10;
-    }
+    scene.fluid.dynamic_viscosity = 10;
+    scene.method.operators = _i == 1 ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_VARIATIONAL;
     scene.method.time_step = 0.001;
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d_summary s = run(sim, 600);
@@ -74,14 +64,11 @@ START_TEST(viscosity_takes_what_vortices_lose)
 }
 END_TEST
 
-/** Sound in a disturbed cloud, damped by diffusion of density alone. */
-START_TEST(diffusion_takes_what_sound_loses)
+/** Sound in a periodic box. */
+START_TEST(what_sound_loses_is_known)
 {
     plain_liquid(0.05);
     close_periods();
-    scene.method.density_diffusion = 0.1;
-    if (_i == 1)
-        scene.method.diffusion_form = SPH2D_DIFFUSION_FOURTAKAS;
     scene.method.time_step = 0.0003;
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d__store *f = &sim->system.fluid;
@@ -95,34 +82,7 @@ START_TEST(diffusion_takes_what_sound_loses)
     s = run(sim, 2400);
     double lost = start - energy_of(&s);
     ck_assert_double_gt(lost, 0.05 * start);
-    ck_assert_double_le(fabs(s.energy_diffused - lost), 0.03 * lost);
-    ck_assert_double_le(fabs(s.energy_error), 0.03 * lost);
-    sph2d_sim_destroy(sim);
-}
-END_TEST
-
-/** Compressed liquid at rest, whose density relaxes to its sum, and an isolated particle, whose density is reset. */
-START_TEST(changes_of_density_take_elastic_energy)
-{
-    plain_liquid(0.05);
-    close_periods();
-    scene.method.density_diffusion = 0.1;
-    scene.method.tensile_control = SPH2D_SWITCH_ON;
-    scene.method.time_step = 0.0003;
-    if (_i == 1)
-        block = test_particle(0.05, 0.5, 0.5, 0, 0);
-    sph2d_sim *sim = test_create(&scene, NULL);
-    sph2d__store *f = &sim->system.fluid;
-    for (size_t i = 0; i < f->count; ++i)
-        f->density[i] = 1005;
-    ck_assert(sim->method->evaluate(&sim->system));
-    sph2d_summary s = sph2d_sim_summary(sim);
-    double start = sim->record.energy_start = sim->record.energy_low = energy_of(&s);
-    s = run(sim, 1200);
-    double lost = start - energy_of(&s);
-    ck_assert_double_gt(lost, 0.3 * start);
-    ck_assert_double_le(fabs(s.energy_diffused - lost), 1e-3 * lost);
-    ck_assert_double_le(fabs(s.energy_error), 1e-3 * lost);
+    ck_assert_double_le(fabs(s.energy_error), 1e-6 * lost);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -158,48 +118,16 @@ START_TEST(a_wall_at_rest_takes_what_it_stops)
 }
 END_TEST
 
-/** A row of particles below rest density, which pressure pulls against the floor while the floor stops them in each
- *  step: nothing moves, and nothing is lost. */
-START_TEST(a_wall_takes_nothing_from_what_is_held_against_it)
-{
-    plain_liquid(0.05);
-    scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;
-    block = test_block(0, 0, 1, 0.05);
-    sph2d_sim *sim = test_create(&scene, NULL);
-    sph2d__store *f = &sim->system.fluid;
-    for (size_t i = 0; i < f->count; ++i) {
-        f->y[i] = sim->barrier.clearance;
-        f->density[i] = 999;
-    }
-    ck_assert(sph2d__sort_fluid(sim) == SPH2D_OK && sim->method->evaluate(&sim->system));
-    sph2d_summary s = sph2d_sim_summary(sim);
-    double start = energy_of(&s);
-    sim->record.energy_start = sim->record.energy_low = start;
-    s = run(sim, 240);
-    ck_assert_uint_ge(s.backstop_hits, 240 * f->count);
-    ck_assert_msg(fabs(s.energy_error) < 0.05 * start, "%g of %g, stops %g", s.energy_error, start, s.energy_stopped);
-    sph2d_sim_destroy(sim);
-}
-END_TEST
-
 /* ---- what brings ------------------------------------------------------------------------------------------------- */
 
 /** Forces between particles of the liquid are opposite: its momentum changes by what boundary particles do alone. */
 START_TEST(forces_of_walls_are_the_whole_change_of_momentum)
 {
-    static const sph2d_method methods[] = {SPH2D_METHOD_WCSPH, SPH2D_METHOD_WCSPH, SPH2D_METHOD_MULLER,
-                                           SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
+    static const sph2d_method methods[] = {SPH2D_METHOD_MULLER, SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT};
     plain_liquid(0.05);
-    if (_i >= 2) {
-        scene.method = sph2d_scene_default().method;
-        scene.method.sound_speed = 10;
-    }
     scene.method.name = methods[_i];
     scene.method.max_compression = 0.5; /* nobody is corrected by himself */
-    if (_i < 2)
-        scene.method.viscosity_form = _i == 1 ? SPH2D_VISCOSITY_MONAGHAN : SPH2D_VISCOSITY_MORRIS;
     scene.fluid.dynamic_viscosity = 5;
-    scene.wall_slip = _i < 2 ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
     sph2d_obstacle disc = sph2d_obstacle_default();
     disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
     disc.outline.circle = (sph2d_disc){{0.5, 0.5}, 0.15};
@@ -262,8 +190,7 @@ START_TEST(moving_walls_bring_what_liquid_gains)
         box.motion.frequency = 1;
         scene.obstacles = &box;
         scene.obstacle_count = 1;
-        scene.method.density_diffusion = 0.1;
-        scene.wall_slip = SPH2D_SLIP_NONE; /* along smooth walls the rate of density and the forces differ */
+        scene.wall_slip = SPH2D_SLIP_NONE;
         block = test_block(0.2, 0.2, 0.8, 0.6);
     }
     sph2d_sim *sim = test_create(&scene, NULL);
@@ -321,8 +248,8 @@ START_TEST(drains_take_elastic_energy_along)
     sph2d__store *f = &sim->system.fluid;
     double e = 0, c2 = 100;
     for (size_t i = 0; i < f->count; ++i) {
-        f->density[i] = 1050;
-        e = c2 * (log(1.05) + 1 / 1.05 - 1);
+        f->excess[i] = log(1.05);
+        e = c2 * pow(log(1.05), 2) / 2;
     }
     sim->record.energy_low = sim->record.error_low = INFINITY; /* what comes in here comes from somewhere */
     test_steps(sim, 1);
@@ -369,26 +296,21 @@ START_TEST(springs_hold_what_they_stop)
 }
 END_TEST
 
-/** Liquid that starts against a wall, with a tenth of the speed of sound: its first steps are short, so that the impact
- *  makes no energy; steps as long as those that follow would make 0.9 % of it. */
+/** Liquid that starts against a wall, with a tenth of the speed of sound: the impact makes no energy. */
 START_TEST(liquid_that_starts_against_a_wall_makes_no_energy)
 {
     plain_liquid(0.05);
-    scene.method = sph2d_scene_default().method;
-    scene.method.sound_speed = 10;
     scene.boundary.top = SPH2D_SIDE_OPEN;
     block = test_block(0, 0, 1, 0.3);
     block.velocity.y = -1;
     sph2d_sim *sim = test_create(&scene, NULL);
-    double allowed = sph2d_sim_plan(sim)->time_step, lowest = INFINITY, rise = 0;
-    ck_assert_double_eq_tol(sph2d_sim_time_step(sim), 0.1 * allowed, 1e-9 * allowed);
+    double lowest = INFINITY, rise = 0;
     while (sph2d_sim_time(sim) < 0.04) { /* when sound is at the surface */
         sph2d_summary s = sph2d_sim_summary(sim);
         lowest = fmin(lowest, energy_of(&s));
         rise = fmax(rise, energy_of(&s) - lowest);
         test_steps(sim, 1);
     }
-    ck_assert_double_ge(sph2d_sim_time_step(sim), 0.5 * allowed);
     ck_assert_double_le(rise, 0.001 * sph2d_sim_summary(sim).energy_start);
     sph2d_sim_destroy(sim);
 }
@@ -412,6 +334,7 @@ START_TEST(samples_follow_what_friction_does)
     plain_liquid(0.05);
     close_periods();
     scene.fluid.dynamic_viscosity = 100;
+    scene.method.name = SPH2D_METHOD_MULLER; /* which books by samples */
     sph2d_sim *sim = test_create(&scene, NULL);
     test_steps(sim, 160);
     ck_assert_int_eq(steps_to_sample(sim), 40);
@@ -475,12 +398,10 @@ Suite *suite_ledger(void)
 {
     Suite *suite = suite_create("ledger");
     TCase *cases = tcase_create("ledger");
-    tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 4);
-    tcase_add_loop_test(cases, diffusion_takes_what_sound_loses, 0, 2);
-    tcase_add_loop_test(cases, changes_of_density_take_elastic_energy, 0, 2);
+    tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 2);
+    tcase_add_test(cases, what_sound_loses_is_known);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
-    tcase_add_test(cases, a_wall_takes_nothing_from_what_is_held_against_it);
-    tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 5);
+    tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 3);
     tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 3);
     tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
     tcase_add_test(cases, drains_take_elastic_energy_along);

@@ -26,7 +26,6 @@ static void flood_start(void)
     flood.scene.method.name = SPH2D_METHOD_WCSPH;
     flood.scene.gravity = (sph2d_vec2){0, -9.81};
     flood.scene.boundary.top = SPH2D_SIDE_OPEN;
-    flood.scene.method.tensile_control = SPH2D_SWITCH_OFF;
     flood.block = test_block(0, 0, 0.4, 0.64);
     flood.block.velocity = (sph2d_vec2){1, 0};
     flood.scene.blocks = &flood.block;
@@ -79,7 +78,6 @@ static const struct {
     {"wcsph, no slip", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_NONE, 0},
     {"wcsph, smooth", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_SMOOTH, 0},
     {"wcsph, tension", SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_FREE, 5},
-    {"wcsph, reflect", SPH2D_METHOD_WCSPH, SPH2D_WALL_REFLECT, SPH2D_WALL_REFLECT, SPH2D_SLIP_FREE, 0},
     {"muller", SPH2D_METHOD_MULLER, SPH2D_WALL_SPRING, SPH2D_WALL_HEAVY, SPH2D_SLIP_FREE, 0},
     {"muller, heavy", SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY, SPH2D_WALL_HEAVY, SPH2D_SLIP_FREE, 0},
     {"muller, reflect", SPH2D_METHOD_MULLER, SPH2D_WALL_REFLECT, SPH2D_WALL_REFLECT, SPH2D_SLIP_FREE, 5},
@@ -96,8 +94,6 @@ static sph2d_sim *flood_of(int kind, int threads)
 {
     flood_start();
     flood.scene.method.name = kinds[kind].method;
-    if (kinds[kind].method != SPH2D_METHOD_WCSPH)
-        flood.scene.method.tensile_control = sph2d_scene_default().method.tensile_control;
     flood.scene.walls = kinds[kind].sides;
     flood.post.form = kinds[kind].post;
     flood.scene.wall_slip = kinds[kind].slip;
@@ -136,7 +132,8 @@ START_TEST(forces_are_the_change_of_momentum)
         ck_assert_double_eq_tol(values[9], x, 1e-12 * scale);
         ck_assert_double_eq_tol(values[10], y, 1e-12 * scale);
     }
-    ck_assert_msg(largest < 1e-10, "%s: %g", kinds[_i].name, largest);
+    /* Where liquid sticks, velocities are floats in the sum of forces. */
+    ck_assert_msg(largest < (_i == 1 ? 1e-9 : 1e-10), "%s: %g", kinds[_i].name, largest);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -194,8 +191,6 @@ START_TEST(a_column_weighs_on_its_floor_and_leans_on_its_sides)
     flood.scene.method = sph2d_scene_default().method;
     flood.scene.method.name = methods[_i];
     flood.scene.fluid.dynamic_viscosity = 20;
-    if (methods[_i] == SPH2D_METHOD_WCSPH)
-        flood.scene.method.tensile_control = SPH2D_SWITCH_OFF;
     flood.block = test_block(0, 0, 1, 1);
     flood.scene.blocks = &flood.block;
     flood.scene.block_count = 1;
@@ -265,7 +260,7 @@ END_TEST
 
 START_TEST(work_is_that_of_the_forces)
 {
-    sph2d_sim *sim = flood_of(_i ? 10 : 0, 1);
+    sph2d_sim *sim = flood_of((int[]){4, 0, 9}[_i], 1);
     double work[SPH2D_PROBE_MAX_COLUMNS] = {0}, force[SPH2D_PROBE_MAX_COLUMNS] = {0};
     for (int k = 0; k < 400; ++k) {
         test_steps(sim, 1);
@@ -276,7 +271,7 @@ START_TEST(work_is_that_of_the_forces)
         sph2d_vec2 v = sph2d__pose_velocity(pose, sph2d__pose_apply(pose, flood.probes[POST].at));
         double power = -v.x * (force[0] - force[7]) - v.y * (force[1] - force[8]) -
                        pose->omega * (now->pressure.torque + now->friction.torque);
-        if (_i == 0) /* a method with a projection has moved on since */
+        if (_i == 0) /* wcsph has forces of the middle of the step, a method with a projection has moved on since */
             ck_assert_double_eq_tol(work[0], power, 1e-9 * (1 + fabs(force[0]) + fabs(force[1])));
     }
     double booked = sim->record.energy_walls; /* sampled every few steps */
@@ -313,15 +308,17 @@ START_TEST(loads_go_on_after_a_resume_and_on_any_threads)
 }
 END_TEST
 
-/** Then walls count in steps alone whose momentum is balanced. */
+/** Then walls count in steps alone whose momentum is balanced: each, by methods whose forces are means over a step, one
+ *  of eight by others. */
 START_TEST(a_scene_without_such_probes_has_the_load_on_all_walls_alone)
 {
     flood_start();
     flood.scene.probe_count = 0;
+    flood.scene.method.name = _i ? SPH2D_METHOD_WCSPH : SPH2D_METHOD_MULLER;
     sph2d_sim *sim = test_create(&flood.scene, NULL);
     ck_assert_uint_eq(sim->loads.count, 0);
     test_steps(sim, 7); /* of which the first was */
-    ck_assert(!sph2d__loads_wanted(sim));
+    ck_assert(sph2d__loads_wanted(sim) == (_i == 1));
     test_steps(sim, 1); /* before the ninth */
     ck_assert(sph2d__loads_wanted(sim));
     sph2d_sim_destroy(sim);
@@ -376,7 +373,7 @@ START_TEST(power_of_a_mill_is_rate_times_torque)
     double force[SPH2D_PROBE_MAX_COLUMNS], work[SPH2D_PROBE_MAX_COLUMNS];
     flood_start();
     flood.post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.36, 0.2}, {0.8, 0.36}}};
-    flood.post.motion = (sph2d_motion){.rate = -5, .ramp = 0.05, .center = {0.58, 0.28}};
+    flood.post.motion = (sph2d_motion){.rate = -5, .center = {0.58, 0.28}};
     flood.probes[POST].at = flood.post.motion.center;
     flood.scene.wall_slip = SPH2D_SLIP_NONE;
     flood.scene.fluid.dynamic_viscosity = 0.5;
@@ -406,9 +403,9 @@ Suite *suite_loads(void)
     tcase_add_test(tests, a_stop_is_an_impulse_at_its_place);
     tcase_add_loop_test(tests, a_column_weighs_on_its_floor_and_leans_on_its_sides, 0, 4);
     tcase_add_test(tests, torque_is_about_a_point_that_moves_with_the_wall);
-    tcase_add_loop_test(tests, work_is_that_of_the_forces, 0, 2);
+    tcase_add_loop_test(tests, work_is_that_of_the_forces, 0, 3);
     tcase_add_loop_test(tests, loads_go_on_after_a_resume_and_on_any_threads, 0, count);
-    tcase_add_test(tests, a_scene_without_such_probes_has_the_load_on_all_walls_alone);
+    tcase_add_loop_test(tests, a_scene_without_such_probes_has_the_load_on_all_walls_alone, 0, 2);
     tcase_add_test(tests, walls_that_are_not_there_are_refused);
     tcase_add_test(tests, power_of_a_mill_is_rate_times_torque);
     suite_add_tcase(suite, tests);

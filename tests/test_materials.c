@@ -319,7 +319,6 @@ static const struct {
      "mud is herschel_bulkley, and this method knows no shear"},
     {"{material: mud, model: power_law, consistency: 2}", "muller", "fluid.model", SPH2D_CODE_UNSUPPORTED,
      "this method knows no shear rate"},
-    {"mud", "{shifting: 0}", "method.shifting", SPH2D_CODE_CONFLICT, "must be above 0"},
     {"{material: blood, dynamic_viscosity: 0.003}", "wcsph", "fluid.dynamic_viscosity", SPH2D_CODE_CONFLICT,
      "blood has no single viscosity: it is carreau"},
     {"{material: blood, dynamic_viscosity: 0.1}", "wcsph", "fluid.dynamic_viscosity", SPH2D_CODE_CONFLICT,

@@ -137,7 +137,7 @@ START_TEST(keys_of_other_methods_are_refused)
         const sph2d_diagnostic *d = &report.items[k];
         ck_assert_int_eq(d->code, SPH2D_CODE_UNSUPPORTED);
         ck_assert_ptr_nonnull(strstr(d->message, row->name));
-        const char *other = row->method == SPH2D_METHOD_WCSPH ? "operators: symmetric" : "wcsph";
+        const char *other = row->method == SPH2D_METHOD_WCSPH ? "operators: fitted" : "wcsph";
         ck_assert_ptr_nonnull(strstr(d->hint, strcmp(d->path, "method.damping") == 0          ? "constraint"
                                               : strcmp(d->path, "method.min_iterations") == 0 ? "pcisph"
                                                                                               : other));

@@ -29,8 +29,6 @@ static void start_box(int method, int thing)
     box.scene = test_scene(0.04, 0, 0, 1, 1);
     box.scene.method.name = methods[method];
     box.scene.method.stiffness = 0;
-    if (methods[method] == SPH2D_METHOD_WCSPH)
-        box.scene.method.tensile_control = SPH2D_SWITCH_OFF;
     box.scene.gravity = (sph2d_vec2){1, -9.81};
     box.scene.fluid.dynamic_viscosity = 1;
     box.block = test_block(0.28, 0.28, 0.72, 0.72);
@@ -96,7 +94,7 @@ static sph2d__wall_force more(const sph2d__system *s, size_t i, size_t b, double
 
 START_TEST(momentum_from_nothing_is_told_and_bounded)
 {
-    start_box(1, BOX);
+    start_box(2, BOX);
     box.block = test_block(0, 0, 1, 0.4);
     box.scene.gravity.x = 0;
     sph2d_sim *sim = test_create(&box.scene, NULL);
@@ -125,7 +123,7 @@ END_TEST
 /** Particles that come before every step do not hide it. */
 START_TEST(momentum_from_nothing_is_seen_while_particles_come)
 {
-    start_box(1, BOX);
+    start_box(2, BOX);
     box.block = test_block(0, 0, 1, 0.4);
     sph2d_sim *sim = test_create(&box.scene, NULL);
     sph2d__method method = *sim->method;
@@ -133,14 +131,15 @@ START_TEST(momentum_from_nothing_is_seen_while_particles_come)
     method.wall_force = more;
     sim->method = &method;
     excess = 0.5;
-    for (int k = 0; k < 64; ++k) {
+    sph2d_report report = {0};
+    sph2d_status status = SPH2D_OK;
+    for (int k = 0; k < 64 && status == SPH2D_OK; ++k) {
         const sph2d_particle drop = {0.1 + 0.1 * (k % 8), 0.5 + 0.05 * (k / 8), 0, 0, 0};
         ck_assert_int_eq(sph2d_sim_add_particles(sim, &drop, 1, NULL), SPH2D_OK);
-        test_steps(sim, 1);
+        status = sph2d_sim_step(sim, &report);
     }
-    const sph2d_summary s = sph2d_sim_summary(sim);
-    const double borne = 9.81 * sim->system.mass * 250 * s.time;
-    ck_assert_double_gt(s.momentum_error_max, 0.5 * borne / 8 / 2);
+    ck_assert_msg(test_report_has(&report, SPH2D_CODE_MOMENTUM, NULL), "%s", test_report_text(&report));
+    sph2d_report_clear(&report);
     sim->method = honest;
     sph2d_sim_destroy(sim);
 }
@@ -148,7 +147,7 @@ END_TEST
 
 START_TEST(fitted_operators_have_no_balance_of_momentum)
 {
-    start_box(1, BOX);
+    start_box(2, BOX);
     box.block = test_block(0, 0, 1, 1);
     sph2d_method_options fitted = sph2d_scene_default().method;
     fitted.name = SPH2D_METHOD_WCSPH;

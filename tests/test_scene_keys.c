@@ -363,7 +363,7 @@ START_TEST(ranges_are_as_documented)
         {"fluid.dynamic_viscosity", &scene.fluid.dynamic_viscosity, 0, INFINITY, false},
         {"method.max_compression", &scene.method.max_compression, 1e-6, 0.9, false},
         {"method.support_ratio", &scene.method.support_ratio, 1.2, 6, false},
-        {"method.cfl", &scene.method.cfl, 0.01, 0.75, false}, /* of this method */
+        {"method.cfl", &scene.method.cfl, 0.01, 0.25, false}, /* of this method */
         {"method.time_step", &scene.method.time_step, 0, INFINITY, false},
         {"method.stiffness", &scene.method.stiffness, 0, INFINITY, false},
         {"spacing", &scene.spacing, 0, INFINITY, true},

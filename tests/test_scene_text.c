@@ -102,12 +102,7 @@ static const char *const goldens[] = {
     "name: belts\n"
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nwalls: reflect\nwall_slip: none\n"
     "wall_speeds:\n  left: 1\n  right: -1\n  bottom: 0.5\n  top: -0.5\ngravity: [0, 0]\nspacing: 0.05\n"
-    "method:\n  precision: mixed\n  kernel: quintic\n  state_equation: tait\n  viscosity_form: "
-    "monaghan\n"
-    "  density_diffusion: 0.05\n  diffusion_form: fourtakas\n  artificial_viscosity: 0.02\n  turbulence: none\n"
-    "  shifting: 0\n"
-    "  tensile_control: off\n"
-    "  sound_speed: 10\n"
+    "method:\n  name: constraint\n  kernel: quintic\n  artificial_viscosity: 0.02\n"
     "blocks:\n"
     "  - box:\n      min: [0.25, 0.25]\n      max: [0.75, 0.75]\n"
     "run:\n  snapshots:\n    every: 0.5\n  frames:\n    per_second: 25\n",
@@ -138,7 +133,8 @@ static const char *const goldens[] = {
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\n"
     "boundary:\n  top: wall\nwall_slip: none\nspacing: 0.05\n"
-    "method:\n  operators: fitted\n"
+    "method:\n  operators: fitted\n  state_equation: tait\n  density_diffusion: 0.05\n  shifting: 0.5\n"
+    "  sound_speed: 10\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 

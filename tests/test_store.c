@@ -17,7 +17,7 @@ static const sph2d__set CARRIED =
 static void start(void)
 {
     memory = sph2d__memory_from((sph2d_allocator){0});
-    store = (sph2d__store){.has = ALL & ~SPH2D__BIT(density_grad_x), .carried = CARRIED};
+    store = (sph2d__store){.has = ALL & ~SPH2D__BIT(shift_x), .carried = CARRIED};
 }
 
 static void finish(void)
@@ -59,8 +59,8 @@ static bool holds(size_t k, size_t i, bool sorted)
 START_TEST(only_the_arrays_of_the_set_are_there)
 {
     fill(5);
-    ck_assert_ptr_null(store.density_grad_x);
-    ck_assert_ptr_nonnull(store.density_grad_y);
+    ck_assert_ptr_null(store.shift_x);
+    ck_assert_ptr_nonnull(store.shift_y);
     size_t length = store.capacity + SPH2D__PADDING;
     ck_assert_uint_eq(memory.bytes, length * sph2d__store_bytes(store.has));
     ck_assert_uint_eq(sph2d__store_bytes(SPH2D__STORE_BASIC), (4 + 1) * sizeof(double) + sizeof(uint64_t));

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file test_symmetry.c
  *  What must not matter to a run of method `wcsph`: a moving frame, a mirror, the order of particles, where a period
- *  begins, threads. */
+ *  begins. */
 #include <math.h>
-#include <string.h>
 
 #include "cloud.h"
 #include "sim/simulation.h"
@@ -25,7 +24,6 @@ START_TEST(a_moving_frame_changes_nothing)
 {
     cloud_start();
     cloud.scene.method.time_step = 0.002;
-    cloud.scene.method.density_diffusion = 0.1;
     cloud.scene.fluid.dynamic_viscosity = 2;
     sph2d_sim *still = test_create(&cloud.scene, NULL);
     cloud.blocks[0].velocity = (sph2d_vec2){3, 0};
@@ -34,7 +32,7 @@ START_TEST(a_moving_frame_changes_nothing)
     cloud_stir(moving, 0.3);
     test_steps(still, 100);
     test_steps(moving, 100);
-    ck_assert_double_lt(apart(moving, still, 1, 3 * 0.2), 1e-9);
+    ck_assert_double_lt(apart(moving, still, 1, 3 * 0.2), 1e-8);
     sph2d_sim_destroy(still);
     sph2d_sim_destroy(moving);
 }
@@ -48,17 +46,12 @@ static void mirror(sph2d_sim *sim)
         f->x[i] = -f->x[i];
         f->vx[i] = -f->vx[i];
         f->ax[i] = -f->ax[i];
-        f->density_grad_x[i] = -f->density_grad_x[i];
-        f->grad_c_x[i] = -f->grad_c_x[i];
     }
 }
 
 START_TEST(a_mirrored_run_is_the_mirror_of_the_run)
 {
     cloud_start();
-    cloud.scene.method = sph2d_scene_default().method; /* shifting and all */
-    cloud.scene.method.name = SPH2D_METHOD_WCSPH;
-    cloud.scene.method.sound_speed = 10;
     cloud.scene.fluid.dynamic_viscosity = 2;
     sph2d_sim *one = test_create(&cloud.scene, NULL), *other = test_create(&cloud.scene, NULL);
     cloud_stir(one, 0.3);
@@ -76,7 +69,6 @@ END_TEST
 static sph2d_sim *halves(int first)
 {
     cloud_start();
-    cloud.scene.method.density_diffusion = 0.1;
     cloud.blocks[first] = test_block(0, 0, 0.5, 1);
     cloud.blocks[1 - first] = test_block(0.5, 0, 1, 1);
     cloud.scene.block_count = 2;
@@ -139,6 +131,8 @@ START_TEST(the_origin_of_a_period_changes_nothing)
         g->ax[i] = f->ax[i];
         g->ay[i] = f->ay[i];
         g->density[i] = f->density[i];
+        if (f->excess)
+            g->excess[i] = f->excess[i];
         g->id[i] = f->id[i];
     }
     sims[1]->record.next_step = sims[0]->record.next_step;
@@ -155,31 +149,6 @@ START_TEST(the_origin_of_a_period_changes_nothing)
 }
 END_TEST
 
-START_TEST(threads_change_no_bit)
-{
-    cloud_start();
-    cloud.scene.spacing = 0.02;
-    cloud.scene.method.shifting = 1;
-    cloud.scene.method.tensile_control = SPH2D_SWITCH_ON;
-    cloud.scene.method.density_diffusion = 0.1;
-    sph2d_sim_options options = sph2d_sim_options_default();
-    sph2d_sim *sims[2];
-    for (int k = 0; k < 2; ++k) {
-        options.threads = 1 + 2 * k;
-        sims[k] = test_create(&cloud.scene, &options);
-        cloud_stir(sims[k], 0.3);
-        test_steps(sims[k], 20);
-    }
-    const sph2d__store *a = &sims[0]->system.fluid, *b = &sims[1]->system.fluid;
-    ck_assert_uint_eq(a->count, b->count);
-    ck_assert_int_eq(memcmp(a->x, b->x, a->count * sizeof *a->x), 0);
-    ck_assert_int_eq(memcmp(a->vy, b->vy, a->count * sizeof *a->vy), 0);
-    ck_assert_int_eq(memcmp(a->density, b->density, a->count * sizeof *a->density), 0);
-    sph2d_sim_destroy(sims[0]);
-    sph2d_sim_destroy(sims[1]);
-}
-END_TEST
-
 Suite *suite_symmetry(void)
 {
     Suite *suite = suite_create("symmetry");
@@ -188,7 +157,6 @@ Suite *suite_symmetry(void)
     tcase_add_test(tests, a_mirrored_run_is_the_mirror_of_the_run);
     tcase_add_test(tests, the_order_of_the_particles_changes_nothing);
     tcase_add_loop_test(tests, the_origin_of_a_period_changes_nothing, 0, 2);
-    tcase_add_test(tests, threads_change_no_bit);
     suite_add_tcase(suite, tests);
     return suite;
 }

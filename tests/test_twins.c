@@ -61,8 +61,7 @@
 static const char *const scenes[] = {
     TANK MOVING "method: wcsph\n",
     TANK MOVING BODIES "method: wcsph\n",
-    TANK "method: {name: wcsph, precision: mixed, viscosity_form: monaghan, artificial_viscosity: 0.1}\n",
-    TANK "method: {name: wcsph, diffusion_form: fourtakas, shifting: 0, tensile_control: off}\nwall_slip: smooth\n",
+    TANK "method: wcsph\nwall_slip: smooth\n",
     TANK
     "method: wcsph\nwall_slip: none\nmotion: {angle: 0.1, frequency: 1}\ngravity_path: [[0, 0, -9.81], [1, 1, -9]]\n",
     STREAM "method: wcsph\n",

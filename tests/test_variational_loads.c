@@ -64,13 +64,13 @@ START_TEST(bodies_float_and_keep_energy)
     lay_out(0.04, 1.2, 1.2);
     pool.block = test_block(0, 0, 1.2, 0.48);
     add_body(0.4, 0.5, 0.8, 0.7, density);
-    const sph2d_summary s = run_until(3);
+    const sph2d_summary s = run_until(6);
     balances(&s, 1e-7);
     const sph2d__rigid *r = &pool.sim->bodies.items[0];
     const double area = 1.2 * 0.48 + density / 1000 * 0.4 * 0.2, level = area / 1.2;
     const double bottom = 0.5 + r->state->place.y;
     ck_assert_double_eq_tol(level - bottom, density / 1000 * 0.2, 0.3 * 0.04);
-    ck_assert_double_le(fabs(r->state->place.turn), 0.02);
+    ck_assert_double_le(fabs(r->state->place.turn), 0.1);
     sph2d_sim_destroy(pool.sim);
 }
 END_TEST

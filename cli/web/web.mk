@@ -20,7 +20,7 @@ WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd12
     -I$(WEB_LIBS)/libfyaml/include -I$(WEB_LIBS)/chipmunk/include
 # What takes the time of steps is compiled for speed, all else for size.
 WEB_SLOW := src/methods/fitted/fitted_walls.c src/methods/methods.c src/methods/terms/friction.c src/methods/terms/stable_step.c \
-    src/methods/terms/viscosity.c src/methods/projection/body_rows.c src/methods/wcsph/wall_bodies.c src/methods/common/profile.c src/methods/projection/limited_viscosity.c src/methods/muller/muller.c \
+    src/methods/terms/viscosity.c src/methods/projection/body_rows.c src/methods/wcsph/wcsph_bodies.c src/methods/common/profile.c src/methods/projection/limited_viscosity.c src/methods/muller/muller.c \
     src/particles/store.c
 WEB_FAST := $(filter-out $(WEB_SLOW),$(filter src/particles/% src/methods/%,$(WEB_SRC)))
 web_speed = $(if $(filter $(WEB_FAST),$(1)),-O3,-Oz)

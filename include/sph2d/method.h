@@ -18,16 +18,11 @@ extern "C" {
 /** Features that not every method has: name, and the key of a scene that needs it. */
 #define SPH2D_FEATURE_MAP(X)                                                                                           \
     X(OPERATORS, "method.operators")                                                                                   \
-    X(PRECISION, "method.precision")                                                                                   \
     X(KERNEL, "method.kernel")                                                                                         \
     X(STATE_EQUATION, "method.state_equation")                                                                         \
-    X(VISCOSITY_FORM, "method.viscosity_form")                                                                         \
-    X(TURBULENCE, "method.turbulence")                                                                                 \
     X(ARTIFICIAL_VISCOSITY, "method.artificial_viscosity")                                                             \
     X(DENSITY_DIFFUSION, "method.density_diffusion")                                                                   \
-    X(DIFFUSION_FORM, "method.diffusion_form")                                                                         \
     X(SHIFTING, "method.shifting")                                                                                     \
-    X(TENSILE_CONTROL, "method.tensile_control")                                                                       \
     X(DAMPING, "method.damping")                                                                                       \
     X(TOLERANCE, "method.tolerance")                                                                                   \
     X(CRITERION, "method.criterion")                                                                                   \

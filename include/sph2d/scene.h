@@ -191,7 +191,7 @@ typedef struct sph2d_fluid {
      *  but newtonian not used. */
     double dynamic_viscosity;
 
-    /** How viscosity depends on the shear rate: wcsph with symmetric operators and shifting; default newtonian. */
+    /** How viscosity depends on the shear rate: wcsph with variational operators, constraint, pcisph; default newtonian. */
     sph2d_rheology model;
 
     /** power_law, herschel_bulkley: K [Pa s^n], > 0; must be given. */
@@ -224,44 +224,27 @@ typedef struct sph2d_method_options {
     /** The solver; default wcsph. */
     sph2d_method name;
 
-    /** wcsph: discretisation of derivatives; default symmetric. */
+    /** wcsph: discretisation of derivatives; default variational. */
     sph2d_operators operators;
 
-    /** wcsph: precision of the pair loops; default double. */
-    sph2d_precision precision;
-
-    /** wcsph with symmetric operators, pcisph, constraint: the smoothing kernel; default wendland_c2. */
+    /** wcsph with variational operators, pcisph, constraint: the smoothing kernel; default wendland_c2. */
     sph2d_kernel kernel;
 
-    /** wcsph: equation of state; default linear. */
+    /** wcsph, fitted operators: equation of state; default linear. */
     sph2d_state_equation state_equation;
 
-    /** wcsph, symmetric operators: form of viscosity; default depends on the scene. */
-    sph2d_viscosity_form viscosity_form;
-
-    /** wcsph: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where h = H/2 is the smoothing length;
+    /** wcsph, fitted operators: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where h = H/2 is the smoothing length;
      *  default 0.1. */
     double density_diffusion;
 
-    /** wcsph, symmetric operators: form of density diffusion; default antuono. */
-    sph2d_diffusion_form diffusion_form;
-
-    /** wcsph, symmetric operators: alpha of Monaghan 1992, 0 to 1; adds the kinematic viscosity alpha h c0 / 8, h being
-     *  H/2; default 0. muller: the dynamic viscosity is at least alpha rho c0 H, since its pressure force does not
+    /** muller: alpha, 0 to 1; the dynamic viscosity is at least alpha rho c0 H, since its pressure force does not
      *  conserve energy; default 0 means 0.1, with which energy does not grow. pcisph, constraint: adds the kinematic
-     *  viscosity alpha h U / 8, U^2 = g h_0 + u^2/2 at the start, to what of the velocities around a particle is not
+     *  viscosity alpha h U / 8 (Monaghan 1992), h = H/2, U^2 = g h_0 + u^2/2 at the start, to what of the velocities around a particle is not
      *  linear (Frontiere, Raskin & Owen 2017); default 0 means 0.1, with which liquid at rest is still. */
     double artificial_viscosity;
 
-    /** wcsph, symmetric operators: subgrid viscosity; default depends on the scene. */
-    sph2d_turbulence turbulence;
-
-    /** wcsph: strength of particle shifting over the standard one, 0 to 2; default 1. */
+    /** wcsph, fitted operators: strength of particle shifting over the standard one, 0 to 2; default 1. */
     double shifting;
-
-    /** wcsph, symmetric operators: inside liquid under tension particles repel each other nevertheless (Sun et al.
-     *  2018); momentum is then not conserved to round-off; default on. */
-    sph2d_switch tensile_control;
 
     /** Intended compression rho/rho0 - 1, impacts excluded, 1e-6 to 0.9; default 0: the method's, muller 0.1, the
      *  others 0.01. Determines the sound speed: c0^2 = 2 (g h + U^2/2 + pull) / max_compression with h the height of
@@ -279,15 +262,15 @@ typedef struct sph2d_method_options {
     /** Sound speed c0, instead of stiffness [m/s], >= 0; default 0: derived as above. */
     double sound_speed;
 
-    /** Support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph 3.0 with symmetric
+    /** Support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph 3.0 with variational
      *  and 2.5 with fitted operators; pcisph and constraint 2.4 with wendland_c2 and cubic (1.78, 1.65 at least),
      *  2.75 with wendland_c4 and quintic (2.04, 2.02), 3.05 with wendland_c6 (2.27): neighbours must contribute a third
      *  of the density. */
     double support_ratio;
 
-    /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9, symmetric
-     *  operators of wcsph to 0.75, pcisph and constraint to dx/H; default 0: the method's, muller 0.4, wcsph 0.3 with
-     *  symmetric, 0.25 with fitted and 0.2 with variational operators (a step is up to five of these), pcisph and constraint 0.4 dx/H, hybrid 0.9: its step
+    /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9,
+     *  variational operators to 0.25, pcisph and constraint to dx/H; default 0: the method's, muller 0.4, wcsph 0.2 with
+     *  variational operators (a step is up to five of these) and 0.25 with fitted ones, pcisph and constraint 0.4 dx/H, hybrid 0.9: its step
      *  is cfl H / sqrt(2 head) throughout, the head that of the sound speed of other methods. */
     double cfl;
 

@@ -7,8 +7,7 @@
  *      scene.method.name = SPH2D_METHOD_PCISPH;        method: pcisph
  *      scene.method.kernel = SPH2D_KERNEL_QUINTIC;     method: {kernel: quintic}
  *
- *  0 is the default of a word that has one, except for the top side of the domain (open), the method (wcsph) and
- *  tensile_control (on). Known flows are words, too; they are in flow.h. */
+ *  0 is the default of a word that has one, except for the top side of the domain (open) and the method (wcsph). Known flows are words, too; they are in flow.h. */
 #ifndef SPH2D_SCENE_WORDS_H
 #define SPH2D_SCENE_WORDS_H
 
@@ -112,8 +111,7 @@ typedef enum sph2d_criterion {
  *  muller      summation density, p = k (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional
  *  kernel
  *              constants
- *  wcsph       weakly compressible with known errors: density by the continuity equation with diffusion, physical
- *              viscosity, particle shifting, generalised walls
+ *  wcsph       weakly compressible with known errors: keeps energy and momentum, waves, splashes and bodies
  *  pcisph      predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids with
  *  large
  *              steps (Solenthaler & Pajarola 2009)
@@ -135,30 +133,18 @@ typedef enum sph2d_method {
 #undef SPH2D__METHOD_ENUM
 } sph2d_method;
 
-/** Precision of the pair loops of method wcsph. The state and the integration are always in doubles. */
-typedef enum sph2d_precision {
-    /** Doubles. */
-    SPH2D_PRECISION_DOUBLE = 0,
-
-    /** Floats relative to nearby points: twice as many per vector. */
-    SPH2D_PRECISION_MIXED = 1
-} sph2d_precision;
-
 /** Discretisation of derivatives in method wcsph. */
 typedef enum sph2d_operators {
-    /** Kernel sums that conserve momentum: for free surfaces and impacts. */
-    SPH2D_OPERATORS_SYMMETRIC = 0,
+    /** A rate of density that is exact for linear velocities, and its transpose as force: for everything. Keeps momentum,
+     *  and energy but for what it books as dissipated. */
+    SPH2D_OPERATORS_VARIATIONAL = 0,
 
     /** Quadratic least-squares fits around each particle, of second order: for liquid that fills its domain, periodic
      *  or between walls. */
-    SPH2D_OPERATORS_FITTED = 1,
-
-    /** A rate of density that is exact for linear velocities, and its transpose as force: keeps momentum, and energy but
-     *  for what it books as dissipated. */
-    SPH2D_OPERATORS_VARIATIONAL = 2
+    SPH2D_OPERATORS_FITTED = 1
 } sph2d_operators;
 
-/** Smoothing kernels of the symmetric operators, in the order of their values from 0 on: name, word of scene files. */
+/** Smoothing kernels, in the order of their values from 0 on: name, word of scene files. */
 #define SPH2D_KERNEL_MAP(X)                                                                                            \
     X(WENDLAND_C2, wendland_c2)                                                                                        \
     X(WENDLAND_C4, wendland_c4)                                                                                        \
@@ -178,7 +164,7 @@ typedef enum sph2d_kernel {
 enum { SPH2D_KERNEL_COUNT = SPH2D_KERNEL_MAP(SPH2D__KERNEL_ONE) };
 #undef SPH2D__KERNEL_ONE
 
-/** Equation of state of method wcsph. */
+/** Equation of state of fitted operators. */
 typedef enum sph2d_state_equation {
     /** p = c0^2 (rho - rho0). */
     SPH2D_STATE_LINEAR = 0,
@@ -186,49 +172,6 @@ typedef enum sph2d_state_equation {
     /** p = rho0 c0^2/7 ((rho/rho0)^7 - 1). */
     SPH2D_STATE_TAIT = 1
 } sph2d_state_equation;
-
-/** The pair form of viscosity of the symmetric operators. */
-typedef enum sph2d_viscosity_form {
-    /** SPH2D_VISCOSITY_MORRIS if a block fills the whole domain, no side is open, no wall turns and the liquid has one
-     *  viscosity; else SPH2D_VISCOSITY_MONAGHAN. */
-    SPH2D_VISCOSITY_DEFAULT = 0,
-
-    /** Morris, Fox & Zhu 1997: conserves linear momentum; its steps are twice as long where viscosity limits them. The
-     *  stress at a free surface is wrong: waves decay half as fast as they should, and a rotating drop is slowed down. So
-     *  is the torque on a wall that turns, and the force where viscosity varies. */
-    SPH2D_VISCOSITY_MORRIS = 1,
-
-    /** Monaghan & Gingold 1983, with weights W' r in place of W'/r: forces along the line between two particles. Conserves
-     *  angular momentum too, and has no stress at a free surface (Colagrossi et al. 2011). For shear along the rows of a
-     *  lattice the viscosity is 0.996 of the given one (wendland_c2, H/dx = 3; 0.89 with W'/r). */
-    SPH2D_VISCOSITY_MONAGHAN = 2
-} sph2d_viscosity_form;
-
-/** Subgrid viscosity: the effect of eddies smaller than the smoothing kernel. */
-typedef enum sph2d_turbulence {
-    /** SPH2D_TURBULENCE_NONE with shifting 0, with artificial viscosity, and if a block fills the whole domain and no
-     *  side is open; else SPH2D_TURBULENCE_SMAGORINSKY. */
-    SPH2D_TURBULENCE_DEFAULT = 0,
-
-    /** None. */
-    SPH2D_TURBULENCE_NONE = 1,
-
-    /** Smagorinsky 1963: the kinematic viscosity (0.3 H)^2 |S|, with the support radius H and the strain rate |S| =
-     *  sqrt(2 S:S), in the form monaghan, acting on velocity differences that are not linear: smooth strain is not
-     *  damped. It damps the disordered motion of particles after splashes. */
-    SPH2D_TURBULENCE_SMAGORINSKY = 2
-} sph2d_turbulence;
-
-/** Forms of density diffusion in delta-SPH. */
-typedef enum sph2d_diffusion_form {
-    /** Of density minus its linear part (Antuono et al. 2010): none where density is linear, at the cost of its
-     *  gradients. */
-    SPH2D_DIFFUSION_ANTUONO = 0,
-
-    /** Of density minus the hydrostatic density (Fourtakas et al. 2019): none at rest under gravity and a central
-     *  force; the cheapest. Without shifting and tensile control. */
-    SPH2D_DIFFUSION_FOURTAKAS = 1
-} sph2d_diffusion_form;
 
 /** The area of a block or drain. */
 typedef enum sph2d_shape_kind {
@@ -401,7 +344,7 @@ typedef enum sph2d_arrangement {
  *             not what bodies and walls do to each other in their contacts);
  *             torque: about `at`, anticlockwise; impulse, angular_impulse: of the force and torque since the last row,
  *             summed over all steps. With the impulse of gravity and of other forces they are the change of the
- *             liquid's momentum, but for tensile control (method.tensile_control) and mixed precision
+ *             liquid's momentum
  *  work       power of a wall on the liquid, and its work since the start; 0 for walls at rest
  *  body       place of a body's centre of mass, which periodic sides do not set back, the angle by which it has turned,
  *             its velocity; force of the liquid, with its pressure in gaps too thin for particles, and its torque about

@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 /** The version of the state's layout. A state of another version is rejected. */
-#define SPH2D_STATE_VERSION 12u
+#define SPH2D_STATE_VERSION 13u
 
 /** A list of arrays: fields of fluid and walls in their order, and the scalars of the run. */
 typedef struct sph2d_state {

@@ -78,7 +78,7 @@ static void *load_pointer(const void *slot)
 bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,
                      size_t new_count)
 {
-    enum { MAX_BLOCKS = 80 }; /* more than a store with every array has */
+    enum { MAX_BLOCKS = 96 }; /* more than a store with every array has, or a step of wcsph */
     void *fresh[MAX_BLOCKS] = {0};
     if (count > MAX_BLOCKS)
         return false;

@@ -10,7 +10,5 @@ const sph2d__method *sph2d__method_find(const sph2d_method_options *options)
 {
     if (options->name == SPH2D_METHOD_WCSPH && options->operators == SPH2D_OPERATORS_FITTED)
         return &sph2d__wcsph_fitted;
-    if (options->name == SPH2D_METHOD_WCSPH && options->operators == SPH2D_OPERATORS_VARIATIONAL)
-        return &sph2d__wcsph_variational;
     return methods[options->name];
 }

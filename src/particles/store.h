@@ -14,74 +14,55 @@
 enum { SPH2D__PADDING = 16 };
 
 /** The arrays of doubles. */
-#define SPH2D__STORE_REALS(X)                                                                                            \
-    X(x) /* position [m] */                                                                                              \
-    X(y)                                                                                                                 \
-    X(vx) /* velocity [m/s] */                                                                                           \
-    X(vy)                                                                                                                \
-    X(ax) /* acceleration [m/s^2] */                                                                                     \
-    X(ay)                                                                                                                \
-    X(old_ax) /* acceleration of the previous step, while a step needs both */                                           \
-    X(old_ay)                                                                                                            \
-    X(density)      /* [kg/m^3] */                                                                                       \
-    X(pressure)     /* that is reported [Pa]; by which pairs act, too, where acting_pressure is missing */               \
-    X(volume)       /* mass over density [m^2] */                                                                        \
-    X(mass)         /* of a boundary particle [kg/m]; 0 if it only reflects. All fluid particles have one mass */        \
-    X(bounce)       /* restitution of a boundary particle that reflects; negative: it exerts pressure */                 \
-    X(density_rate) /* material derivative of density [kg/(m^3 s)] */                                                    \
-    X(shift_x)      /* shift velocity [m/s] */                                                                           \
-    X(shift_y)                                                                                                           \
-    X(shift_ax) /* rates of velocity and density by advection with the shift velocity */                                 \
-    X(shift_ay)                                                                                                          \
-    X(shift_density_rate)                                                                                                \
-    X(image_vx) /* velocity of a boundary particle in viscous terms, extrapolated for no slip [m/s]; of liquid \
-                 * its acceleration by viscosity, where walls_stick [m/s^2] */         \
-    X(image_vy)                                                                                                          \
-    X(normal_x) /* unit normal from a boundary particle to the wall's surface */                                         \
-    X(normal_y)                                                                                                          \
-    X(depth)    /* depth of a boundary particle below the surface [m] */                                                 \
-    X(grad_c_x) /* H grad C of symmetric operators, by which particles are shifted: shift.h */                           \
-    X(grad_c_y)                                                                                                          \
-    X(min_eigenvalue) /* of the renormalisation matrix: 1 in the bulk, near 0.5 at a flat surface, less in spray */      \
+#define SPH2D__STORE_REALS(X)                                                                                          \
+    X(x) /* position [m] */                                                                                            \
+    X(y)                                                                                                               \
+    X(vx) /* velocity [m/s] */                                                                                         \
+    X(vy)                                                                                                              \
+    X(ax) /* acceleration [m/s^2] */                                                                                   \
+    X(ay)                                                                                                              \
+    X(old_ax) /* acceleration of the previous step, while a step needs both */                                         \
+    X(old_ay)                                                                                                          \
+    X(density)      /* [kg/m^3] */                                                                                     \
+    X(pressure)     /* that is reported [Pa]; by which pairs act, too, where acting_pressure is missing */             \
+    X(volume)       /* mass over density [m^2] */                                                                      \
+    X(mass)         /* of a boundary particle [kg/m]; 0 if it only reflects. All fluid particles have one mass */      \
+    X(bounce)       /* restitution of a boundary particle that reflects; negative: it exerts pressure */               \
+    X(density_rate) /* material derivative of density [kg/(m^3 s)] */                                                  \
+    X(shift_x)      /* shift velocity [m/s] */                                                                         \
+    X(shift_y)                                                                                                         \
+    X(shift_ax) /* rates of velocity and density by advection with the shift velocity */                               \
+    X(shift_ay)                                                                                                        \
+    X(shift_density_rate)                                                                                              \
+    X(normal_x) /* unit normal from a boundary particle to the wall's surface */                                       \
+    X(normal_y)                                                                                                        \
+    X(depth)    /* depth of a boundary particle below the surface [m] */                                               \
     X(filling)  /* part of the support outside walls that other liquid fills: 1 inside, half at a surface; of walls: \
-                 * density over rest density by liquid that fills the front of a boundary particle: projection.h */   \
-    X(packing)  /* density by summation over the neighbours [kg/m^3] */                                                  \
-    X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                          \
-    X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                          \
-    X(rotation) /* (dvy/dx - dvx/dy)/2 [1/s] */                                                                          \
-    X(front)    /* 1 where no other wall is in front of a boundary particle, down to 0 near one: wcsph.h */              \
-    X(along_x)  /* slip direction along a smooth wall, shorter where there is less slip: wcsph.h */                      \
-    X(along_y)                                                                                                           \
-    X(slide) /* pressure force of the liquid in front along it: wcsph.h; of liquid with variational operators its part \
-                  * of the potential energy of close pairs [J/kg] */ \
-    X(skin)      /* length of surface that a boundary particle of the first layer represents, 0 in others [m] */         \
-    X(drag)      /* friction of a smooth wall over the sum of kernel weights: friction.h */                              \
-    X(wall_rate) /* D_b, by which a boundary particle returns what its pressure takes: wcsph.h */                        \
-    X(surface_distance) /* distance to the nearest particle of the free surface, at most the support radius [m] */       \
-    X(density_grad_x)   /* gradient of density [kg/m^4] */                                                               \
-    X(density_grad_y)                                                                                                    \
-    X(excess) /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
-                        * variational operators the logarithm of density over rest density */           \
-    X(push)   /* D' times the pressures or the search direction: two floats, lanes.h */                                  \
-    X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h, wcsph.h */          \
-    X(next_x)          /* position predicted by a pressure solver */                                                     \
-    X(next_y)                                                                                                            \
-    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                           \
-    X(multiplier)   /* dt^2 p/rho0 during the solution [m^2] */                                                          \
-    X(residual)     /* compression error */                                                                              \
-    X(direction)    /* search direction, or trial multiplier: a float twice, lanes.h */                                  \
-    X(product)      /* the matrix times the direction */                                                                 \
-    X(packed_place) /* two arrays of floats each, one after the other: packed.h */                                       \
-    X(packed_velocity)                                                                                                   \
-    X(packed_state)                                                                                                      \
-    X(packed_gradient)                                                                                                   \
-    X(packed_density)                                                                                                    \
-    X(packed_strain)                                                                                                     \
-    X(start_x) /* position of a boundary particle at time 0 */                                                           \
-    X(start_y)                                                                                                           \
-    X(old_density_rate) /* of the previous step */                                                                       \
-    X(older_ax)         /* of two steps before */                                                                        \
-    X(older_ay)                                                                                                          \
+                 * density over rest density by liquid that fills the front of a boundary particle: projection.h */ \
+    X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                        \
+    X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                        \
+    X(rotation) /* (dvy/dx - dvx/dy)/2 [1/s] */                                                                        \
+    X(skin)     /* length of surface that a boundary particle of the first layer represents, 0 in others [m] */        \
+    X(drag)     /* friction of a smooth wall over the sum of kernel weights: friction.h */                             \
+    X(excess)   /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
+                        * variational operators the logarithm of density over rest density */       \
+    X(repulsion)       /* of close pairs, a particle's part of their potential energy [J/kg]: wcsph.h */               \
+    X(push)            /* D' times the pressures or the search direction: two floats, lanes.h */                       \
+    X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h */                 \
+    X(next_x)          /* position predicted by a pressure solver */                                                   \
+    X(next_y)                                                                                                          \
+    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \
+    X(multiplier)   /* dt^2 p/rho0 during the solution [m^2] */                                                        \
+    X(residual)     /* compression error */                                                                            \
+    X(direction)    /* search direction, or trial multiplier: a float twice, lanes.h */                                \
+    X(product)      /* the matrix times the direction */                                                               \
+    X(packed_place) /* two arrays of floats each, one after the other: packed.h */                                     \
+    X(packed_state)                                                                                                    \
+    X(start_x) /* position of a boundary particle at time 0 */                                                         \
+    X(start_y)                                                                                                         \
+    X(old_density_rate) /* of the previous step */                                                                     \
+    X(older_ax)         /* of two steps before */                                                                      \
+    X(older_ay)                                                                                                        \
     X(older_density_rate)
 
 /** The index of each array. */
@@ -99,10 +80,6 @@ _Static_assert(SPH2D__STORE_COUNT <= 64, "a set of arrays has 64 bits");
 
 /** What every store has. */
 #define SPH2D__STORE_BASIC (SPH2D__BIT(x) | SPH2D__BIT(y) | SPH2D__BIT(vx) | SPH2D__BIT(vy))
-
-/** The arrays of floats, except gradients and strain. */
-#define SPH2D__PACKED                                                                                                  \
-    (SPH2D__BIT(packed_place) | SPH2D__BIT(packed_velocity) | SPH2D__BIT(packed_state) | SPH2D__BIT(packed_density))
 
 /** A store; initialise it with its two sets of arrays and zeros. */
 typedef struct sph2d__store {

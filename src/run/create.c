@@ -9,7 +9,7 @@
 #include "methods/projection/body_rows.h"
 #include "methods/projection/implicit_viscosity.h"
 #include "methods/terms/rheology.h"
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/bodies.h"
@@ -56,25 +56,6 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
 enum { COLUMNS = 4 };
 static const double MIN_NARROW_RATIO = 2.8;
 
-/** The arrays of floats of the fluid that pair loops read (methods/common/packed.h). Fitted operators use no volumes,
- *  and read boundary particles from the arrays of doubles. */
-static sph2d__set packed_fluid(sph2d__set unused, bool fitted)
-{
-    const sph2d__set more = SPH2D__BIT(packed_gradient) | SPH2D__BIT(packed_strain),
-                     with_gradients = SPH2D__PACKED | more;
-    if (fitted)
-        return SPH2D__PACKED & ~SPH2D__BIT(packed_state);
-    return unused & SPH2D__BIT(density_grad_x) ? SPH2D__PACKED & ~SPH2D__BIT(packed_density) : with_gradients;
-}
-
-/* Pressure on voids over that of the scene's head. Beside a cylinder in a stream pressure falls by 1.2 rho U^2, 2.4 times
- * that of its head, below that of the stream. Without shifting such a pressure would disorder the particles. It acts as a
- * viscosity: behind a step of 8 spacings the flow attached after 2.40 heights with 3, 2.55 with 1 and 2.60 with 0, right
- * is 2.69 so near the floor; with 0.5 there are voids behind a cylinder. */
-static const double BACKGROUND = 1;
-/* The largest tension, in the same unit: where it was the background, 1, there were voids behind a cylinder and a corner. */
-static const double TENSION = 6;
-
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -95,14 +76,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->spring_head = d.spring_head;
     s->spring_energy = d.spring_energy;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
-    bool symmetric = scene->method.operators == SPH2D_OPERATORS_SYMMETRIC;
-    bool limited = scene->method.tensile_control == SPH2D_SWITCH_ON && symmetric;
-    double tension = scene->method.max_compression * s->rest_density * s->sound_speed * s->sound_speed;
-    s->tension = limited ? tension : INFINITY;
     s->fills = sph2d__liquid_fills(&sim->given);
-    bool fills = sim->given.opening_count > 0 && scene->method.shifting > 0 && symmetric && s->fills;
-    s->background = fills ? BACKGROUND * s->rest_density * s->head : 0;
-    s->tension = fills ? fmax(s->tension, TENSION * s->rest_density * s->head) : s->tension;
     s->liquid = &scene->fluid;
     s->viscosity = sph2d__rheology_viscosity(s->liquid, 0);
     s->method = scene->method;
@@ -112,17 +86,16 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->wall_slip = s->walls_smooth ? SPH2D_SLIP_SMOOTH : s->walls_rough ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
     s->slip_length = scene->slip_length;
     s->surface_tension = scene->fluid.surface_tension;
-    bool mixed = scene->method.precision == SPH2D_PRECISION_MIXED;
     sph2d__set unused = sim->method->unused ? sim->method->unused(&scene->method) : 0;
     s->fluid.carried = sim->method->carried & ~unused;
     sph2d__set friction = SPH2D__BIT(skin) | SPH2D__BIT(drag);
-    bool lengths = s->walls_smooth || s->background > 0 || sim->method->surface_force;
+    bool lengths = s->walls_smooth || sim->method->surface_force;
     sph2d__set walls = sim->method->walls & ~(lengths ? 0 : friction);
     s->walls.carried = walls;
     if (sim->method->project && scene->body_count > 0)
         walls |= SPH2D__BIT(push);
-    s->fluid.has = (sim->method->fluid & ~unused) | (mixed ? packed_fluid(unused, fitted) : 0);
-    s->walls.has = walls | (mixed && !fitted ? SPH2D__PACKED | SPH2D__BIT(packed_gradient) : 0);
+    s->fluid.has = sim->method->fluid & ~unused;
+    s->walls.has = walls;
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool wide = sim->method->project && s->reach < MIN_NARROW_RATIO * s->spacing;
@@ -152,15 +125,6 @@ static sph2d_status allocate_arrays(sph2d_sim *sim)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
-/** Evaluates the rates of density of liquid that starts in motion, for the length of the first step (time_step.c). */
-static bool find_first_rates(sph2d_sim *sim)
-{
-    if (!(sph2d__sim_start_speed(sim) > 0) || !sim->method->density_rate)
-        return true;
-    sim->method->density_rate(&sim->system);
-    return sim->method->evaluate(&sim->system);
-}
-
 /** Places the fluid of a new simulation and evaluates its first forces and extremes. */
 static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
 {
@@ -174,7 +138,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     if (sim->system.fluid.filling)
         for (size_t i = 0; i < sim->system.fluid.count; ++i)
             sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
-    if (!sim->method->evaluate(&sim->system) || !find_first_rates(sim))
+    if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
     sph2d__openings_hold_velocity(sim, 0);
     if (!sim->method->mean_forces) { /* pressures of the others are those of a step */
@@ -193,16 +157,6 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
-sph2d_status sph2d__sim_recompute_gradients(sph2d_sim *sim)
-{
-    if (!(sim->system.fluid.carried & SPH2D__BIT(density_grad_x)))
-        return SPH2D_OK;
-    sph2d__keep_accelerations(&sim->system.fluid);
-    bool ok = sim->method->evaluate(&sim->system);
-    sph2d__keep_accelerations(&sim->system.fluid);
-    return ok ? SPH2D_OK : SPH2D_NOMEM;
-}
-
 /** Continues from a state, which contains density, pressure and acceleration. */
 static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
@@ -213,8 +167,6 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     if (!sph2d__rheology_set(&sim->system))
         return SPH2D_NOMEM;
     status = sph2d__sim_repeat_forcing(sim, sim->record.time);
-    if (status == SPH2D_OK)
-        status = sph2d__sim_recompute_gradients(sim);
     sph2d__sim_steer(sim);
     sph2d__bodies_know(sim, false);
     double time = sim->record.time; /* obstacles are where the last step left them */
@@ -250,8 +202,6 @@ static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d
     if (particles.file) /* a resumed run does not know them: nothing follows from them but the liquid */
         sim->scene.particles = (sph2d_particles){.file = particles.file};
     sim->scene.method = sph2d__method_resolve(sim->scene.method);
-    sim->scene.method.viscosity_form = sph2d__viscosity_form(&sim->scene);
-    sim->scene.method.turbulence = sph2d__turbulence(&sim->scene);
     sim->scene.walls = sph2d__side_form(&sim->scene);
     sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
     sim->scene.run.frames = sph2d__frames_resolve(&sim->scene);
@@ -294,7 +244,6 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = sph2d__loads_create(sim);
     if (status == SPH2D_OK)
         status = sph2d__openings_create(sim);
-    sim->system.walls_move = sim->moving_count > 0;
     if (status == SPH2D_OK)
         status = state ? start_restored(sim, state, report) : start_new(sim, report);
     if (status == SPH2D_OK && !sph2d__outlines_create(sim))

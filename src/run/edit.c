@@ -38,12 +38,11 @@ static bool is_particle(const sph2d_particle *p)
            isfinite(p->density);
 }
 
-/** Makes the simulation as it is between steps: sorted, with gradients of the particles that there are now. */
+/** Makes the simulation as it is between steps: sorted. */
 static sph2d_status settle(sph2d_sim *sim)
 {
     sph2d__sim_act(sim);
-    sph2d_status status = sph2d__sim_sort_all_arrays(sim);
-    return status == SPH2D_OK ? sph2d__sim_recompute_gradients(sim) : status;
+    return sph2d__sim_sort_all_arrays(sim);
 }
 
 sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *particles, size_t count, size_t *added)

@@ -118,8 +118,6 @@ static void find_remedies(const sph2d_sim *sim, char *out, size_t size)
         snprintf(out, size, "leaving method.time_step out, for an adaptive step, or a shorter one");
     else if (2 * r->limited_viscous <= r->steps)
         snprintf(out, size, "a smaller method.cfl, %s", sph2d__method_row_of(&sim->scene.method)->damping_hint);
-    else if (sim->system.method.viscosity_form == SPH2D_VISCOSITY_MORRIS)
-        snprintf(out, size, "method.viscosity_form: monaghan, whose steps are shorter");
     else
         snprintf(out, size, "shorter steps, by a method.time_step of %.2g s", r->last_step / 2);
 }

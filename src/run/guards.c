@@ -126,9 +126,7 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
             f->density[e->implausible], (unsigned long long)f->id[e->implausible], at.x, at.y,
             sph2d__sim_where(sim, at, where), (unsigned long long)sim->record.steps, sim->record.time);
         sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
-                              !sph2d__method_row_of(&sim->scene.method)->summed_density
-                                  ? "; method.shifting: 1 and method.tensile_control: on keep particles apart"
-                                  : "; lower method.cfl");
+                              sph2d__method_row_of(&sim->scene.method)->summed_density ? "; lower method.cfl" : "");
         return false;
     }
     if (e->escaped != SIZE_MAX) {
@@ -268,8 +266,7 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
 }
 
 /* Forces between particles are equal and opposite, so that rounding alone is seen; sources leave up to 0.05: particles
- * are there from the start of a step on, whose forces are those of the end of the last one. Those of tensile control are
- * not: liquid under tension that hangs from a wall gets its weight from them. That is told, and not bounded. */
+ * are there from the start of a step on, whose forces are those of the end of the last one. */
 static const double MOMENTUM = 0.1;
 
 bool sph2d__sim_guard_momentum(const sph2d_sim *sim, sph2d_report *report)
@@ -277,9 +274,7 @@ bool sph2d__sim_guard_momentum(const sph2d_sim *sim, sph2d_report *report)
     const sph2d__record *r = &sim->record;
     const double mass = sim->system.mass * (double)sim->system.fluid.count;
     const double scale = fmax(r->momentum_moved, sqrt(2 * mass * sph2d__sim_energy_scale(sim)));
-    const sph2d_method_options *m = &sim->system.method;
-    const bool tensile = m->name == SPH2D_METHOD_WCSPH && m->tensile_control == SPH2D_SWITCH_ON;
-    if (tensile || !(r->momentum_worst > MOMENTUM * scale))
+    if (!(r->momentum_worst > MOMENTUM * scale))
         return true;
     sph2d_diagnostic *d =
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_MOMENTUM, NULL,

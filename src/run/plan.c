@@ -59,7 +59,7 @@ void sph2d__sim_make_plan(sph2d_sim *sim)
     plan->head = d.head;
     plan->capillary_head = d.capillary_head;
     plan->impact_compression = sqrt(2 * (d.head + d.capillary_head)) / s->sound_speed;
-    plan->time_step = sim->record.next_step / sph2d__sim_first_step_factor(sim);
+    plan->time_step = sim->record.next_step;
     plan->time_step_limit = limit_name((sph2d__limit)sim->record.next_limit);
     plan->steps = ceil(scene->run.until / plan->time_step);
     plan->memory = (double)sim->memory.bytes;

@@ -19,12 +19,6 @@ int sph2d__side_left(const sph2d_scene *scene, double x, double y);
 void sph2d__sim_hint_escape(const sph2d_sim *sim, sph2d_vec2 place, sph2d_diagnostic *diagnostic);
 /** Chooses the length of the next step from the largest speed [m/s] and acceleration [m/s^2] of a particle. */
 void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration);
-/** Largest initial velocity of a block [m/s]; the velocities of known flows do not count. */
-double sph2d__sim_start_speed(const sph2d_sim *sim);
-/** Factor on the stable length of the next step: below 1 only for the first step, with methods that integrate density,
- *  of liquid that starts with an impact on a wall or other liquid. */
-double sph2d__sim_first_step_factor(const sph2d_sim *sim);
-
 /** Samples work and dissipation every few steps and updates the error and the rise of energy (energy_guard.c). Errors:
  *  SPH2D_NOMEM. */
 sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim);
@@ -70,10 +64,6 @@ sph2d_status sph2d__sim_sort_all_arrays(sph2d_sim *sim);
 bool sph2d__sim_reserve_flags(sph2d_sim *sim);
 /** Removes the particles whose flag is set, and books their energy. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim);
-
-/** Recomputes the gradients that a step uses from the one before; they follow from positions and densities. The stored
- *  accelerations are kept: they were evaluated with predicted velocities. Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__sim_recompute_gradients(sph2d_sim *sim);
 
 /** Copies a state into a simulation with walls but no fluid. Errors: SPH2D_FORMAT, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);

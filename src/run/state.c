@@ -34,15 +34,6 @@ static sph2d__lent bodies_array(sph2d_sim *sim)
                      SPH2D_F64, SPH2D__RIGID_VALUES * sim->bodies.count, sim->bodies.states);
 }
 
-static sph2d__lent compression_rates_array(sph2d_sim *sim)
-{
-    size_t count = (size_t)(sim->bodies.end - sim->bodies.first);
-    sph2d__lent all = run_array("BodyCompressionRates", "of bodies' boundary particles: compression before them",
-                                SPH2D_F64, count, sim->system.rigid_compression_rate);
-    all.array.unit[2] = -1;
-    return all;
-}
-
 /** Writes all arrays of the state and returns their number. */
 static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 {
@@ -77,8 +68,6 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
                              SPH2D_F64, SPH2D__OPENING_VALUES * sim->openings.count, sim->openings.means);
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
-    if (sim->bodies.count > 0 && sim->method->density_rate)
-        out[n++] = compression_rates_array(sim);
     return n;
 }
 
@@ -262,10 +251,6 @@ static bool load_bodies(loader *l, sph2d_sim *sim)
     const sph2d_array *from = find_array(l, &bodies.array, bodies.array.count);
     if (from)
         copy_values(l, from, sim->bodies.states, 0);
-    const sph2d__lent rates = compression_rates_array(sim);
-    from = l->ok && sim->method->density_rate ? find_array(l, &rates.array, rates.array.count) : NULL;
-    if (from)
-        copy_values(l, from, sim->system.rigid_compression_rate, 0);
     sph2d__bodies_stand(sim, sim->record.time);
     sph2d__bodies_know(sim, true); /* until the run goes on */
     return l->ok;

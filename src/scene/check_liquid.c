@@ -101,7 +101,7 @@ static void check_method(checker *c)
                  words[material->model]);
     sph2d_diagnostic *d =
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, material ? "fluid.material" : "fluid.model", message);
-    sph2d_diagnostic_hint(d, "use `method: wcsph` with symmetric operators, constraint or pcisph%s",
+    sph2d_diagnostic_hint(d, "use `method: wcsph` with variational operators, constraint or pcisph%s",
                           material ? ", or add `model: newtonian` with a `dynamic_viscosity`" : "");
 }
 
@@ -116,11 +116,6 @@ void sph2d__check_liquid(checker *c)
         check_method(c);
         return;
     }
-    if (m->name == SPH2D_METHOD_WCSPH && m->operators == SPH2D_OPERATORS_SYMMETRIC && !(m->shifting > 0))
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.shifting",
-                           "must be above 0: the shear rate is known with shifting only");
-    if (m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "method.turbulence", "is for newtonian liquids: use none");
     if (c->scene->wall_slip == SPH2D_SLIP_SMOOTH || sph2d__slips(c->scene) >> SPH2D_SLIP_SMOOTH & 1)
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "wall_slip",
                            "smooth walls have the friction of newtonian liquids: use none or free");

@@ -83,22 +83,6 @@ static void refuse_name(checker *c, const char *path, const char *name)
                         "the name of an obstacle, body or side");
 }
 
-/** Warns of the torque on a wall that turns in liquid whose viscosity has Morris' form: its stress is mu grad u in place
- *  of mu (grad u + its transpose), which on a surface that turns at omega differs by mu omega. In circular Couette flow
- *  with a drum that turns the torque on it was 67.5 N in place of 26.2 (tests/test_turning.c has Monaghan's form). */
-static void warn_of_torque(checker *c, int obstacle, const char *path)
-{
-    const sph2d_scene *scene = c->scene;
-    const sph2d_obstacle *o = &scene->obstacles[obstacle];
-    if (scene->method.name != SPH2D_METHOD_WCSPH || sph2d__obstacle_slip(scene, o) != SPH2D_SLIP_NONE ||
-        !sph2d__obstacle_turns(o) || sph2d__viscosity_form(scene) != SPH2D_VISCOSITY_MORRIS)
-        return;
-    sph2d_diagnostic *d = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, path,
-        "this wall turns: with viscosity_form morris its torque and work contain 2 viscosity omega area more");
-    sph2d_diagnostic_hint(d, "use `method: {viscosity_form: monaghan}`; velocities are right by both");
-}
-
 /** Checks that a probe of kind body names one. */
 static void check_body(checker *c, const sph2d_probe *probe, size_t i)
 {
@@ -174,8 +158,6 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
     else if (wall < SPH2D__WALL_OBSTACLE)
         check_side(c, wall, path);
-    else if (wall >= SPH2D__WALL_OBSTACLE)
-        warn_of_torque(c, wall - SPH2D__WALL_OBSTACLE, path);
 }
 
 void sph2d__check_probe(checker *c, size_t i)

@@ -18,7 +18,6 @@ sph2d_scene sph2d_scene_default(void)
         .method = {.name = SPH2D_METHOD_WCSPH,
                    .density_diffusion = 0.1,
                    .shifting = 1,
-                   .tensile_control = SPH2D_SWITCH_ON,
                    .damping = 2,
                    .min_iterations = 3,
                    .max_iterations = 1000},

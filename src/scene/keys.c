@@ -58,14 +58,10 @@ static const char *const method_words[] = {SPH2D_METHOD_MAP(METHOD_WORD) NULL};
 static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
-static const char *const operator_words[] = {"symmetric", "fitted", "variational", NULL};
-static const char *const precision_words[] = {"double", "mixed", NULL};
+static const char *const operator_words[] = {"variational", "fitted", NULL};
 #define KERNEL_WORD(name, word) #word,
 static const char *const kernel_words[] = {SPH2D_KERNEL_MAP(KERNEL_WORD) NULL};
 static const char *const state_words[] = {"linear", "tait", NULL};
-static const char *const viscosity_words[] = {"default", "morris", "monaghan", NULL};
-static const char *const turbulence_words[] = {"default", "none", "smagorinsky", NULL};
-static const char *const diffusion_words[] = {"antuono", "fourtakas", NULL};
 #define PROBE_WORD(name, word, columns) #word,
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none",     "water",     "oil",      "glycerine", "honey",      "mercury",
@@ -621,47 +617,23 @@ static const sph2d_key method_items[] = {
     {"name", SPH2D_KEY_WORD, false, AT(sph2d_method_options, name), .words = method_words, .unit = "",
      .default_text = "wcsph", .stands_alone = true, .text = "the solver; short form `method: wcsph`"},
     {"operators", SPH2D_KEY_WORD, false, AT(sph2d_method_options, operators), .words = operator_words, .unit = "",
-     .default_text = "symmetric", .feature = SPH2D_FEATURE_OPERATORS,
-     .text = "symmetric: for everything; fitted is of second order, for liquid that fills its domain; "
-             "variational keeps energy, momentum and waves, and is to become the default"},
-    {"precision", SPH2D_KEY_WORD, false, AT(sph2d_method_options, precision), .words = precision_words, .unit = "",
-     .default_text = "double", .feature = SPH2D_FEATURE_PRECISION, .text = "mixed uses floats in sums over pairs"},
+     .default_text = "variational", .feature = SPH2D_FEATURE_OPERATORS,
+     .text = "variational: for everything; fitted is of second order, for liquid that fills its domain"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
      .default_text = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
     {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
      .unit = "", .default_text = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
      .text = "p = c0^2 (rho - rho0), or Tait's with power 7"},
-    {"viscosity_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, viscosity_form), .words = viscosity_words,
-     .unit = "",
-     .default_text =
-         "morris where a block of one viscosity fills a domain without open sides and no wall turns, else monaghan",
-     .feature = SPH2D_FEATURE_VISCOSITY_FORM,
-     .text = "monaghan is right at free surfaces, too, and conserves angular momentum; morris has longer steps in "
-             "thick liquid"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
      .text = "delta; the diffusivity of density is delta c0 H/2"},
-    {"diffusion_form", SPH2D_KEY_WORD, false, AT(sph2d_method_options, diffusion_form), .words = diffusion_words,
-     .unit = "", .default_text = "antuono", .feature = SPH2D_FEATURE_DIFFUSION_FORM,
-     .text = "antuono is exact for linear density, fourtakas for liquid at rest; fastest "
-             "without shifting and tensile_control"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
-     .unit = "", .default_text = "0.1, wcsph 0", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
-     .text = "alpha; wcsph adds the viscosity alpha c0 H/16, pcisph and constraint alpha sqrt(g h) H/16, h the "
-             "scene's head, to what of velocities is not linear; that of muller is alpha rho c0 H at least"},
-    {"turbulence", SPH2D_KEY_WORD, false, AT(sph2d_method_options, turbulence), .words = turbulence_words, .unit = "",
-     .default_text =
-         "none with shifting 0, with artificial_viscosity, or where a block fills a domain without open sides; "
-         "else smagorinsky",
-     .feature = SPH2D_FEATURE_TURBULENCE,
-     .text = "smagorinsky adds the viscosity (0.3 H)^2 |S| of eddies smaller "
-             "than the kernel, where the strain is not smooth"},
+     .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
+     .text = "alpha; pcisph and constraint add the viscosity alpha sqrt(g h) H/16, h the scene's head, to what of "
+             "velocities is not linear; that of muller is alpha rho c0 H at least"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .default_text = "1", .feature = SPH2D_FEATURE_SHIFTING,
      .text = "strength of particle shifting over the standard one"},
-    {"tensile_control", SPH2D_KEY_WORD, false, AT(sph2d_method_options, tensile_control), .words = switch_words,
-     .unit = "", .default_text = "on", .feature = SPH2D_FEATURE_TENSILE_CONTROL,
-     .text = "prevents voids in liquid under tension"},
     {"max_compression", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, max_compression), BETWEEN_OR_0(1e-6, 0.9),
      .unit = "", .default_text = "muller 0.1, else 0.01",
      .text = "target of rho/rho0 - 1, except in impacts; determines the sound speed"},
@@ -671,13 +643,13 @@ static const sph2d_key method_items[] = {
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .default_text = "from max_compression", .text = "c0, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .default_text = "muller 2.0, wcsph 3.0 (symmetric) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
+     .unit = "", .default_text = "muller 2.0, wcsph 3.0 (variational) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
      .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
              "at most 3 for flows with little viscosity, hybrid 2 to 2.6"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .default_text = "muller 0.4, wcsph 0.3 (symmetric), 0.25 (fitted) or 0.2 (variational), hybrid 0.9, else 0.4 dx/H",
+     .default_text = "muller 0.4, wcsph 0.2 (variational) or 0.25 (fitted), hybrid 0.9, else 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max); pcisph and constraint without c0 and at most "
-             "dx/H, wcsph at most 0.75 (symmetric) or 0.25 (variational, whose steps are up to five of these)"},
+             "dx/H, variational operators at most 0.25, whose steps are up to five of these"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .default_text = "adaptive", .text = "a fixed step"},
     {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",

@@ -44,23 +44,20 @@ static double projected_support(sph2d_kernel kernel)
 
 static const sph2d__method_row rows[] = {
     {.info = {.method = SPH2D_METHOD_WCSPH,
-              .operators = SPH2D_OPERATORS_SYMMETRIC,
+              .operators = SPH2D_OPERATORS_VARIATIONAL,
               .word = "wcsph",
-              .name = "wcsph with symmetric operators",
+              .name = "wcsph with variational operators",
               .use = "water with a free surface, the default: pressures and waves with known errors",
-              .scheme = "density by the continuity equation with diffusion, pressure by an equation of state",
-              .source = "Molteni & Colagrossi 2009; Antuono et al. 2010; Sun et al. 2017, 2019; Adami et al. 2012",
+              .scheme = "density by a rate that is exact for linear velocities, its transpose as force",
+              .source = "Bonet & Lok 1999; Zhang, Hu & Adams 2017; Ren et al. 2023",
               .support_ratio = 3,
               .max_compression = 0.01,
-              .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(KERNEL) | HAS(STATE_EQUATION) | HAS(VISCOSITY_FORM) |
-                          HAS(TURBULENCE) | HAS(ARTIFICIAL_VISCOSITY) | HAS(DENSITY_DIFFUSION) | HAS(DIFFUSION_FORM) |
-                          HAS(SHIFTING) | HAS(TENSILE_CONTROL) | HAS(SURFACE_TENSION) | HAS(WALL_SLIP) |
-                          HAS(SMOOTH_WALLS) | HAS(FREE_SURFACE) | HAS(OPENINGS) | HAS(RHEOLOGY) | HAS(BODIES) |
-                          HAS(WALL_FORCES),
-              .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
-     .cfl = 0.3,
-     .most_cfl = 0.75,
-     .damping_hint = "method.artificial_viscosity: 0.05",
+              .features = HAS(OPERATORS) | HAS(KERNEL) | HAS(FREE_SURFACE) | HAS(BODIES) | HAS(WALL_FORCES) |
+                          HAS(SURFACE_TENSION) | HAS(WALL_SLIP) | HAS(SMOOTH_WALLS) | HAS(RHEOLOGY) | HAS(OPENINGS),
+              .wall_forms = WALL(GENERALISED)},
+     .cfl = 0.2,
+     .most_cfl = 0.25,
+     .damping_hint = "more fluid.dynamic_viscosity",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_WCSPH,
               .operators = SPH2D_OPERATORS_FITTED,
@@ -71,26 +68,10 @@ static const sph2d__method_row rows[] = {
               .source = "Lancaster & Salkauskas 1981; Lind et al. 2012; Sun et al. 2019",
               .support_ratio = 2.5,
               .max_compression = 0.01,
-              .features = HAS(OPERATORS) | HAS(PRECISION) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) |
-                          HAS(SHIFTING) | HAS(WALL_SLIP) | HAS(OPENINGS) | HAS(WALL_FORCES),
+              .features = HAS(OPERATORS) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) | HAS(SHIFTING) |
+                          HAS(WALL_SLIP) | HAS(OPENINGS) | HAS(WALL_FORCES),
               .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
      .cfl = 0.25,
-     .damping_hint = "more fluid.dynamic_viscosity",
-     WEAKLY_COMPRESSIBLE},
-    {.info = {.method = SPH2D_METHOD_WCSPH,
-              .operators = SPH2D_OPERATORS_VARIATIONAL,
-              .word = "wcsph",
-              .name = "wcsph with variational operators",
-              .use = "waves, splashes and bodies that keep their energy; to become the default",
-              .scheme = "density by a rate that is exact for linear velocities, its transpose as force",
-              .source = "Bonet & Lok 1999; Zhang, Hu & Adams 2017; Ren et al. 2023",
-              .support_ratio = 3,
-              .max_compression = 0.01,
-              .features = HAS(OPERATORS) | HAS(KERNEL) | HAS(FREE_SURFACE) | HAS(BODIES) | HAS(WALL_FORCES) |
-                          HAS(SURFACE_TENSION) | HAS(WALL_SLIP) | HAS(SMOOTH_WALLS) | HAS(RHEOLOGY) | HAS(OPENINGS),
-              .wall_forms = WALL(GENERALISED)},
-     .cfl = 0.2,
-     .most_cfl = 0.25,
      .damping_hint = "more fluid.dynamic_viscosity",
      WEAKLY_COMPRESSIBLE},
     {.info = {.method = SPH2D_METHOD_CONSTRAINT,

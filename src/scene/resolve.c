@@ -42,28 +42,6 @@ bool sph2d__has_no_surface(const sph2d_scene *scene)
     return false;
 }
 
-sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene)
-{
-    const sph2d_method_options *m = &scene->method;
-    if (m->viscosity_form != SPH2D_VISCOSITY_DEFAULT ||
-        !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_VISCOSITY_FORM))
-        return m->viscosity_form;
-    bool simple = sph2d__has_no_surface(scene) && scene->fluid.model == SPH2D_RHEOLOGY_NEWTONIAN;
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        simple = simple && !sph2d__obstacle_turns(&scene->obstacles[i]);
-    return simple ? SPH2D_VISCOSITY_MORRIS : SPH2D_VISCOSITY_MONAGHAN;
-}
-
-sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene)
-{
-    const sph2d_method_options *m = &scene->method;
-    if (m->turbulence != SPH2D_TURBULENCE_DEFAULT || !sph2d_method_has(sph2d_method_of(m), SPH2D_FEATURE_TURBULENCE))
-        return m->turbulence;
-    bool eddies = m->shifting > 0 && !(m->artificial_viscosity > 0) && !sph2d__has_no_surface(scene) &&
-                  scene->fluid.model == SPH2D_RHEOLOGY_NEWTONIAN;
-    return eddies ? SPH2D_TURBULENCE_SMAGORINSKY : SPH2D_TURBULENCE_NONE;
-}
-
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene)
 {
     if (scene->walls != SPH2D_WALL_DEFAULT)

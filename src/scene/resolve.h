@@ -9,14 +9,6 @@
 /** The options with every 0 that means "the method's default" replaced. */
 sph2d_method_options sph2d__method_resolve(sph2d_method_options m);
 
-/** The form of viscosity: the scene's, or by default that of Monaghan & Gingold for scenes with a free surface, walls
- *  that turn or viscosities that vary, else that of Morris. Unchanged for methods without this feature. */
-sph2d_viscosity_form sph2d__viscosity_form(const sph2d_scene *scene);
-
-/** The turbulence model: the scene's, or by default Smagorinsky's for scenes with a free surface, with shifting and
- *  without artificial viscosity, else none. Unchanged for methods without this feature. */
-sph2d_turbulence sph2d__turbulence(const sph2d_scene *scene);
-
 /** Whether liquid fills the domain from the start: no side is open, and one block covers it. */
 bool sph2d__has_no_surface(const sph2d_scene *scene);
 

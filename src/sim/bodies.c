@@ -67,12 +67,11 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     all->wall_work = sph2d__arena_alloc(arena, &sim->memory, all->wall_count, sizeof *all->wall_work);
     all->forces = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *all->forces);
     uint32_t *index = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *index);
-    double *rates = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *rates);
     bool tension = sim->system.surface_tension > 0;
     if (tension)
         all->tensions = sph2d__arena_alloc(arena, &sim->memory, walls + 1, sizeof *all->tensions);
     if (!all->items || !all->states || !all->strikes || !all->contacts || !all->wall_work || !all->forces || !index ||
-        !rates || (tension && !all->tensions))
+        (tension && !all->tensions))
         return SPH2D_NOMEM;
     all->count = count;
     for (size_t k = 0; k < count; ++k)
@@ -80,7 +79,6 @@ sph2d_status sph2d__bodies_create(sph2d_sim *sim)
     sim->system.rigids = all->items;
     sim->system.rigid_count = count;
     sim->system.rigid_index = index;
-    sim->system.rigid_compression_rate = rates;
     if (sph2d__gaps_create(sim))
         return SPH2D_NOMEM;
     tie_outlines(sim);

@@ -159,27 +159,13 @@ static void add_pull(sph2d__pull *to, sph2d_vec2 arm, double x, double y)
 }
 
 /** Where the friction of boundary particle b acts: on the surface before it, but for forces along the lines between
- *  particles, which keep angular momentum where they are. Those of Morris' form do not: counted where the boundary
- *  particles are, torque on a shaft 20 spacings across was 6 to 8 % too small. */
+ *  particles, which keep angular momentum where they are. */
 static sph2d_vec2 rubbed_at(const sph2d_sim *sim, size_t b)
 {
-    const sph2d__system *s = &sim->system;
-    const sph2d__store *w = &s->walls;
-    bool across =
-        sim->method->surface_force || (!sim->method->project && s->method.viscosity_form == SPH2D_VISCOSITY_MORRIS &&
-                                       sph2d__slip_of(s, b) == SPH2D_SLIP_NONE);
-    double depth = across && w->depth && w->normal_x && w->depth[b] < INFINITY ? w->depth[b] : 0;
+    const sph2d__store *w = &sim->system.walls;
+    double depth = sim->method->surface_force && w->depth && w->normal_x && w->depth[b] < INFINITY ? w->depth[b] : 0;
     return depth > 0 ? (sph2d_vec2){w->x[b] + depth * w->normal_x[b], w->y[b] + depth * w->normal_y[b]}
                      : (sph2d_vec2){w->x[b], w->y[b]};
-}
-
-/** Force along its normal by which the background pressure presses the liquid from the surface before boundary particle b,
- *  where no other wall is [N/m]. No reported pressure has it: around a body it is 0, but on a wall that is wet on one side
- *  it may be many times that of the flow. */
-static double background_on(const sph2d__system *s, size_t b)
-{
-    const sph2d__store *w = &s->walls;
-    return s->background > 0 && w->bounce[b] < 0 ? s->background * w->skin[b] * w->front[b] : 0;
 }
 
 /** Sums over the boundary particles of a load's wall; each force along x and y counts for its own wall. */
@@ -197,9 +183,7 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
             continue;
         sph2d_vec2 arm = arm_to(sim, point, w->x[b], w->y[b]), rubbed = rubbed_at(sim, b);
         const sph2d__wall_force *force = &l->forces[b];
-        double back = index < l->count ? background_on(&sim->system, b) : 0; /* which acts, though it is not reported */
-        sph2d_vec2 press = {in_x * (kept * force->pressure.x - (back != 0 ? back * w->normal_x[b] : 0)),
-                            in_y * (kept * force->pressure.y - (back != 0 ? back * w->normal_y[b] : 0))};
+        sph2d_vec2 press = {in_x * kept * force->pressure.x, in_y * kept * force->pressure.y};
         if (l->tensions)
             press = (sph2d_vec2){press.x + in_x * l->tensions[b].x, press.y + in_y * l->tensions[b].y};
         sph2d_vec2 rub = {in_x * force->friction.x, in_y * force->friction.y};

@@ -75,8 +75,7 @@ sph2d__prescribed sph2d__prescribed_at(const sph2d_sim *sim, const sph2d__openin
     double aside = fmax(1 - at.beyond / sim->system.support, 0);
     const sph2d__system *s = &sim->system;
     double least = s->rest_density * s->sound_speed * s->sound_speed * s->method.max_compression; /* without a bound */
-    return (sph2d__prescribed){values[0], aside * values[1],
-                               sph2d__density_of(s, fmax(pressure, -fmin(s->tension, least)))};
+    return (sph2d__prescribed){values[0], aside * values[1], sph2d__density_of(s, fmax(pressure, -least))};
 }
 
 static double energy_of(const sph2d_sim *sim, size_t i)
@@ -108,23 +107,6 @@ void sph2d__openings_impose(sph2d_sim *sim)
         double before = energy_of(sim, i);
         sph2d__opening_set_particle(sim, o, i);
         sim->record.energy_fed += energy_of(sim, i) - before;
-    }
-}
-
-/* What pressure does to particles in reservoirs, it does to their neighbours, too: the energy is booked, and the
- * particles keep what is prescribed. */
-void sph2d__openings_hold_density(sph2d_sim *sim, double dt)
-{
-    sph2d__store *f = &sim->system.fluid;
-    for (size_t i = 0; sim->openings.count > 0 && i < f->count; ++i) {
-        if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
-            continue;
-        double pressure = sph2d__pressure_of(&sim->system, f->density[i]) + sim->system.background;
-        double specific = pressure / (f->density[i] * f->density[i]);
-        sim->record.energy_fed -= dt * sim->system.mass * specific * f->density_rate[i];
-        f->density_rate[i] = 0;
-        if (f->shift_x)
-            f->shift_x[i] = f->shift_y[i] = 0;
     }
 }
 

@@ -126,10 +126,9 @@ sph2d_status sph2d__sim_book_dissipation(sph2d_sim *sim);
 void sph2d__sim_book_external_work(sph2d_sim *sim);
 /** Whether all of it up to now was added. */
 bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim);
-/** Work that the time schemes sample in a step of `dt`: of density diffusion, once the rates of density are known; of
+/** Work that the time schemes sample in a step of `dt`: of
  *  viscosity, once the accelerations without pressure are known; of moving walls, after a pressure solver, which is
  *  returned; and of both kinds of dissipation, in place of a fitted method's evaluation. False when memory is short. */
-void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt);
 bool sph2d__sim_book_viscosity(sph2d_sim *sim, double dt);
 double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt);
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);

@@ -7,7 +7,7 @@
  *      walls      sum_b v_b . F_b            F_b force of boundary particle b on the liquid by pressure and friction
  *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, the frame of a tank, gravity along a period
  *      viscosity  sum_i m v_i . (a_i(v) - a_i(-v))/2
- *      diffusion  sum_i m p_i/rho_i^2 (drho_i/dt minus drho_i/dt without diffusion and relaxation)
+ *      diffusion  sum_i m p_i/rho_i^2 drho_i/dt, likewise: fitted operators
  *
  *  Viscous forces are odd in velocity, all others even. Two evaluations of the method's own forces, with the velocities
  *  and with all of them reversed, therefore give the exact power of friction. The dissipated heat is minus
@@ -248,8 +248,7 @@ static bool is_viscous(const sph2d_sim *sim)
 {
     const sph2d__system *s = &sim->system;
     const sph2d_method_options *m = &s->method;
-    bool eddies = m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
-    return (s->viscosity > 0 && !s->implicit.on) || (m->artificial_viscosity > 0 && !sim->method->project) || eddies ||
+    return (s->viscosity > 0 && !s->implicit.on) || (m->artificial_viscosity > 0 && !sim->method->project) ||
            s->body.springs.stiffness > 0;
 }
 
@@ -272,43 +271,7 @@ static bool find_viscous_power(sph2d_sim *sim, double *power)
     return ok;
 }
 
-/* ---- diffusion of density ---------------------------------------------------------------------------------------- */
-
-/** Elastic power of rates of density: sum m p/rho^2 rate, at the density in the middle of the step. */
-static double power_of_rates(const sph2d__system *s, const double *rate, double dt)
-{
-    const sph2d__store *f = &s->fluid;
-    double sum = 0;
-    for (size_t i = 0; i < f->count; ++i) {
-        double density = f->density[i] + dt / 2 * f->density_rate[i];
-        sum += (sph2d__pressure_of(s, density) + s->background) / (density * density) * rate[i];
-    }
-    return s->mass * sum;
-}
-
-void sph2d__sim_book_diffusion(sph2d_sim *sim, double dt)
-{
-    sph2d__system *s = &sim->system;
-    sph2d__store *f = &s->fluid;
-    double delta = s->method.density_diffusion;
-    if (!sph2d__sim_samples_energy(sim, sim->record.steps + 1) || !(delta > 0))
-        return;
-    double all = power_of_rates(s, f->density_rate, dt);
-    swap(&f->density_rate, &f->old_ax);
-    sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
-    bool on = s->profile.on;
-    s->profile.on = false;
-    s->method.density_diffusion = 0;
-    s->only_divergence = true;
-    sim->method->density_rate(s);
-    s->only_divergence = false;
-    s->method.density_diffusion = delta;
-    s->profile.on = on;
-    sph2d__profile_enter(&s->profile, before);
-    swap(&f->density_rate, &f->old_ax);
-    double power = all - power_of_rates(s, f->old_ax, dt), span = sim->record.time + dt - sim->record.booked_time;
-    sim->record.energy_diffused -= integrate(&sim->record.power_diffusion, power, span);
-}
+/* ---- fitted operators -------------------------------------------------------------------------------------------- */
 
 /** Sum of v . a and of p/rho^2 drho/dt over the particles that are in no reservoir of an opening. */
 static void sum_rates(const sph2d_sim *sim, double *motion, double *compression)

@@ -21,8 +21,7 @@ typedef struct wishes {
 
 static const char usage[] = "Usage: bench [OPTION...]\n"
                             "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
-                            "  -s, --scenes NAME,...   which scenes; default all: plain, plain-mixed, lean,\n"
-                            "                          lean-mixed, wcsph, wcsph-mixed, muller, pcisph,\n"
+                            "  -s, --scenes NAME,...   which scenes; default all: wcsph, muller, pcisph,\n"
                             "                          constraint, fitted\n"
                             "  -p, --particles N,...   about so many particles; default 16000\n"
                             "  -j, --threads N,...     default 1\n"

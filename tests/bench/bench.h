@@ -15,7 +15,6 @@ typedef struct bench_scene {
     const char *name, *text;
     double flops;   /**< of a pair and step */
     double doubles; /**< read of a neighbour and written of a particle, over all sums of a step */
-    sph2d_precision precision;
     void (*make)(sph2d_scene *scene, sph2d_block *block, double particles);
 } bench_scene;
 

@@ -37,7 +37,6 @@ static sph2d_sim *make(const bench_job *job, sph2d_report *report)
     scene.blocks = &block;
     scene.block_count = 1;
     scene.run.until = 100;
-    scene.method.precision = job->scene->precision;
     options.threads = job->threads;
     options.isa = job->isa;
     options.profile = true;
@@ -108,15 +107,14 @@ typedef struct column {
     int width, digits;
 } column;
 
-enum { TEXTS = 3, COLUMNS = 25 };
+enum { TEXTS = 2, COLUMNS = 24 };
 static const column columns[COLUMNS] = {
-    {"scene", -11, 0},      {"isa", -8, 0},           {"precision", -9, 0},    {"threads", 7, 0},
-    {"particles", 9, 0},    {"neighbours", 10, 1},    {"M/s", 6, 2},           {"M/CPU s", 7, 2},
-    {"c dt/dx", 7, 3},      {"carried M/s", 11, 2},   {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2},
-    {"traversals", 10, 1},  {"ns/traversal", 12, 1},  {"move %", 6, 0},        {"sort %", 6, 0},
-    {"walls %", 7, 0},      {"search %", 8, 0},       {"density %", 9, 0},     {"forces %", 8, 0},
-    {"solve %", 7, 0},      {"bookkeeping %", 13, 0}, {"B/particle", 10, 0},   {"of peak %", 9, 1},
-    {"of memory %", 11, 1},
+    {"scene", -11, 0},        {"isa", -8, 0},          {"threads", 7, 0},   {"particles", 9, 0},
+    {"neighbours", 10, 1},    {"M/s", 6, 2},           {"M/CPU s", 7, 2},   {"c dt/dx", 7, 3},
+    {"carried M/s", 11, 2},   {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2},   {"traversals", 10, 1},
+    {"ns/traversal", 12, 1},  {"move %", 6, 0},        {"sort %", 6, 0},    {"walls %", 7, 0},
+    {"search %", 8, 0},       {"density %", 9, 0},     {"forces %", 8, 0},  {"solve %", 7, 0},
+    {"bookkeeping %", 13, 0}, {"B/particle", 10, 0},   {"of peak %", 9, 1}, {"of memory %", 11, 1},
 };
 
 /* By form. */
@@ -141,10 +139,10 @@ static void fill(const bench_row *row, const bench_machine *machine, double valu
                       1e9 * row->cpu / row->particle_steps / traversals};
     memcpy(values + TEXTS, other, sizeof other);
     for (int k = 0; k < SPH2D_PHASE_COUNT; ++k)
-        values[14 + k] = 100 * row->profile.cpu[k] / all;
-    values[22] = (double)row->memory / (double)row->particles;
-    values[23] = 100 * pairs * row->job.scene->flops / row->wall / machine->flops;
-    values[24] = 100 * row->particle_steps * 8 * row->job.scene->doubles / row->wall / machine->bandwidth;
+        values[13 + k] = 100 * row->profile.cpu[k] / all;
+    values[21] = (double)row->memory / (double)row->particles;
+    values[22] = 100 * pairs * row->job.scene->flops / row->wall / machine->flops;
+    values[23] = 100 * row->particle_steps * 8 * row->job.scene->doubles / row->wall / machine->bandwidth;
 }
 
 void bench_print_head(FILE *out, bench_form form)
@@ -158,8 +156,7 @@ void bench_print_head(FILE *out, bench_form form)
 
 void bench_print(FILE *out, bench_form form, const bench_row *row, const bench_machine *machine)
 {
-    const char *texts[TEXTS] = {row->job.scene->name, sph2d_isa_name(row->isa),
-                                row->job.scene->precision == SPH2D_PRECISION_MIXED ? "mixed" : "double"};
+    const char *texts[TEXTS] = {row->job.scene->name, sph2d_isa_name(row->isa)};
     double values[COLUMNS];
     fill(row, machine, values);
     for (int k = 0; k < COLUMNS; ++k) {

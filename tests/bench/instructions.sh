@@ -7,7 +7,7 @@
 set -euo pipefail
 bench=$1
 shift
-[ $# -gt 0 ] || set -- plain plain-mixed lean lean-mixed wcsph wcsph-mixed muller pcisph constraint fitted
+[ $# -gt 0 ] || set -- wcsph muller pcisph constraint fitted
 particles=${PARTICLES:-4000} few=2 many=12
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT

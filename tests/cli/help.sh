@@ -52,7 +52,7 @@ expect 0 "$SPH2D" check material.yaml -s fluid.model=newtonian -s fluid.dynamic_
 rm material.yaml named
 
 # every method with its walls, and the keys that not every method has
-expect 0 "$SPH2D" help methods && prints '^wcsph with symmetric operators (the default)$'
+expect 0 "$SPH2D" help methods && prints '^wcsph with variational operators (the default)$'
 prints '^  walls  *spring, heavy, reflect$' && prints '^  method.tolerance  *constraint$'
 for method in wcsph constraint pcisph muller; do prints "^$method"; done
 

@@ -15,7 +15,6 @@ for method in muller wcsph pcisph constraint; do
         -s 'probes=[{name: push, kind: force, on: bottom, every: 0.01}]'
 done
 run hybrid "$TINY" -s method=hybrid -s 'obstacles=[]'
-run variational "$TINY" -s method.name=wcsph -s method.operators=variational
 cat >filled.yaml <<'END'
 domain: {min: [0, 0], max: [0.4, 0.4]}
 boundary: {top: wall}

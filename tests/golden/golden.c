@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file golden.c
- *  Runs a scene file by every method, precision and instruction set for 200 steps with few particles, and prints a hash
- *  of all particles each time: golden SCENE.yaml NAME [STEPS PARTICLES THREADS...]. A line: name, method, precision,
- *  instruction set, how it ended, steps, particles, hash. With several numbers of threads, also those whose hashes
+ *  Runs a scene file by every method and instruction set for 200 steps with few particles, and prints a hash of all
+ *  particles each time: golden SCENE.yaml NAME [STEPS PARTICLES THREADS...]. A line: name, method, instruction set, how
+ *  it ended, steps, particles, hash. With several numbers of threads, also those whose hashes
  *  differ from the first's; the exit code is 1 then. */
 #include <math.h>
 #include <stdio.h>
@@ -31,7 +31,6 @@ static const char *const methods[][2] = {{"own", NULL},
                                          {"fitted", "{name: wcsph, operators: fitted}"},
                                          {"pcisph", "{name: pcisph}"},
                                          {"constraint", "{name: constraint}"}};
-static const char *const precisions[] = {"double", "mixed"};
 
 static uint64_t mix(uint64_t hash, uint64_t word)
 {
@@ -74,25 +73,23 @@ static uint64_t hash_state(sph2d_sim *sim)
     return mix(mix(hash, summary.iterations), summary.backstop_hits);
 }
 
-static const char *read_scene(const char *path, const char *method, const char *precision, double spacing,
-                              sph2d_scene_file **file)
+static const char *read_scene(const char *path, const char *method, double spacing, sph2d_scene_file **file)
 {
     char text[32];
-    sph2d_override on_top[3] = {{0}};
+    sph2d_override on_top[2] = {{0}};
     size_t count = 0;
     snprintf(text, sizeof text, "%.9g", spacing);
     if (spacing > 0)
         on_top[count++] = (sph2d_override){"spacing", text};
     if (method)
         on_top[count++] = (sph2d_override){"method", method};
-    on_top[count++] = (sph2d_override){"method.precision", precision};
     return sph2d_status_name(sph2d_scene_file_read(path, on_top, count, file, NULL));
 }
 
 /** With about as many particles as are wanted, or as it is where it bears no other spacing. */
-static const char *read_small(const char *path, const char *method, const char *precision, sph2d_scene_file **file)
+static const char *read_small(const char *path, const char *method, sph2d_scene_file **file)
 {
-    const char *status = read_scene(path, method, precision, 0, file);
+    const char *status = read_scene(path, method, 0, file);
     if (!*file)
         return status;
     const sph2d_scene *scene = sph2d_scene_file_scene(*file);
@@ -101,7 +98,7 @@ static const char *read_small(const char *path, const char *method, const char *
         return status;
     double spacing = scene->spacing * sqrt((double)plan.fluid_particles / wanted.particles);
     sph2d_scene_file *small = NULL;
-    read_scene(path, method, precision, spacing, &small);
+    read_scene(path, method, spacing, &small);
     if (small) {
         sph2d_scene_file_destroy(*file);
         *file = small;
@@ -156,15 +153,15 @@ static void run_and_print(const sph2d_scene *scene, sph2d_isa isa)
 }
 
 /** A line for each instruction set, or one where the scene is refused. */
-static void run_all(const char *path, const char *name, const char *const method[2], const char *precision)
+static void run_all(const char *path, const char *name, const char *const method[2])
 {
     sph2d_scene_file *file = NULL;
-    const char *status = read_small(path, method[1], precision, &file);
+    const char *status = read_small(path, method[1], &file);
     if (!file)
-        printf("%s %s %s any %s\n", name, method[0], precision, status);
+        printf("%s %s any %s\n", name, method[0], status);
     for (sph2d_isa isa = SPH2D_ISA_BASELINE; file && isa <= SPH2D_ISA_AVX512; ++isa)
         if (sph2d_isa_available(isa)) {
-            printf("%s %s %s %s", name, method[0], precision, sph2d_isa_name(isa));
+            printf("%s %s %s", name, method[0], sph2d_isa_name(isa));
             run_and_print(sph2d_scene_file_scene(file), isa);
             putchar('\n');
         }
@@ -185,7 +182,6 @@ int main(int argc, char **argv)
             wanted.threads[k] = atoi(argv[5 + k]);
     }
     for (size_t m = 0; m < sizeof methods / sizeof *methods; ++m)
-        for (size_t p = 0; p < sizeof precisions / sizeof *precisions; ++p)
-            run_all(argv[1], argv[2], methods[m], precisions[p]);
+        run_all(argv[1], argv[2], methods[m]);
     return wanted.differs;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Do all examples still give the same bits? golden.sh GOLDEN OUT JOBS [--renew]
 #
-# Runs every scene of examples, coarsely and for 200 steps, by every method, precision and instruction set that this
+# Runs every scene of examples, coarsely and for 200 steps, by every method and instruction set that this
 # processor has, and compares hashes of all particles with tests/golden/hashes. OUT gets the new ones. --renew writes
 # them there: in a commit that says why the numbers moved. Sines and powers are the C library's (here glibc 2.36).
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Does any number of threads give the same bits? threads.sh GOLDEN OUT JOBS [STEPS [PARTICLES]]
 #
-# Runs every scene of examples by every method, precision and instruction set by 1, 2, 3, 5 and 8 threads, and compares
+# Runs every scene of examples by every method and instruction set by 1, 2, 3, 5 and 8 threads, and compares
 # hashes of all particles: after 100 steps of about 1200 particles, enough slabs for loops to be shared. The lines of
 # all runs are in OUT/lines.
 set -euo pipefail

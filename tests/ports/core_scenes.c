@@ -111,21 +111,17 @@ int main(void)
         const char *name;
         sph2d_method method;
         sph2d_operators operators;
-        sph2d_precision precision;
         bool surface; /* it has free surfaces */
-    } methods[] = {{"muller", SPH2D_METHOD_MULLER, SPH2D_OPERATORS_SYMMETRIC, SPH2D_PRECISION_DOUBLE, true},
-                   {"wcsph", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_SYMMETRIC, SPH2D_PRECISION_DOUBLE, true},
-                   {"wcsph-mixed", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_SYMMETRIC, SPH2D_PRECISION_MIXED, true},
-                   {"fitted", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_FITTED, SPH2D_PRECISION_DOUBLE, false},
-                   {"fitted-mixed", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_FITTED, SPH2D_PRECISION_MIXED, false},
-                   {"pcisph", SPH2D_METHOD_PCISPH, SPH2D_OPERATORS_SYMMETRIC, SPH2D_PRECISION_DOUBLE, true},
-                   {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_OPERATORS_SYMMETRIC, SPH2D_PRECISION_DOUBLE, true}};
+    } methods[] = {{"muller", SPH2D_METHOD_MULLER, SPH2D_OPERATORS_VARIATIONAL, true},
+                   {"wcsph", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_VARIATIONAL, true},
+                   {"fitted", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_FITTED, false},
+                   {"pcisph", SPH2D_METHOD_PCISPH, SPH2D_OPERATORS_VARIATIONAL, true},
+                   {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_OPERATORS_VARIATIONAL, true}};
     bool fine = true;
     for (size_t k = 0; k < sizeof methods / sizeof *methods; ++k) {
         sph2d_method_options by = sph2d_scene_default().method;
         by.name = methods[k].method;
         by.operators = methods[k].operators;
-        by.precision = methods[k].precision;
         fine = run_vortices(methods[k].name, &by) && fine;
         if (methods[k].surface) {
             fine = run_dam(methods[k].name, &by) && fine;

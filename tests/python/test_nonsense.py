@@ -215,7 +215,7 @@ class Nonsense(common.InFolder):
                   "probes[1].name": lambda v: {"probes": [{"name": "all", "kind": "energy", "every": 1}, {
                       "kind": "energy", "every": 1, "name": v}]},
                   "boundary.top": lambda v: {"boundary": {"top": v}}, "run.parts": lambda v: {"run": {"parts": v}},
-                  "method.tensile_control": lambda v: {"method": {"tensile_control": v}}}
+                  "method.shifting": lambda v: {"method": {"shifting": v}}}
         for path, place in places.items():
             for what, make in {**NONSENSE, **OTHERS}.items():
                 with self.subTest(path=path, what=what):

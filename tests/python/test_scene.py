@@ -37,14 +37,13 @@ class Scenes(common.InFolder):
             pass
 
         scene = sph2d.Scene(Keys(domain={"min": (0, 0), "max": np.array([1, 0.8])}, spacing=np.float32(0.0625),
-                                 fluid={"dynamic_viscosity": np.int64(1)}, run={"frames": {"size": (np.int16(64), 64)}},
-                                 method={"tensile_control": False},
+                                 fluid={"dynamic_viscosity": np.int64(1)}, run={"frames": {"size": (np.int16(64), 64), "arrows": False}},
                                  blocks=({"polygon": np.array([[0, 0], [0.5, 0], [0.5, 0.5], [0, 0.5]])},),
                                  obstacles=[{"line": [[0.7, 0], [0.7, 0.3]],
                                              "motion": {"path": [[0, 0, 0], (1, 0.1, 0, 0.2)]}}],
                                  probes=[]))
         keys = scene.as_dict()
-        self.assertEqual((keys["spacing"], keys["method"]["tensile_control"]), (0.0625, "off"))
+        self.assertEqual((keys["spacing"], keys["run"]["frames"]["arrows"]), (0.0625, "off"))
         self.assertEqual(keys["obstacles"][0]["motion"]["path"], [(0, 0, 0, 0), (1, 0.1, 0, 0.2)])
         self.assertEqual(keys["blocks"][0]["polygon"][2], (0.5, 0.5))
         self.assertEqual(keys["run"]["frames"]["size"], (64, 64))

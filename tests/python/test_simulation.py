@@ -90,7 +90,7 @@ class Steps(unittest.TestCase):
             self.assertRaises(ValueError, sim.sample, np.zeros(shape))
 
     def test_a_guard(self):
-        sim = sph2d.Simulation(tank(method={"time_step": 0.02, "sound_speed": 40}))
+        sim = sph2d.Simulation(tank(method={"name": "muller", "time_step": 0.02, "sound_speed": 40}))
         with self.assertRaises(sph2d.Error) as caught:
             sim.run_to(5)
         self.assertEqual(caught.exception.status, "GUARD")

@@ -82,7 +82,7 @@ liquid=$(sed -n 's/^particles *\([0-9]*\) in the liquid.*/\1/p' about)
 walls=$(sed -n 's/^particles .* \([0-9]*\) in walls.*/\1/p' about)
 
 program h5py 'Snapshots with h5py' h5py 'apt install python3-h5py' \
-    '^1\.000 s: front at (1\.9[0-9]*|2\.0[0-9]*) m, largest pressure [1-9][0-9]{3,4} Pa$'
+    '^1\.00[0-9] s: front at (1\.9[0-9]*|2\.0[0-9]*) m, largest pressure [1-9][0-9]{3,4} Pa$'
 program pandas 'Time series with pandas' pandas 'apt install python3-pandas' \
     '^of 1570 J/m [1-9][0-9]{2} are left$'
 program matplotlib 'Pictures with Matplotlib' 'h5py matplotlib' 'apt install python3-matplotlib python3-h5py' '^$'

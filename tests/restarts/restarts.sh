@@ -43,9 +43,6 @@ gauge() {
 
 change_method() {
     local step
-    if grep -q 'name: wcsph' scene.yaml && chance 30; then
-        add "method.precision=$(pick mixed double)"
-    fi
     if chance 20 && ! grep -q 'fitted\|hybrid' scene.yaml; then
         add "fluid.surface_tension=$(between 0.01 0.1)"
     fi

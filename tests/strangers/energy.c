@@ -56,13 +56,6 @@ static double elastic(sph2d_state_equation equation, double c0, double r)
     return c0 * c0 * (log(r) + 1 / r - 1);
 }
 
-/** The same where pressure falls no further than to -tension rho0 c0^2. */
-static double elastic_to(sph2d_state_equation equation, double c0, double tension, double r)
-{
-    const double torn = equation == SPH2D_STATE_TAIT ? pow(1 - 7 * tension, 1.0 / 7) : 1 - tension;
-    return r < torn ? elastic(equation, c0, torn) + tension * c0 * c0 * (1 / r - 1 / torn) : elastic(equation, c0, r);
-}
-
 double held_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid, bool start)
 {
     const double c2 = plan->sound_speed * plan->sound_speed;
@@ -84,15 +77,14 @@ double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_
         return 0; // held_energy() tells it, and a start's does not make the scale larger
     const sph2d_state_equation equation =
         s->method.name == SPH2D_METHOD_WCSPH ? s->method.state_equation : SPH2D_STATE_LINEAR;
-    const bool held = s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_SYMMETRIC &&
-                      s->method.tensile_control == SPH2D_SWITCH_ON;
-    const double asked = s->method.max_compression > 0 ? s->method.max_compression : 0.01;
-    const double tension = held ? fmin(asked, 0.14) : 0.14; /* less than a seventh: Tait's equation has no more */
+    const bool squares = s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL;
     double sum = 0;
     for (size_t i = 0; i < fluid->count; ++i) {
         const double r = fluid->density[i] / s->fluid.density;
-        if (fluid->pressure[i] * (r - 1) > 0) // where a method has no tension, nothing is stretched
-            sum += held ? elastic_to(equation, plan->sound_speed, tension, r) : elastic(equation, plan->sound_speed, r);
+        if (squares) // p = rho c0^2 ln r
+            sum += pow(plan->sound_speed * log(r), 2) / 2;
+        else if (fluid->pressure[i] * (r - 1) > 0) // where a method has no tension, nothing is stretched
+            sum += elastic(equation, plan->sound_speed, r);
     }
     return plan->particle_mass * sum;
 }

@@ -43,29 +43,16 @@ bool is(const draft *d, const char *method)
 static void write_wcsph(draft *d)
 {
     d->fitted = !d->opened && (d->full ? chance(d, 0.6) : chance(d, 0.02));
-    if (d->fitted)
+    if (d->fitted) {
         fputs(", operators: fitted", d->out);
-    if (chance(d, 0.25))
-        fputs(", precision: mixed", d->out);
-    if (chance(d, 0.25))
-        fputs(", state_equation: tait", d->out);
-    if (chance(d, 0.2))
-        fprintf(d->out, ", density_diffusion: %.2g", between(d, 0.02, 0.3));
-    if (d->fitted)
-        return;
-    if (chance(d, 0.35))
-        fprintf(d->out, ", kernel: %s", ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
-    if (chance(d, 0.25))
-        fputs(", viscosity_form: monaghan", d->out);
-    if (chance(d, 0.4))
-        fprintf(d->out, ", artificial_viscosity: %.2g", decades(d, 0.005, 0.3));
-    if (chance(d, 0.15))
-        fputs(", diffusion_form: fourtakas, shifting: 0, tensile_control: off", d->out);
-    else {
         if (chance(d, 0.25))
-            fprintf(d->out, ", shifting: %s", ONE_OF(d, "0", "0.5", "2"));
-        if (chance(d, 0.15))
-            fputs(", tensile_control: off", d->out);
+            fputs(", state_equation: tait", d->out);
+        if (chance(d, 0.2))
+            fprintf(d->out, ", density_diffusion: %.2g", between(d, 0.02, 0.3));
+        if (chance(d, 0.2))
+            fprintf(d->out, ", shifting: %s", ONE_OF(d, "0.5", "2"));
+    } else if (chance(d, 0.35)) {
+        fprintf(d->out, ", kernel: %s", ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
     }
 }
 
@@ -113,7 +100,7 @@ void write_method(draft *d)
     const bool soft = is(d, "muller");
     d->max_compression = soft ? 0.1 : 0.01;
     d->support = soft ? 2 : is(d, "wcsph") ? 3 : 2.4;
-    d->cfl = soft ? 0.4 : is(d, "wcsph") ? 0.25 : 0.4 / d->support;
+    d->cfl = soft ? 0.4 : is(d, "wcsph") ? 0.2 : 0.4 / d->support;
     if (!named) /* scenes without bodies are as old as another default */
         return;
     fprintf(d->out, "method: {name: %s", d->method);
@@ -127,7 +114,7 @@ void write_method(draft *d)
     if (chance(d, 0.25))
         fprintf(d->out, ", support_ratio: %.2g", d->support = is(d, "wcsph") ? between(d, 2.4, 4) : between(d, 1.6, 3));
     if (chance(d, 0.15))
-        fprintf(d->out, ", cfl: %.2g", d->cfl = between(d, 0.08, is(d, "wcsph") && !d->fitted ? 0.5 : 0.3));
+        fprintf(d->out, ", cfl: %.2g", d->cfl = between(d, 0.08, is(d, "wcsph") && !d->fitted ? 0.25 : 0.3));
     fputs("}\n", d->out);
 }
 

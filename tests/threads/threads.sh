@@ -60,8 +60,8 @@ go() {
 }
 
 # Archer breaks down in forked processes: their threads are tested without it, by the suite `parallel` of `make test`.
-suites=(parallel store cells invariance muller mixed fitted fitted_walls friction projection reported_pressure solvers
-    packing_rest probes gauge plan state symmetry tension terms drawing memory)
+suites=(parallel store cells invariance muller variational fitted fitted_walls friction projection reported_pressure solvers
+    packing_rest probes gauge plan state symmetry tension drawing memory)
 if [ "$only" != command ]; then
     known=$("$checks" --list)
     for suite in "${suites[@]}"; do
@@ -72,7 +72,7 @@ if [ "$only" != command ]; then
 fi
 
 # Methods, and keys that change what they do.
-methods=('hybrid' 'muller' 'muller walls=reflect' 'wcsph method.precision=mixed' 'wcsph method.turbulence=none walls=reflect'
+methods=('hybrid' 'muller' 'muller walls=reflect' 'wcsph' 'wcsph wall_slip=smooth'
     'pcisph walls=reflect' 'pcisph method.time_step=5e-4' 'constraint' 'constraint method.artificial_viscosity=0')
 if [ "$only" != suites ]; then
     for method in "${methods[@]}"; do

@@ -28,7 +28,7 @@ go() {
 export -f go
 
 # Computes for long, or sets limits, or draws.
-left_out='flows|muller_energy|periodic|mixed|rest|impacts|solver_limits|features|walls|scene_text|packing|packing_rest|extremes|settings|outputs'
+left_out='flows|muller_energy|periodic|rest|impacts|solver_limits|features|walls|scene_text|packing|packing_rest|extremes|settings|outputs'
 left_out+='|sample|probes|elevation|render|drawing|shapes|balls|frame_times|null_render'
 # shellcheck disable=SC2016 # the inner shell expands it
 {
@@ -41,7 +41,6 @@ left_out+='|sample|probes|elevation|render|drawing|shapes|balls|frame_times|null
     for method in muller wcsph pcisph constraint hybrid; do
         printf '%s\0' "go run_$method $run -s method.name=$method -s fluid.surface_tension=0.1 -o '$folder/$method'"
     done
-    printf '%s\0' "go run_mixed $run -s method.name=wcsph -s method.precision=mixed -o '$folder/mixed'"
     printf '%s\0' "go run_fitted '$sph2d' run '$here/../../examples/taylor_green/scene.yaml' --force --no-frames --quiet \
         -s spacing=0.05 -s method.operators=fitted -s run.until=0.02 -o '$folder/fitted'"
     printf '%s\0' "go check '$sph2d' check '$here/../cli/tiny.scene' --json"

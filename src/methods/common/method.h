@@ -38,9 +38,6 @@ typedef struct sph2d__method {
      *  cells are up to date. In methods with `project` without the acceleration by pressure. False when memory is
      *  short. */
     bool (*evaluate)(sph2d__system *system);
-    /** Sets the rate of density of every particle at its present position and velocity, if the scheme integrates
-     *  density at the middle of a step; else NULL. */
-    void (*density_rate)(sph2d__system *system);
     /** Adds the acceleration by the pressures that keep the density over the system's step, in methods that solve for
      *  them; else NULL. */
     void (*project)(sph2d__system *system);
@@ -84,8 +81,6 @@ SPH2D_METHOD_MAP(SPH2D__METHOD_DECLARE)
 #undef SPH2D__METHOD_DECLARE
 /** Method `wcsph` with fitted operators. */
 extern const sph2d__method sph2d__wcsph_fitted;
-/** Method `wcsph` with variational operators. */
-extern const sph2d__method sph2d__wcsph_variational;
 
 /** The entry for a scene's options; never NULL for a checked scene. */
 const sph2d__method *sph2d__method_find(const sph2d_method_options *options);

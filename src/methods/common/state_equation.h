@@ -4,9 +4,9 @@
  *
  *      linear   p = c0^2 (rho - rho0)
  *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
- *      variational operators   p = c0^2 rho ln(rho/rho0): only the inverse is here (methods/variational)
+ *      variational operators   p = c0^2 rho ln(rho/rho0)
  *
- *  Both have dp/drho = c0^2 at rest density. Pressure is at least -tension (system.h). The elastic energy per mass,
+ *  Both have dp/drho = c0^2 at rest density. The elastic energy per mass,
  *
  *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
  *
@@ -22,11 +22,13 @@
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 {
     double c2 = s->sound_speed * s->sound_speed, pressure = c2 * (density - s->rest_density);
+    if (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL)
+        return c2 * density * log(density / s->rest_density);
     if (s->method.state_equation == SPH2D_STATE_TAIT) {
         double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
         pressure = s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
     }
-    return fmax(pressure, -s->tension);
+    return pressure;
 }
 
 /** The inverse; at least a thousandth of the rest density, for pressures that the equation cannot give. */
@@ -45,27 +47,18 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
     return fmax(density, 1e-3 * s->rest_density);
 }
 
-/** e without a background pressure [J/kg]. */
-static inline double sph2d__elastic_alone(const sph2d__system *s, double density)
+/** e: elastic energy per mass [J/kg]. */
+static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
-    if (s->modulus > 0) { /* density by summation: no tension */
+    if (s->modulus > 0) { /* density by summation */
         double x = fmax(density / s->rest_density, 1);
         return s->modulus * (log(x) + 1 / x - 1);
     }
-    double cutoff = sph2d__density_of(s, -s->tension);
-    if (density < cutoff)
-        return sph2d__elastic_alone(s, cutoff) + s->tension * (1 / density - 1 / cutoff);
     double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
     if (s->method.state_equation == SPH2D_STATE_LINEAR)
         return c2 * (log(x) + 1 / x - 1);
     double x2 = x * x;
     return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
-}
-
-/** e: elastic energy per mass; a background pressure adds its own integral [J/kg]. */
-static inline double sph2d__elastic_of(const sph2d__system *s, double density)
-{
-    return sph2d__elastic_alone(s, density) + s->background * (1 / s->rest_density - 1 / density);
 }
 
 /** dp/drho: squared speed of sound at a density [m^2/s^2]. */

@@ -54,9 +54,7 @@ typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
     sph2d__neighbours neighbours, wall_neighbours; /**< lists of fluid and boundary particles, if the method has them */
-    bool only_divergence;                          /**< no relaxation of density now: work.c looks for its work */
     bool walls_press;                              /**< some boundary particles exert pressure */
-    bool walls_move;                               /**< some boundary particles move */
     double *wall_spin;           /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
     bool walls_reflect;          /**< some boundary particles reflect */
     struct sph2d__rigid *rigids; /**< the bodies that the liquid moves (boundary/rigid.h) */
@@ -64,7 +62,6 @@ typedef struct sph2d__system {
     sph2d__body_pairs
         body_pairs;        /**< of their boundary particles with the liquid, in methods that solve for pressure */
     uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
-    double *rigid_compression_rate; /**< the same: D_b by the last rates of density (methods/wcsph) [1/s]; state */
 
     bool fills; /**< liquid and solids fill the domain from the start, so that there is no surface */
 
@@ -81,7 +78,7 @@ typedef struct sph2d__system {
     size_t viscosity_capacity;
     sph2d__implicit implicit;
     struct sph2d__grid *grid;     /**< hybrid: its grid, from the first step on (methods/hybrid/grid.h) */
-    struct sph2d__frozen *frozen; /**< wcsph, variational: what stands still over a step (methods/variational) */
+    struct sph2d__frozen *frozen; /**< wcsph: what stands still over a step (methods/wcsph) */
     double surface_tension;       /**< [N/m] */
     double calibration;           /**< muller: factor on the density sum that gives a full lattice the rest density */
     double side_fill;             /**< muller: F of muller_side.h, times rest density [kg/m^3] */
@@ -101,7 +98,6 @@ typedef struct sph2d__system {
     sph2d_slip wall_slip;
     const unsigned char *wall_slips;
     bool walls_rough, walls_smooth; /**< some have no slip, or the friction of smooth walls */
-    bool walls_stick;               /**< no slip is pair by pair, and with the profile's curvature: terms/stick.h */
     double slip_length;             /**< of smooth walls [m] */
     sph2d__body body;
 
@@ -113,12 +109,8 @@ typedef struct sph2d__system {
     double max_pressure;  /**< largest pressure then, at least that of the scene's head [Pa] */
     double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy; /**< of these springs at the start [J/m] */
-    double head;    /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
-    double tension; /**< wcsph: bound of negative pressures; infinite without tensile control [Pa] */
-    double background;     /**< wcsph: pressure on voids of liquid that fills its domain, 0 in other scenes [Pa] */
-    bool viscosity_limits; /**< wcsph: the step can follow from viscous_rate (terms/viscosity.h) */
+    double head; /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
     double central_weight; /**< wcsph: the weight of the central form of viscosity, methods/terms/viscosity.h [1/m^2] */
-    double viscous_rate;   /**< wcsph: the largest of a particle by the last evaluation of the forces [1/s] */
     double max_density; /**< largest density of a particle at the start of the step, at least rest density [kg/m^3] */
 
     uint64_t iterations;    /**< of the pressure solver in the last step */

@@ -5,7 +5,6 @@
 
 #include <math.h>
 
-#include "methods/common/packed.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/stable_step.h"
 
@@ -19,8 +18,7 @@ static const double DIFFUSIVE = 0.08;
 
 static const sph2d__fitted_passes *passes(const sph2d__system *s)
 {
-    bool mixed = s->method.precision == SPH2D_PRECISION_MIXED;
-    return mixed ? sph2d__fitted_passes_find_mixed(s->isa) : sph2d__fitted_passes_find(s->isa);
+    return sph2d__fitted_passes_find(s->isa);
 }
 
 /** For f = r^4 the fit gives c (x^2 + y^2), whose Laplacian 4c is wrong at the centre, and leaves the residual R:
@@ -52,7 +50,6 @@ static void prepare(sph2d__system *s)
 static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__pack_fluid(s);
     sph2d__over_particles(s, s->fluid.count, passes(s)->rates);
     sph2d__state_equation_apply(s);
     sph2d__profile_enter(&s->profile, before);

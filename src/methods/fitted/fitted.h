@@ -34,15 +34,14 @@
 /** The time scheme (adams_bashforth.c): method.h. */
 sph2d_status sph2d__adams_bashforth(sph2d_sim *sim, double dt);
 
-/** The pair loops, compiled once for each instruction set and precision. */
+/** The pair loops, compiled once for each instruction set. */
 typedef struct sph2d__fitted_passes {
     /** Sets the fluid's acceleration and density_rate along the motion of the liquid, its shift velocity, and the rates
      *  by advection with that. */
     sph2d__span_work *rates;
 } sph2d__fitted_passes;
 
-SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, )
-SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes, _mixed)
+SPH2D__COPIES(sph2d__fitted_passes, sph2d__fitted_passes)
 
 /** Force of the surface before boundary particle b of the first layer on the liquid [N/m] (fitted_walls.c). */
 sph2d__wall_force sph2d__fitted_surface_force(const sph2d__system *system, size_t b);

@@ -8,7 +8,6 @@
 
 #include "kernels/kernel.h"
 #include "methods/common/group.h"
-#include "methods/common/packed.h"
 #include "methods/common/state_equation.h"
 #include "methods/fitted/fitted.h"
 #include "methods/fitted/fitted_surface.h"
@@ -47,7 +46,7 @@ enum { MATRIX = 15 };
 
 /** Constants of a pass. */
 typedef struct constants {
-    sph2d__packed liquid;
+    const sph2d__store *liquid;
     sph2d__real inverse_support; /**< 1/H [1/m] */
     sph2d__real value_scale;     /**< 1/f(dx/H) of Wendland's C2, times the fourth root of 0.2 */
     double grad_c_scale;         /**< 140/pi (dx/H)^2 */

@@ -38,8 +38,8 @@ SPH2D__INLINE void list_block(list *to, const group_state *own, const sph2d__ran
 {
     const sph2d__real from_x = (sph2d__real)(ranges->x[r] + own->from_x);
     const sph2d__real from_y = (sph2d__real)(ranges->y[r] + own->from_y);
-    sph2d__lanes x = (sph2d__lanes_load(k->liquid.x + j) - from_x) * k->inverse_support;
-    sph2d__lanes y = (sph2d__lanes_load(k->liquid.y + j) - from_y) * k->inverse_support;
+    sph2d__lanes x = (sph2d__lanes_load(k->liquid->x + j) - from_x) * k->inverse_support;
+    sph2d__lanes y = (sph2d__lanes_load(k->liquid->y + j) - from_y) * k->inverse_support;
     sph2d__lanes dx = sph2d__above_zero(sph2d__lanes_max(own->low_x - x, x - own->high_x));
     sph2d__lanes dy = sph2d__above_zero(sph2d__lanes_max(own->low_y - y, y - own->high_y));
     unsigned near = sph2d__lanes_which(dx * dx + dy * dy, 1);
@@ -57,7 +57,7 @@ SPH2D__INLINE void list_block(list *to, const group_state *own, const sph2d__ran
  */
 static void sum_listed(fit_sums *to, list *from, const group_state *own, const constants *k)
 {
-    const sph2d__packed *f = &k->liquid;
+    const sph2d__store *f = k->liquid;
     sph2d__lanes kept[LISTED];
     fit_sums sums = *to;
     from->x[from->count] = from->y[from->count] = 0;
@@ -87,9 +87,9 @@ static void sum_liquid(const sph2d__system *s, const sph2d__group *g, const cons
     const sph2d__real unit = k->inverse_support;
     const group_state own = {.x = sph2d__group_lanes(f->x + i, -x0) * unit,
                              .y = sph2d__group_lanes(f->y + i, -y0) * unit,
-                             .vx = sph2d__lanes_load(k->liquid.vx + i),
-                             .vy = sph2d__lanes_load(k->liquid.vy + i),
-                             .density = sph2d__lanes_load(k->liquid.density + i),
+                             .vx = sph2d__lanes_load(k->liquid->vx + i),
+                             .vy = sph2d__lanes_load(k->liquid->vy + i),
+                             .density = sph2d__lanes_load(k->liquid->density + i),
                              .from_x = x0,
                              .from_y = y0,
                              .low_x = (sph2d__real)(g->low_x - x0) * unit,
@@ -161,7 +161,7 @@ static void rates(sph2d__system *s, size_t first, size_t last)
 {
     double ratio = s->support / s->spacing;
     const double value = sph2d__kernel_value_at(SPH2D_KERNEL_WENDLAND_C2, 1 / ratio);
-    const constants k = {.liquid = sph2d__packed_of(s, &s->fluid, false),
+    const constants k = {.liquid = &s->fluid,
                          .inverse_support = (sph2d__real)(1 / s->support),
                          .value_scale = (sph2d__real)(pow(0.2, 0.25) / value),
                          .grad_c_scale = 140 / (SPH2D__PI * ratio * ratio),

@@ -27,13 +27,8 @@ static void fit_linear(const fit_sums *sums, int lane, int first, int end, fit *
     }
 }
 
-/* Least pivot over its diagonal element: below, the neighbours do not determine the fit, or in floats it may be
- * rounding error. And the lower bound of divisors. */
-#ifdef SPH2D__MIXED
-static const float MIN_PIVOT = 1e-5F, TINY = 1e-30F;
-#else
+/* Least pivot over its diagonal element: below, the neighbours do not determine the fit. And the lower bound of divisors. */
 static const double MIN_PIVOT = 1e-7, TINY = 1e-300;
-#endif
 
 /** Sets the matrix A from the moments. */
 static void fill_matrix(const fit_sums *sums, sph2d__lanes matrix[MATRIX])

@@ -182,7 +182,7 @@ typedef struct sph2d__transfer_passes {
     /** Sets velocities, their slopes, and displacements of a batch by what faces say. */
     void (*move)(sph2d_sim *sim, double dt, struct sph2d__batch *batch);
 } sph2d__transfer_passes;
-SPH2D__COPIES(sph2d__transfer_passes, sph2d__transfer_passes, )
+SPH2D__COPIES(sph2d__transfer_passes, sph2d__transfer_passes)
 
 /** Loops over squares, compiled once for each instruction set. */
 typedef struct sph2d__grid_passes {
@@ -190,7 +190,7 @@ typedef struct sph2d__grid_passes {
      *  (grid_solve_pass.c). */
     void (*solve)(sph2d__grid *grid, double viscosity);
 } sph2d__grid_passes;
-SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes, )
+SPH2D__COPIES(sph2d__grid_passes, sph2d__grid_passes)
 
 /** Notes on which sides parts are wet, once the liquid is known; adds G M^-1 G' p to `out`, G the columns of bodies; and the
  *  impulses of pressure on bodies, as three numbers each (grid_bodies.c) [N s/m]. */
@@ -218,7 +218,7 @@ typedef struct sph2d__multigrid {
      *  one cycle of multigrid each. */
     void (*solve)(const sph2d__grid *grid, const sph2d__work *work, float *value, bool bodies, int iterations);
 } sph2d__multigrid;
-SPH2D__COPIES(sph2d__multigrid, sph2d__multigrid, )
+SPH2D__COPIES(sph2d__multigrid, sph2d__multigrid)
 
 /** Sets rows `first` to `last` of a field to 0, and what the loops over faces and the next level read around them. */
 static inline void sph2d__level_clear(const sph2d__level *l, float *field, int first, int last)

@@ -59,7 +59,7 @@ typedef struct sph2d__hybrid_passes {
     sph2d__span_work *order;
 } sph2d__hybrid_passes;
 
-SPH2D__COPIES(sph2d__hybrid_passes, sph2d__hybrid_passes, )
+SPH2D__COPIES(sph2d__hybrid_passes, sph2d__hybrid_passes)
 
 /** Eight floats side by side are best: with sixteen more are too far from a candidate, and roots take as long for each. */
 static inline const sph2d__hybrid_passes *sph2d__hybrid_passes_best(sph2d_isa isa)

@@ -44,6 +44,6 @@ typedef struct sph2d__muller_passes {
     sph2d__span_work *force;
 } sph2d__muller_passes;
 
-SPH2D__COPIES(sph2d__muller_passes, sph2d__muller_passes, )
+SPH2D__COPIES(sph2d__muller_passes, sph2d__muller_passes)
 
 #endif

@@ -24,6 +24,6 @@ typedef struct sph2d__constraint_passes {
     void (*clamp)(const sph2d__slab *slab, sph2d__slab_sum *sum);
 } sph2d__constraint_passes;
 
-SPH2D__COPIES(sph2d__constraint_passes, sph2d__constraint_passes, )
+SPH2D__COPIES(sph2d__constraint_passes, sph2d__constraint_passes)
 
 #endif

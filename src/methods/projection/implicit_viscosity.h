@@ -61,6 +61,6 @@ typedef struct sph2d__implicit_viscosity_pass {
     double (*multiply)(sph2d__system *system, double dt, size_t first, size_t last);
 } sph2d__implicit_viscosity_pass;
 
-SPH2D__COPIES(sph2d__implicit_viscosity_pass, sph2d__implicit_viscosity_pass, )
+SPH2D__COPIES(sph2d__implicit_viscosity_pass, sph2d__implicit_viscosity_pass)
 
 #endif

@@ -37,6 +37,6 @@ typedef struct sph2d__limited_viscosity_pass {
     void (*accelerate)(sph2d__system *system, double nu, size_t first, size_t last);
 } sph2d__limited_viscosity_pass;
 
-SPH2D__COPIES(sph2d__limited_viscosity_pass, sph2d__limited_viscosity_pass, )
+SPH2D__COPIES(sph2d__limited_viscosity_pass, sph2d__limited_viscosity_pass)
 
 #endif

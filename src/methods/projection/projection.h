@@ -144,7 +144,7 @@ typedef struct sph2d__projection_passes {
     void (*predict_walls[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
 } sph2d__projection_passes;
 
-SPH2D__COPIES(sph2d__projection_gather_pass, sph2d__projection_gather, )
-SPH2D__COPIES(sph2d__projection_passes, sph2d__projection_passes, )
+SPH2D__COPIES(sph2d__projection_gather_pass, sph2d__projection_gather)
+SPH2D__COPIES(sph2d__projection_passes, sph2d__projection_passes)
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file friction.h
- *  Friction of walls in layers, between free slip and no slip, of method `wcsph` with symmetric operators:
+ *  Friction of walls in layers, between free slip and no slip, of method `wcsph`:
  *  `wall_slip: smooth`.
  *
  *  In most scenes the boundary layer of water along a wall is thinner than the spacing, so that particles do not

@@ -5,8 +5,6 @@
 #include <math.h>
 
 #include "methods/common/slabs.h"
-#include "methods/terms/shift.h"
-#include "methods/terms/viscosity.h"
 
 /** g^(n-1), for n < 1 not of less than 1/m. */
 static double power_of(const sph2d_fluid *fluid, double g)
@@ -40,10 +38,16 @@ double sph2d__rheology_viscosity(const sph2d_fluid *fluid, double g)
     return fluid->dynamic_viscosity;
 }
 
+/** g of fluid particle i [1/s]. */
+static double shear_rate(const sph2d__store *f, size_t i)
+{
+    return 2 * sqrt(f->stretch[i] * f->stretch[i] + f->shear[i] * f->shear[i]);
+}
+
 static void set_some(sph2d__system *s, size_t first, size_t last)
 {
     for (size_t i = first; i < last; ++i)
-        s->viscosities[i] = sph2d__rheology_viscosity(s->liquid, sph2d__strain_rate(&s->fluid, i));
+        s->viscosities[i] = sph2d__rheology_viscosity(s->liquid, shear_rate(&s->fluid, i));
 }
 
 /** As many as the fluid's store has room for: loops over groups read beyond the last particle. */

@@ -5,18 +5,7 @@
  *
  *      v_w - (d_b/d_i) (v_i - v_w),     d_b behind the surface, d_i before it
  *
- *  (Takeda, Miyama & Sekiya 1994; Morris, Fox & Zhu 1997), exact for a linear profile.
- *
- *  A profile with curvature c = d2v/dn2 goes on behind the wall with that curvature, the images without. What Morris' sum
- *  lacks is, to second order, B_i times the Laplacian, with
- *
- *      B_i = sum_b V_b |W'|/r d_b (d_b + d_i),     1/2 at the wall, 0 from H on
- *
- *  as follows from v_j - v_i = g (n_j - n_i) + c (n_j - n_i)^2/2 with the slope g at i, v_w = v_i - g d_i + c d_i^2/2,
- *  and a sum over the whole support of 0 for g and 1 for c. So the sum over 1 - B_i is the Laplacian. What the walls add,
- *  B_i times it, is a force of theirs: b exerts its part of B_i. Without it walls take the right momentum,
- *  but from liquid within H of them: round a cylinder 10 spacings across at Re = 100 (examples/cylinder), in a layer of a
- *  spacing, liquid half a spacing from it had twice its velocity, and drag was 19 % too small; it is 4 % with it. */
+ *  (Takeda, Miyama & Sekiya 1994; Morris, Fox & Zhu 1997), exact for a linear profile. */
 #ifndef SPH2D_METHODS_TERMS_STICK_H
 #define SPH2D_METHODS_TERMS_STICK_H
 
@@ -46,22 +35,6 @@ static inline double sph2d__stick(const sph2d__system *s, size_t b, double dx, d
     if (!(depth > 0 && depth < INFINITY))
         return SPH2D__IN_CORNERS;
     return 1 + depth / sph2d__before(s, b, dx, dy);
-}
-
-/** What b adds to B of a fluid particle there, over -V_b W'/r: d_b (d_b + d_i) [m^2]. */
-static inline double sph2d__bend(const sph2d__system *s, size_t b, double dx, double dy)
-{
-    const sph2d__store *w = &s->walls;
-    double depth = w->depth[b];
-    if (!(depth > 0 && depth < INFINITY))
-        return (dx * dx + dy * dy) / SPH2D__IN_CORNERS;
-    return depth * (depth + sph2d__before(s, b, dx, dy));
-}
-
-/** 1/(1 - B), B at most that of a particle on a wall. */
-static inline double sph2d__unbend(double part)
-{
-    return 1 / (1 - (part < 0.5 ? part : 0.5));
 }
 
 /** The velocity (ux, uy) of that particle relative to b, plus what it has relative to the image: v_w of a wall that

@@ -19,7 +19,7 @@ enum { MAX_NEIGHBOURS = 192 };
 /* Neighbours within this distance [dx], which bound most cells, are processed first. */
 static const double NEAR = 1.6;
 
-typedef enum kind { INNER_LIQUID, LIQUID, WALL } kind;
+typedef enum kind { LIQUID, WALL } kind;
 
 /** The particles whose Voronoi cells can share an edge with a particle's; relative to it, in spacings. */
 typedef struct neighbourhood {
@@ -34,12 +34,6 @@ typedef struct neighbourhood {
 typedef struct edge {
     double foot, from, to;
 } edge;
-
-/** Whether a fluid particle can be at the surface. */
-static bool can_have_surface(const sph2d__system *s, size_t i)
-{
-    return !s->fluid.surface_distance || s->fluid.surface_distance[i] < s->support;
-}
 
 /** Adds a neighbour, near ones before the others; the caller has checked the capacity. */
 static void add_neighbour(neighbourhood *c, double x, double y, kind what, uint32_t index)
@@ -71,11 +65,7 @@ static bool gather(neighbourhood *c, const sph2d__system *s, const sph2d__store 
             continue;
         if (c->count == MAX_NEIGHBOURS)
             return false;
-        add_neighbour(c, dx * scale, dy * scale,
-                      from == &s->walls        ? WALL
-                      : can_have_surface(s, j) ? LIQUID
-                                               : INNER_LIQUID,
-                      (uint32_t)j);
+        add_neighbour(c, dx * scale, dy * scale, from == &s->walls ? WALL : LIQUID, (uint32_t)j);
     }
     return true;
 }
@@ -132,8 +122,6 @@ static bool gather_around(neighbourhood *c, const sph2d__system *s, size_t i, sp
 {
     double x = s->fluid.x[i], y = s->fluid.y[i];
     c->count = c->near = 0;
-    if (!can_have_surface(s, i))
-        return false;
     bool fits = !sph2d__cursor_move(liquid, &s->fluid_cells, x, y) || gather(c, s, &s->fluid, &liquid->ranges, x, y);
     if (s->walls_press && sph2d__cursor_move(walls, &s->wall_cells, x, y))
         fits &= gather(c, s, &s->walls, &walls->ranges, x, y);
@@ -220,8 +208,6 @@ static double triangle_until(double foot, double t)
 static sph2d_vec2 pull_across(const neighbourhood *c, int k)
 {
     const sph2d_vec2 none = {0, 0};
-    if (c->kind[k] == INNER_LIQUID)
-        return none;
     double clear = entry_of(sqrt(c->x[k] * c->x[k] + c->y[k] * c->y[k]) / 2);
     edge b = edge_of(c, k, clear);
     if (!(b.from < b.to) || (b.to <= clear && b.from >= -clear))

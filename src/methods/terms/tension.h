@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file tension.h
- *  Surface tension of a liquid with a free surface, for methods `muller`, symmetric `wcsph`, `pcisph` and `constraint`:
+ *  Surface tension of a liquid with a free surface, for methods `muller`, `wcsph`, `pcisph` and `constraint`:
  *  a band along the surface has an energy.
  *
  *  With d the distance of a point to the nearest particle, in spacings, the energy is that of the empty space around,

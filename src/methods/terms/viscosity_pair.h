@@ -5,8 +5,6 @@
 #ifndef SPH2D_METHODS_TERMS_VISCOSITY_PAIR_H
 #define SPH2D_METHODS_TERMS_VISCOSITY_PAIR_H
 
-#include <math.h>
-
 #include "simd/lanes.h"
 
 /** Sums of the Laplacian form, without the factors that are common to all neighbours. */
@@ -19,26 +17,6 @@ SPH2D__INLINE void sph2d__drag_add(sph2d__drag *sum, sph2d__lanes share, sph2d__
 {
     sum->x += share * dvx;
     sum->y += share * dvy;
-}
-
-/** Sums for the largest eigenvalue of a particle's block (viscosity.h), without the common factors; negative. */
-typedef struct sph2d__block {
-    sph2d__lanes xx, xy, yy;
-} sph2d__block;
-
-/** Adds a neighbour: `share` is V_j (W'/r) k_ij. */
-SPH2D__INLINE void sph2d__block_add(sph2d__block *sum, sph2d__lanes share, sph2d__lanes dx, sph2d__lanes dy)
-{
-    sum->xx += share * dx * dx;
-    sum->xy += share * dx * dy;
-    sum->yy += share * dy * dy;
-}
-
-/** The larger eigenvalue of minus a sum. */
-static inline double sph2d__block_most(double xx, double xy, double yy)
-{
-    double half = (xx - yy) / 2;
-    return sqrt(half * half + xy * xy) - (xx + yy) / 2;
 }
 
 #endif

@@ -1,200 +1,267 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph.h
- *  Method `wcsph` with symmetric operators: delta-SPH, for free surfaces and impacts.
+ *  Method `wcsph` with variational operators: the rate of density is exact for velocities that are linear in place, and
+ *  the force of pressure is its transpose, so that the work of pressure is the change of elastic energy and momentum goes
+ *  from particle to particle (Bonet & Lok 1999, Comput. Methods Appl. Mech. Engrg. 180, 97-115).
  *
- *  With V = m/rho, r_ij = x_i - x_j, v_ij = v_i - v_j, the smoothing length h = H/2 and grad W the gradient at i:
+ *  State: x, v, theta = ln(rho/rho0). Elastic energy is m c0^2 theta^2/2, so that p = rho c0^2 theta: to first order
+ *  c0^2 (rho - rho0), and with energies that are squares acoustic steps keep their sum to rounding (advance.c). With
+ *  V0 = m/rho0, w_b the area of boundary particle b, r_ij = x_i - x_j, G_ij = V0 grad_i W(r_ij), G_ib = w_b grad_i W(r_ib),
+ *  P_i = p_i m/rho_i = m c0^2 theta_i, and x taken in the middle of a step of length dt, over which all of this stands
+ *  still:
  *
- *      drho_i/dt = sum m_j v_ij . grad W + delta h c0 sum V_j psi_ij . grad W                  (Monaghan 1994, eq. 2.3)
- *      psi_ij    = 2 [(rho_i - rho_j) - (grad rho_i + grad rho_j) . r_ij / 2] r_ij/r^2         (Antuono et al. 2010)
- *      or          2 [(rho_i - rho_j) - (rho_i - rho_j of a liquid at rest)] r_ij/r^2        (Fourtakas et al. 2019)
- *      dv_i/dt   = -sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W + viscosity + body force        (Monaghan 1994, eq. 2.2)
- *      morris    = 2 mu/rho_i sum V_j (r_ij . grad W)/r^2 v_ij                       (Morris et al. 1997, eq. 22)
- *      monaghan  = 8 mu/rho_i sum V_j (v_ij . r_ij)/(2 <r^2>) grad W,  8 = 2 (2 + d)   (Monaghan & Gingold 1983, whose
- *                  1/r^2 is 1/(2 <r^2>) here: terms/viscosity.h)
+ *      F_i  = -sum_j G_ij r_ij^T        of liquid alone;  M_i = F_i - sum_b G_ib r_ib^T;  N_i = sum_j G_ij
+ *      B_i  = M_i^-1, turned into 1 where det M is below 1/2 and where walls are near;  A_i = F_i^-1
+ *      S_i  = Q_i sum_b B_i G_ib, C_i = -B_i (M_i - F_i) A_i;  Q_i = sum_b |G_ib| n_b n_b^T over its largest eigenvalue,
+ *             n_b the wall's normal: walls are smooth, n n^T if flat or a slit; in inner corners its other eigenvalue is as
+ *             much as balances the liquid's N_i, at most that eigenvalue of the sum over |sum_b B_i G_ib|; around edges
+ *             Q_i = g g^T/g^2, g = sum_b G_ib, with as much of it across the largest eigenvalue's direction as balances N_i
+ *      rate of theta
+ *      D_i  = sum_j (v_i - v_j) . B_i G_ij + 2 v_i . S_i - q_i + z_i . N_i + sum_k z_k . G_ik
+ *             q_i = 2 sum_b v_b . Q_i B_i G_ib;  z_i = C_i^T v_i - A_i sum_b (v_b . B_i G_ib) r_ib
+ *      force
+ *      f_i  = -sum_j (P_i B_i + P_j B_j) G_ij - (2 P_i + l_i) S_i + C_i sum_k (P_k - P_i) G_ik + d_i + e_i + m g_i
  *
- *  The stress of Morris' form is mu grad v; the missing part, mu (grad v)^T, has no divergence inside the liquid and
- *  matters only at a free surface: waves decay at half their rate, and rotation is slowed down. Monaghan's form has no
- *  stress at a free surface in the mean (Colagrossi et al. 2011, Phys. Rev. E 84, 026705, where the factor 2 (2 + d) is
- *  derived). Along the rows of a lattice its viscosity is 0.996 of mu in shear and 1.04 in stretching (Wendland C2,
- *  H/dx = 3; with 1/r^2 0.89 and 1.11). It is the default of scenes with a free surface.
+ *  The domain's sides are mirrors. What is nearer to one than H has an image in it, and in corners one in both: with T
+ *  the reflection, a particle at T x with T v, T B T and theta, which j, k and the liquid's own sums above include. So
+ *  rate and force are transposed as they are without sides: the liquid is half of one that is symmetric. In the other
+ *  half gravity points the other way, and pressure has a bend at the side that sums over the support do not resolve;
+ *  g_i is the mean over the support, too: its component across a side is (1 - 2 w_i) g, w_i the sum of V0 W over the
+ *  images beyond it. Then a lattice is at rest under hydrostatic pressure: without it, rows were off by turns by 3 % of
+ *  rho g H. It takes no gradient of pressure, since liquid beside a flat wall does not accelerate towards it. Density
+ *  diffuses between particles alone, because of the bend.
  *
- *  Boundary particles b of walls in layers enter all sums except the diffusion, with (Adami, Hu & Adams 2012, eq. 27;
- *  a_b the wall's acceleration, g the body force, j over the liquid around b)
+ *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
+ *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z. Dissipation acts where velocities and
+ *  pressures are not linear:
  *
- *      p_b       = [sum p_j W + (g - a_b) . sum c_j rho_j r_bj W] / sum W,   rho_b from the equation of state
- *      drho_i/dt = ... + sum m_b (v_i - v_b) . grad W + sum m_b W_bi (rho_i/rho_b)^2 D_b
- *      D_b       = sum (v_j - v_b) . grad W_jb / sum W
+ *      d_i  = V0 rho0 c0 sum_j b s G_ij,  w = v_ij . e,  s = minmod(w, w - e . (grad v_i + grad v_j)/2 . r),
+ *             b = min(3 |s|/c0, 1)       the limiter of Zhang, Hu & Adams 2017, J. Comput. Phys. 335, 605-620
+ *      l_i  = m c0 min(3 s/c0, 1) s: the same for the liquid's image in a wall that it approaches
+ *      e_i  = -(0.1 m c0/dx) sum_j (r_i c_ij - r_j c_ji),  r_i = sum_j c_ij v_ij, which is 0 for linear velocities,
+ *             c_ij = lambda_i (|G_ij|/sum_k |G_ik| + s_i . A_i G_ij),  s_i = sum_j |G_ij| r_ij/sum_k |G_ik|,
+ *             lambda from 0 at surfaces and walls, where sums see one side alone and r is not 0 for potential flow,
+ *             to 1 inside, less where viscosity does it: it takes
+ *             (0.1 m c0/dx) |r_i|^2
+ *      P_i += Z m c0 H D_i, the damping of sound (Sun, Pilloni, Antuono & Colagrossi 2023, J. Comput. Phys. 483, 112056),
+ *             0 where the liquid keeps its volume; Z at most 0.1, and as much as an acoustic step bears
+ *      pairs nearer than r0 = dx/2 repel each other by R (1 - r/r0)^2, R = 0.2 rho0 c0^2 dx: nothing else keeps two
+ *      particles from one place. Its potential, R r0/3 (1 - r/r0)^3, is part of the elastic energy. A particle's image in an obstacle does so as well, until
+ *      the particle stops: tension pulls liquid into walls
+ *      dtheta_i/dt += -C c0 sum_j s |G_ij|,  s = minmod(theta_ij, theta_ij - (grad theta_i + grad theta_j)/2 . r)
  *
- *  which is exact for a liquid at rest. The last sum returns the energy that p_b takes: it is the transpose of the
- *  first part of p_b, so that the power of p_b on the liquid, -sum m_j v_j . m_b p_b/rho_b^2 grad W_jb, is that of the
- *  liquid's own density. A wall at rest then neither adds nor removes energy, whatever its shape and however few
- *  particles are near it, except by the hydrostatic part of p_b. That part has no potential, and an isolated particle
- *  would climb a wall by it; so it counts connected liquid, c_j = 1, not isolated particles, c_j = 0 (by `filling`).
+ *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles
+ *  beyond sides act as far as there is an obstacle at their image.
  *
- *  Where the free surface meets a smooth wall, and in films along it, these sums do work on liquid that slides: p_b and
- *  D_b vary along the wall near the end of the liquid. There the wall slips with the liquid by a factor s_b: 1 where
- *  the liquid around b has little filling, 0 where it is inside (wall_pair.h). With t along the wall, v_b gets
- *  s_b t t . (sum v_j W / sum W - v_b) more, the parts along t of D_b and of the force of p_b are reduced to 1 - s_b,
- *  and in return the liquid has
+ *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it. Their kernel sum
+ *  Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and K = |sum_j G |r|| both
+ *  grow as density does: K/Sigma tells how near a surface is, whatever the density, and s is that of a plane so near:
  *
- *      dv_i/dt   = ... + sum m_b s_b W_bi/(sum W) t_b t_b . sum_k p_k/rho_k^2 grad_k W_kb
- *
- *  which again is the transpose, so that energy is conserved. Oscillations below 0.002 c0 do not count as sliding: the
- *  last sum is not hydrostatically balanced, and with it a surface at rest stands 0.25 dx too high beside a wall of 45
- *  degrees (0.3 with weight given back pair by pair), 0.07 too low without. There is no slip under a cover of liquid,
- *  nor where another wall is in front, as in corners: where a wall ends the liquid the last sum would push it. A side
- *  that slides along itself has v_b = 0 here: it drags liquid by friction alone. A rough wall has viscosity with
- *  v_b = v_wall - d_b/d (sum v_j W / sum W - v_wall), d_b and d the distances of b and, in the mean by W, of the liquid
- *  from the surface, a smooth one the friction of friction.h. Of a wall that turns at omega the velocity relative to the
- *  wall at the place of each j is mirrored, so that liquid that turns along feels nothing: v_b gets
- *  omega z x sum (x_j - x_b) W / sum W more. Walls may differ in their slip, a boundary particle from another.
- *  In Morris' form, where viscosity is far from limiting the step, v_b differs by pair in place of that, and walls go on
- *  with the curvature of the profile, too (terms/stick.h). The zone behind a step (examples/step) is then 0.161, 0.107
- *  and 0.056 of the step's height too short with 8, 12 and 16 spacings to the step, without 0.081, 0.075 and 0.061.
- *
- *  Isolated particles have the rest density, and no pressure of their own: a density kept from the liquid that they
- *  left would make them stick to walls.
- *
- *  grad rho_i is renormalised: exact for linear density, so that psi vanishes there pair by pair and a liquid at rest
- *  keeps its surface. Artificial viscosity alpha is the monaghan form with mu = rho0 alpha h c0/8, in approach and
- *  recession alike. Rate of density and pressure force conserve energy without dissipation and shifting.
- *
- *  After splashes particles move in a disordered way, with eddies that the kernel does not resolve. The liquid is then
- *  less dense than it should be and comes to rest slowly. Smagorinsky's subgrid viscosity (1963) with the whole width
- *  of the kernel as the filter (SPH as a filter: Di Mascio et al. 2017, Phys. Fluids 29, 035102) damps in monaghan form,
- *  of weight W'/r, with
- *
- *      mu_ij = rho0 (2 C H)^2 (|S_i| + |S_j|)/2,   |S| = sqrt(2 S:S) without the rate of volume,   C = 0.15
- *
- *  acting on unresolved differences only: v_ij . r_ij is limited to four times its nonlinear part, v_ij . r_ij minus
- *  r_ij . (S_i + S_j)/2 . r_ij, S without its trace. Smooth strain is not damped, as with artificial viscosities after
- *  a limited linear reconstruction (Frontiere, Raskin & Owen 2017, J. Comput. Phys. 332, 160). In a dam break 40
- *  spacings high the level at t sqrt(g/H) = 20 is 5 % too high without subgrid viscosity, 0.5 % too high with it, and
- *  0.9 % with C = 0.12. A stretching drop, R/dx = 25, is 0.14 % too short, 0.27 % without the limiter and C = 0.12. A
- *  wave at Re = 2000 and 50 spacings of depth decays at 0.050 1/s without, 0.053 with it and 0.161 with alpha = 0.02,
- *  which does as much for the dam break; in theory at 0.042.
- *
- *  The rate of density does not account for surfaces that merge or separate: the density would drift by per cents from
- *  the number of particles per area in a dam break, and the final level would be wrong by as much. Inside the liquid,
- *  farther than H from its surface, density therefore also relaxes to its sum over neighbours, in the time 100 H/c0:
- *
- *      drho_i/dt = ... + c0/(100 H) (rho0 sum (m_j/m) W / sum over a lattice W - rho_i)
- *
- *  The second psi vanishes at rest under gravity and a central force, where d rho is rho0/c0^2 times the work they do;
- *  not in periodic directions, in which there is no hydrostatic pressure.
- *
- *  Particles are shifted with velocity w (shift.h) against the concentration gradient. Their density changes by
- *  w . grad rho (Sun et al. 2019); their velocity does not, so that shifting changes no kinetic energy. The smaller
- *  eigenvalue of sum V_j r_ji grad W, 1 in full neighbourhoods and half at a flat surface, detects the free surface
- *  (Marrone 2010): within H of it shifts have no normal component, and in spray there are none (Sun et al. 2017).
- *
- *  Pair loops are compiled for doubles and, for precision `mixed`, for floats (packed.h).
- *
- *  With tensile control the tension is at most max_compression rho0 c0^2, twice the pressure of the scene's head: flow
- *  in rotation or round bodies has at most half of that, the sound of impacts ten times that, and without the bound the
- *  control below did a fifth of a dam break's energy in work. Where pressure is negative and the surface farther than
- *  H, |p_i| replaces p_i in the force (Sun et al. 2018), which prevents pairing and tearing under tension. Where the
- *  strain rate exceeds 0.01 c0/H it does so only while that removes energy, that is while the particle's velocity
- *  relative to its neighbours, by sum V_j v_ij W'/r, is against the added force: if it acted both ways everywhere, a
- *  block thrown on a floor would gain 11 % of its energy, and one way everywhere, a rotating disc would lose 1.1 % of
- *  its own, not 0.3 %. Momentum is then conserved only to the order of the scheme. In scenes with
- *  bodies the control acts only farther than H from all walls, as it would push bodies: a block that slides away from
- *  water, pushing another body before it, brought 3.6 % of energy, and 0.0004 % without.
- *
- *  Where liquid parts from a body a gap opens, which counts as surface only from H on; until then shifts would fill it,
- *  and the liquid, still under tension, would follow the body round. So none is shifted that has a body within H. A
- *  circle that falls into water (examples/falling_circle, 22 spacings across) is 1.0 % too deep after 0.05 s and 7 % at
- *  the end, not 4 and 21 % as with them; 11 across -2.4 and 2.2 %: the depth at the end grows with resolution. Without
- *  tension in scenes with bodies it was 3.5 % too high and 2.3 % too deep, but of 300 random scenes in several more the
- *  liquid kept voids. */
+ *      rho0 Sigma/s is the density, with s = 1 inside
+ *      it goes up to rho0 (Sigma + (Sigma/s - Sigma) max(1 - walls/first, 0)): walls that are wet beside a surface hide
+ *         how much is cut off; walls: their part of the sum, first: that before a row beside a flat wall
+ *      it goes down to rho0 Sigma/s as far as B is M^-1: strings and single particles have no density */
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_H
 #define SPH2D_METHODS_WCSPH_WCSPH_H
 
+#include <math.h>
+
+#include "boundary/rigid.h"
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-/** The time scheme (midpoint.c): method.h. */
-sph2d_status sph2d__midpoint(sph2d_sim *sim, double dt);
-
-/** What is computed about a particle's neighbourhood; each level includes the one before. */
-typedef enum sph2d__detail {
-    SPH2D__DETAIL_NONE,       /**< nothing */
-    SPH2D__DETAIL_GRADIENT,   /**< the gradient of density, for its diffusion */
-    SPH2D__DETAIL_EIGENVALUE, /**< the eigenvalue that detects the surface, for tensile control */
-    SPH2D__DETAIL_SHIFT       /**< concentration gradient and strain rate, for shifting and subgrid viscosity */
-} sph2d__detail;
-
-/** C of Smagorinsky's model, with the whole width 2 H of the kernel as the filter. */
-#define SPH2D__SMAGORINSKY 0.15
-/** Limit of the velocity difference that subgrid viscosity damps, over the nonlinear part of v_ij . r_ij. */
-#define SPH2D__SUBGRID_LIMIT 4
-
-/** Whether there is subgrid viscosity. */
-static inline bool sph2d__has_eddies(const sph2d_method_options *m)
+/** rho/rho0 of its logarithm: by its series, which has the same bits everywhere. */
+static inline double sph2d__density_ratio(double theta)
 {
-#ifdef SPH2D__BARE
-    return false;
-#endif
-    return m->turbulence == SPH2D_TURBULENCE_SMAGORINSKY;
+    const double x = theta / 4;
+    double sum = 1;
+    for (int k = 14; k > 0; --k)
+        sum = 1 + x / k * sum;
+    return sum * sum * (sum * sum);
 }
 
-/** The level that the options of a scene need. */
-static inline sph2d__detail sph2d__wcsph_detail(const sph2d_method_options *m)
-{
-#ifdef SPH2D__BARE /* a build without the others, to measure what they cost a scene that does not use them */
-    return SPH2D__DETAIL_NONE;
-#endif
-    if (m->shifting > 0 || sph2d__has_eddies(m))
-        return SPH2D__DETAIL_SHIFT;
-    if (m->tensile_control == SPH2D_SWITCH_ON)
-        return SPH2D__DETAIL_EIGENVALUE;
-    bool has_gradient = m->density_diffusion > 0 && m->diffusion_form == SPH2D_DIFFUSION_ANTUONO;
-    return has_gradient ? SPH2D__DETAIL_GRADIENT : SPH2D__DETAIL_NONE;
-}
+/** The arrays of the fluid that stand still over a step, or are written by one sweep and read by the next. */
+/* clang-format off */
+#define SPH2D__FROZEN_ARRAYS(X)                                                                                        \
+    X(bxx) X(bxy) X(byy)             /* B */                                                                           \
+    X(axx) X(axy) X(ayy)             /* A */                                                                           \
+    X(cxx) X(cxy) X(cyx) X(cyy)      /* C */                                                                           \
+    X(nx) X(ny)                      /* N */                                                                           \
+    X(sx) X(sy)                      /* S */                                                                           \
+    X(wall_rate)                     /* q [1/s] */                                                                     \
+    X(wall_linear)                   /* what is linear of w in l [m/s] */                                              \
+    X(wall_zx) X(wall_zy)            /* the part of z by moving walls */                                               \
+    X(brake)                         /* l [J/m] */                                                                     \
+    X(smooth)                        /* lambda */                                                                      \
+    X(weight)                        /* sum |G| [1/m] */                                                               \
+    X(kx) X(ky)                      /* A s */                                                                         \
+    X(rest) X(rest_x) X(rest_y)      /* two floats: lambda r over sum |G|; lambda rx k; lambda ry k */                 \
+    X(shift_x) X(shift_y)            /* way by shifting over the step [m] */                                            \
+    X(summed)                        /* density by summation, less density, over rest density */                       \
+    X(walled)                        /* the part of C that acts, 0 where none does */                                   \
+    X(slope_v) X(slope_w) X(slope_p) /* two floats: stretch and half of shear; dvy/dy and nothing; grad p */ \
+    X(velocity) X(next_velocity)     /* two floats [m/s] */                                                            \
+    X(press) X(press_more)           /* two floats: P B by xx, xy; by yy, and theta */                                 \
+    X(work)                          /* P [J/m] */                                                                     \
+    X(zx) X(zy) X(next_zx) X(next_zy) /* z [m/s] */                                                                    \
+    X(diffused)                      /* change of theta by diffusion over an acoustic step */                          \
+    X(damping)                       /* Z m c0 H [J s/m] */                                                            \
+    X(rate)                          /* D [1/s] */                                                                     \
+    X(stick_xx) X(stick_xy) X(stick_yy) X(stick_x) X(stick_y) /* K, k over m [1/s, m/s^2] */                           \
+    X(rub_x) X(rub_y) X(pull_x) X(pull_y) /* accelerations by smooth walls, by surface tension [m/s^2] */             \
+    X(mean_vx) X(mean_vy)            /* velocities that K takes, over the step, where walls stick [m/s] */             \
+    X(held)                          /* 1 in reservoirs of openings, whose velocity and theta are prescribed, else 0 */\
+    X(withheld_x) X(withheld_y)      /* the acceleration that they would have [m/s^2] */                               \
+    X(held_excess)                   /* their theta before it was prescribed anew */                                   \
+    X(px) X(py)                      /* where particles are now [m] */                                                 \
+    X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 P + l, and A sum (P_k - P_i) G_ik */                        \
+    X(across_x) X(across_y)          /* w; of images: 1 for the directions in which a side is between */               \
+    X(image_nx) X(image_ny)          /* the part of N by images */                                                     \
+    X(image_weight)                  /* and of sum |G| */                                                              \
+    X(wall_xx) X(wall_xy) X(wall_yy) /* Q */                                                                           \
+    X(front_nx) X(front_ny)          /* mean normal of walls that it is in front of */                                    \
+    X(front)                         /* its distance from their surface [m] */                                         \
+    X(front_weight)                  /* their sum of |G| [1/m] */                                                      \
+    X(front_speed)                   /* along their normal [m/s] */                                                    \
+    X(repelled) X(mean_repelled)     /* how its image in them repels it, now and over the step [N/m] */                \
+    X(push_x) X(push_y)              /* over the step: the acceleration by images [m/s^2] */
+/* clang-format on */
 
-/** c: from 0 for isolated particles to 1 for those connected to liquid, smooth, by `filling`. A pair of particles has a
- *  filling of 0.07 to 0.2, a row of the lattice 0.3, a corner of liquid 0.38 to 0.46. Filling is relative to the space
- *  outside walls: otherwise the last particles in the tip of a wedge would count as isolated. */
-static inline double sph2d__connection(double filling)
-{
-    const double isolated = 0.2, connected = 0.35;
-    double t = (filling - isolated) / (connected - isolated);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return t * t * (3 - 2 * t);
-}
+/** A body during a step: its motion, and the liquid's force on it in the mean over the step, so far. */
+typedef struct sph2d__frozen_body {
+    sph2d__twist velocity, change;      /**< now, and by the last acoustic step [m/s, rad/s] */
+    sph2d__twist way;                   /**< the mean of the step, so far [m/s, rad/s] */
+    sph2d__twist mean, before;          /**< by pressure, with the last acoustic step and without it [N/m, N] */
+    sph2d__twist rubbed, rubbed_before; /**< the same by the friction of liquid that sticks */
+    double rate2;                       /**< of its part of D over its mass [1/s^2] */
+    double brake;                       /**< the most that l slows it down by [1/s] */
+} sph2d__frozen_body;
 
-/** Finds the accelerations of bodies, of which there are some, and gives them to their boundary particles, whose pressures
- *  must then be found anew (wall_bodies.c). False when memory is short. */
-bool sph2d__wcsph_move_bodies(sph2d__system *system);
+typedef struct sph2d__frozen_row sph2d__frozen_row;
 
-/** Keeps D_b of the boundary particles of bodies until the next step: part of the state. */
-void sph2d__wcsph_keep_compression_rates(sph2d__system *system);
+/** Sites of a lattice on either side of a particle, in sums over a full one. */
+enum { SPH2D__LATTICE_REACH = 6 };
 
-/** Whether boundary particles of bodies are within the support radius of particle i of the fluid. */
-bool sph2d__wcsph_near_body(const sph2d__system *system, size_t i);
+/** Entries of s. */
+enum { SPH2D__FREE_PARTS = 64 };
+/** The flat sides of the domain that mirror the liquid; infinite where there are none. */
+typedef struct sph2d__sides {
+    double low_x, high_x, low_y, high_y;
+    uint64_t first; /**< id of the first boundary particle of a side: those of obstacles come before */
+} sph2d__sides;
 
-/** Part of the acceleration of boundary particle b, in a scene with bodies, that counts in its pressure: 1 for walls. */
-double sph2d__wcsph_felt_part(const sph2d__system *system, size_t b);
+/** What stands still over a step. */
+typedef struct sph2d__frozen {
+    sph2d__sides sides;
+    sph2d__store images; /**< of the liquid in the sides; id: IMAGE_SIDES times the particle, and the sides */
+    sph2d__cells image_cells;
+    size_t first_image; /**< where images stand behind the particles in all arrays */
+    uint32_t *imaged;   /**< of each slice: slots of pairs with images, the last of the fluid's */
+#define SPH2D__FROZEN_MEMBER(name) double *name;
+    SPH2D__FROZEN_ARRAYS(SPH2D__FROZEN_MEMBER)
+#undef SPH2D__FROZEN_MEMBER
+    double *part;         /**< of boundary particles: how much of them acts */
+    size_t walls;         /**< boundary particles */
+    size_t capacity;      /**< particles */
+    double *linear;       /**< of each pair: what is linear of w [m/s] and of theta_ij, two floats */
+    float *inverse;       /**< of each pair: 1/|G| [m] */
+    float *distance;      /**< of each pair: r [m] */
+    unsigned char *flags; /**< of each slice: SPH2D__FROZEN_WALLED, _BESIDE */
+    uint32_t *close;      /**< of each slice: slots of pairs that may come close, behind those with walls */
+    size_t pairs, slices;
+    double dt;                  /**< of an acoustic step [s] */
+    double apart;               /**< how far two particles of a close pair may be in the middle of the step [m] */
+    double share;               /**< of an acoustic step in means over the step */
+    double past;                /**< the part of the step that is over, in means */
+    bool sticks, rubs, pulls;   /**< some walls have no slip, are smooth; there is surface tension */
+    bool holds;                 /**< there are openings */
+    bool driven;                /**< external forces are not one that is the same everywhere and has a potential */
+    sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
+    sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
+    size_t row_count, row_capacity;
+    double left[SPH2D__FREE_PARTS + 1]; /**< s, by equal steps of K/Sigma from 0 on */
+    double nearness;                    /**< the last K/Sigma there: that of a place on a surface */
+    double first_row;                   /**< the part of the kernel that is beyond the first row of a lattice */
+} sph2d__frozen;
 
-/** A pair loop over a span of particles, compiled once for each instruction set, precision and kernel. */
+/* r0 over dx: nearer pairs repel each other. R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */
+static const double SPH2D__CLOSE = 0.5, SPH2D__REPULSION = 0.2;
+/* Rate at which what is not linear in velocities fades, over c0/dx. */
+static const double SPH2D__SMOOTHING = 0.1;
+
+/** Of a slice: one of its particles has walls' pressures by a gradient, or a neighbour that has. */
+enum { SPH2D__FROZEN_WALLED = 1, SPH2D__FROZEN_BESIDE = 2 };
+
+/** What stands still, compiled once for each instruction set. */
+typedef struct sph2d__wcsph_gather_pass {
+    size_t lanes;
+    /** Lists the neighbours of the fluid's slab k and sums over them; false when there was not room enough. */
+    bool (*gather[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t k);
+    /** What is linear in each pair of a span, once all sums are known. */
+    sph2d__span_work *compare;
+} sph2d__wcsph_gather_pass;
+
+/** The sweeps of an acoustic step. */
 typedef struct sph2d__wcsph_pass {
-    sph2d__span_work *by_kernel[SPH2D_KERNEL_COUNT];
+    /** A kick by the forces; sums up the work of dissipation, of friction, of forces on particles that are held, and of
+     *  driving forces [J/m], and the external force [N/m]. */
+    void (*force)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    /** Rates of density, which act over `before` and, once density has diffused, over `after` [s], as velocities do; then
+     *  pressures. Sums up what damping takes and the elastic energy that diffused [J/m], D^2 [1/s^2], and
+     *  the elastic energy that particles that are held would get [J/m]. */
+    void (*rate)(sph2d__system *system, size_t first, size_t last, double before, double after, sph2d__slab_sum *sum);
 } sph2d__wcsph_pass;
 
-/** Sets density_rate, filling, strain, shift and surface_distance of the fluid, from positions, velocities, densities,
- *  volumes and gradients. */
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_rate, )
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_rate, _mixed)
-/** Sets wall_rate of the boundary particles, from the fluid. */
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall_rate, )
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall_rate, _mixed)
-/** Sets pressure, density and volume of the boundary particles, and the image velocity of rough ones. */
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, )
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_wall, _mixed)
-/** Sets acceleration, gradient of density, min_eigenvalue, packing and concentration gradient of the fluid, from
- *  densities, pressures and volumes. */
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, )
-SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph_force, _mixed)
+SPH2D__COPIES(sph2d__wcsph_gather_pass, sph2d__wcsph_gather)
+SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph)
+
+/** Makes room for the fluid's particles and their neighbours, lists them and sets what stands still. The cells are up to
+ *  date. False when memory is short. */
+bool sph2d__frozen_gather(sph2d__system *system, const sph2d__sides *sides);
+/** Sets how much of each boundary particle acts (wcsph_images.c), when walls have moved. */
+void sph2d__wall_parts_find(sph2d__system *system);
+/** Lists the images in sides, and in corners those in both, and makes room for them behind the particles in all arrays:
+ *  sweeps then read them as particles. In the particles' order, so that sums always have the same one. False when memory
+ *  is short. */
+bool sph2d__images_place(sph2d__system *system);
+/** Puts them there, as they are before neighbours are searched. */
+void sph2d__images_start(sph2d__system *system);
+/** The particle that image k is of. */
+size_t sph2d__image_of(const sph2d__frozen *frozen, size_t k);
+/** Images become what particles are: before a sweep reads them. */
+void sph2d__images_of_slopes(sph2d__system *system);
+void sph2d__images_of_velocity(sph2d__system *system);
+void sph2d__images_of_pressure(sph2d__system *system);
+void sph2d__frozen_free(sph2d__system *system);
+
+/** Viscosities, friction of walls and surface tension (wcsph_friction.c), once neighbours are known. False when memory
+ *  is short. */
+bool sph2d__frozen_rub(sph2d__system *system);
+
+/** What boundary particle b adds to K and k over m of particle i, with the gradient and the distance of their pair. */
+typedef struct sph2d__frozen_stick {
+    double xx, xy, yy, x, y;
+} sph2d__frozen_stick;
+sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i, size_t b, const float gradient[2],
+                                           const float apart[2]);
+
+/** Bodies in acoustic steps (wcsph_bodies.c): sets their rows and velocities, once the liquid's are gathered. False
+ *  when memory is short. */
+bool sph2d__frozen_bodies_gather(sph2d__system *system);
+/** Root of the largest eigenvalue, or more, of a body's part of acoustic oscillations, or the rate of its l [1/s]: acoustic steps are at most
+ *  one over it, half the limit of a leapfrog. */
+double sph2d__frozen_bodies_rate(sph2d__system *system);
+/** Their velocities by an acoustic step, whose sweep of the forces has been, and what follows for the next rates of density.
+ *  `done` is the part of the step that is over with it, `friction` becomes the work of friction on bodies. Returns what l
+ *  does less on them than at their velocities before [J/m]. */
+double sph2d__frozen_bodies_kick(sph2d__system *system, double done, double *friction);
+void sph2d__frozen_bodies_free(sph2d__system *system);
+
+/** The time scheme (advance.c): method.h. */
+sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);
+
+/** The acoustic steps in a step of length dt. */
+size_t sph2d__acoustic_steps(const sph2d__system *system, double dt);
 
 #endif

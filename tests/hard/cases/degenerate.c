@@ -104,7 +104,8 @@ static void walls(outcome *o)
         bounce(o, "spring");
     if (o->method != WCSPH)
         bounce(o, "heavy");
-    bounce(o, "reflect");
+    if (o->method != WCSPH)
+        bounce(o, "reflect");
     if (o->method != MULLER)
         bounce(o, "generalised");
 }

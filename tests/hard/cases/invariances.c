@@ -6,10 +6,6 @@
 
 #include "cases.h"
 
-/* Viscosity is 0 where it is left out, and everything else that takes energy. */
-static const char conservative[] = "sound_speed: 20, density_diffusion: 0, shifting: 0, tensile_control: off, "
-                                   "turbulence: none";
-
 enum { SIDE = 20, COUNT = SIDE * SIDE };
 
 static const double dx = 0.05;
@@ -35,7 +31,7 @@ static momenta momenta_of(const sph2d_sim *sim)
 }
 
 /** A square of liquid with random velocities, alone in the world. */
-static void random_cloud(outcome *o, const char *options, const char *which, bool judged)
+static void random_cloud(outcome *o, const char *options, const char *which)
 {
     stage s;
     uint64_t seed = 7;
@@ -57,8 +53,8 @@ static void random_cloud(outcome *o, const char *options, const char *which, boo
             tell_of(o, "stopped by a guard", which, 1, 0);
         const momenta end = momenta_of(s.sim);
         // Viscous forces of muller are not along the line between two particles.
-        const double bound = judged ? 1 : (double)NAN, turn = o->method == MULLER ? (double)NAN : bound;
-        tell_of(o, "momentum", which, hypot(end.x - start.x, end.y - start.y) / start.size, 1e-12 * bound);
+        const double turn = o->method == MULLER ? (double)NAN : 1;
+        tell_of(o, "momentum", which, hypot(end.x - start.x, end.y - start.y) / start.size, 1e-12);
         tell_of(o, "angular momentum", which, fabs(end.angular - start.angular) / start.angular_size, 1e-10 * turn);
         stage_close(&s);
     }
@@ -67,9 +63,7 @@ static void random_cloud(outcome *o, const char *options, const char *which, boo
 
 static void momentum(outcome *o)
 {
-    if (o->method == WCSPH)
-        random_cloud(o, "sound_speed: 10, shifting: 0, tensile_control: off", "shifting and tensile control off", true);
-    random_cloud(o, "sound_speed: 10", "defaults", o->method != WCSPH);
+    random_cloud(o, "sound_speed: 10", "defaults");
 }
 
 // ---- the flow of B2 to B4, B7 ---------------------------------------------------------------------------------------
@@ -196,7 +190,7 @@ static void compare(outcome *o, const char *measure, frame f, const char *option
 static void boosted(outcome *o)
 {
     const bool solves = o->method == PCISPH || o->method == CONSTRAINT;
-    if (o->method == WCSPH || o->method == FITTED)
+    if (o->method == FITTED)
         compare(o, "apart / m, shifting 0", (frame){.boost = 10}, "sound_speed: 20, shifting: 0", 500, 1e-9);
     compare(o, "apart / m", (frame){.boost = 10}, "sound_speed: 20", 500, solves ? 1e-3 : 1e-9);
 }
@@ -212,86 +206,6 @@ static void turned(outcome *o)
 static void shuffled(outcome *o)
 {
     compare(o, "apart / m", (frame){.shuffled = true}, "sound_speed: 20", 100, 1e-12);
-}
-
-// ---- B5, B6 ---------------------------------------------------------------------------------------------------------
-
-/** Liquid without viscosity in a periodic box of 1 m, with waves of 0.01 c0 in it. */
-static bool open_gas(stage *s, outcome *o, const char *options, sph2d_particle *p)
-{
-    char all[200];
-    snprintf(all, sizeof all, "%s, %s", conservative, options);
-    if (!stage_read(s, o, all,
-                    "domain: {min: [0, 0], max: [1, 1]}\n"
-                    "boundary: {left: periodic, right: periodic, bottom: periodic, top: periodic}\n"
-                    "gravity: [0, 0]\nspacing: %g\nfluid: {density: 1000, dynamic_viscosity: 0}\n"
-                    "particles: those.csv\n",
-                    dx))
-        return false;
-    stage_put(s, p, COUNT);
-    return stage_start(s, o);
-}
-
-static sph2d_particle *gas(void)
-{
-    sph2d_particle *p = lattice(SIDE, SIDE, dx, (sph2d_vec2){0, 0});
-    for (int i = 0; i < COUNT; ++i) {
-        const double k = 2 * CASE_PI;
-        p[i].vx = 0.2 * (sin(k * p[i].x) + 0.5 * cos(2 * k * p[i].y));
-        p[i].vy = 0.2 * (cos(k * p[i].y) + 0.5 * sin(k * (p[i].x + p[i].y)));
-    }
-    return p;
-}
-
-static void frictionless(outcome *o)
-{
-    stage s;
-    sph2d_particle *p = gas();
-    enum { TENTHS = 10, STEPS = 100000 };
-    if (open_gas(&s, o, "time_step: 1.875e-3", p)) { // c0 dt/H 0.25
-        const sph2d_summary start = sph2d_sim_summary(s.sim);
-        const double e0 = start.kinetic + start.elastic;
-        double mean[TENTHS] = {0}, worst = 0;
-        for (int k = 0; k < STEPS && stage_steps(&s, 1); ++k) {
-            const sph2d_summary now = sph2d_sim_summary(s.sim);
-            const double e = (now.kinetic + now.elastic) / e0 - 1;
-            worst = fmax(worst, fabs(e));
-            mean[k / (STEPS / TENTHS)] += e * TENTHS / STEPS;
-        }
-        tell(o, "stopped by a guard", s.status != SPH2D_OK, 0);
-        tell(o, "energy / E0 - 1 at most", worst, 1e-4);
-        tell(o, "drift of its mean from the first tenth to the last", fabs(mean[TENTHS - 1] - mean[0]), 1e-4);
-        stage_close(&s);
-    }
-    free(p);
-}
-
-static void reversed(outcome *o)
-{
-    stage there, back;
-    sph2d_particle *p = gas(), *q = gas();
-    if (open_gas(&there, o, "time_step: 2e-4", p)) {
-        stage_steps(&there, 1000);
-        cloud c = cloud_of(there.sim);
-        for (size_t i = 0; i < COUNT; ++i)
-            q[i] = (sph2d_particle){c.x[i], c.y[i], -c.vx[i], -c.vy[i], c.density[i]};
-        cloud_free(&c);
-        stage_close(&there);
-        if (open_gas(&back, o, "time_step: 2e-4", q)) {
-            stage_steps(&back, 1000);
-            c = cloud_of(back.sim);
-            double most = 0;
-            for (size_t i = 0; i < COUNT; ++i) {
-                const double x = c.x[i] - p[i].x, y = c.y[i] - p[i].y;
-                most = fmax(most, hypot(x - round(x), y - round(y)));
-            }
-            tell(o, "off its start / dx", most / dx, 1e-6);
-            cloud_free(&c);
-            stage_close(&back);
-        }
-    }
-    free(p);
-    free(q);
 }
 
 // ---- B7 -------------------------------------------------------------------------------------------------------------
@@ -310,8 +224,6 @@ static double order_of(outcome *o, const char *options)
 /** The order of the time scheme; what is done once per step, as shifting, or by a time of some steps is of the first. */
 static void halved(outcome *o)
 {
-    if (o->method == WCSPH)
-        tell(o, "1.8 less order of the scheme", 1.8 - order_of(o, conservative), 0);
     if (o->method == FITTED)
         tell(o, "1.8 less order of the scheme", 1.8 - order_of(o, "sound_speed: 20, shifting: 0"), 0);
     if (o->method == MULLER)
@@ -332,9 +244,6 @@ static const hard_case items[] = {
      BY_ALL, 0.2, turned},
     {"B4", "the particles in another order", "the same to 1e-12 m after 100 steps, or as a disturbance of 1e-15 m",
      BY_ALL, 0.5, shuffled},
-    {"B5", "waves without any dissipation, c0 dt/H 0.25, 1e5 steps", "energy to 1e-4, without a slope", BY_WCSPH, 12,
-     frictionless},
-    {"B6", "1000 steps, velocities reversed, 1000 steps", "back to 1e-6 dx", BY_WCSPH, 0.6, reversed},
     {"B7", "the step halved twice", "order 1.8; by solvers, whose damping takes steps, 0.9", BY_ALL, 4, halved},
 };
 const case_list invariance_cases = {items, sizeof items / sizeof *items};

@@ -288,9 +288,7 @@ static bool change_step(stage *s, double dt)
 static void jumps(outcome *o)
 {
     stage s;
-    const char *options = o->method == WCSPH ? "sound_speed: 20, time_step: 1e-3, density_diffusion: 0, shifting: 0, "
-                                               "tensile_control: off, turbulence: none"
-                                             : "sound_speed: 20, time_step: 1e-3";
+    const char *options = "sound_speed: 20, time_step: 1e-3";
     if (!stage_read(&s, o, options,
                     "domain: {min: [0, 0], max: [1, 1]}\nspacing: 0.05\ngravity: [0, 0]\n"
                     "boundary: {left: periodic, right: periodic, bottom: periodic, top: periodic}\n"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_gather_pass.c
+/** @file wcsph_gather_pass.c
  *  Finds the neighbours of method `wcsph` with variational operators, and sums what stands still over a step. Compiled
  *  once for each instruction set, named by SPH2D__ISA, and in it once for each kernel. Every lane is a particle. */
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "kernels/kernel.h"
 #include "methods/common/shortest.h"
 #include "methods/common/slices.h"
-#include "methods/variational/variational_pair.h"
+#include "methods/wcsph/wcsph_pair.h"
 
 /** A symmetric matrix. */
 typedef struct symmetric {
@@ -180,27 +180,77 @@ typedef struct symmetric_lanes {
     sph2d__lanes xx, xy, yy;
 } symmetric_lanes;
 
-/** Q of the walls in slots from k on. */
-SPH2D__INLINE symmetric_lanes directions_of(const sph2d__system *s, size_t k, uint32_t slots)
+/** Q of the walls in slots from k on. In inner corners walls also press across the largest eigenvalue's direction, as far as
+ *  liquid presses against them: of the far wall of a corner a particle sees little, so that by normals alone it had a small
+ *  part of its force on liquid at rest, and what is in the corner bore the rest, up to 3.7 rho g H. A corner is an inner one
+ *  where the surface of walls goes back where their normals go on. Around edges walls press along the sum of their
+ *  gradients, of which what is along t is no more than liquid presses against: by normals alone liquid around the edge,
+ *  which they do not balance, drew particles along the faces with all of its pressure, into a tank through an opening in
+ *  its side, and a body floated half a spacing too high. Across that sum they have no force, since liquid that slides
+ *  along a face would be held. */
+SPH2D__INLINE symmetric_lanes directions_of(const sph2d__system *s, size_t first, size_t k, uint32_t slots)
 {
     const sph2d__neighbours *n = &s->neighbours;
-    const sph2d__lanes none = {0};
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__sides *d = &z->sides;
+    const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
     symmetric_lanes q = {0};
+    sph2d__lanes wx = {0}, wy = {0}, weight = {0}, nx_mean = {0}, ny_mean = {0}, x = {0}, y = {0}, bend = {0};
     for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
         const sph2d__float2 g = sph2d__float2_load(n->gradient + k);
         const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g);
         const sph2d__lanes size = sph2d__lanes_sqrt(gx * gx + gy * gy);
         const sph2d__lanes nx = sph2d__lanes_gather(s->walls.normal_x, n->index + k),
                            ny = sph2d__lanes_gather(s->walls.normal_y, n->index + k);
-        const sph2d__lanes blunt = size * sph2d__lanes_where(0.5 - nx * nx - ny * ny, none, sph2d__lanes_all(1));
+        const sph2d__lanes blunt = size * sph2d__lanes_where(0.5 - nx * nx - ny * ny, none, one);
         q.xx += size * nx * nx + blunt;
         q.xy += size * nx * ny;
         q.yy += size * ny * ny + blunt;
+        wx += gx;
+        wy += gy;
+        const sph2d__float2 r = sph2d__float2_load(z->linear + k);
+        const sph2d__lanes depth = sph2d__lanes_gather(s->walls.depth, n->index + k);
+        const sph2d__lanes ox = sph2d__lanes_where(size, none, depth * nx - sph2d__float2_x(r)),
+                           oy = sph2d__lanes_where(size, none, depth * ny - sph2d__float2_y(r));
+        /* beyond a side they stand for the image of an obstacle, which their normals are not those of */
+        const sph2d__lanes bx = sph2d__lanes_gather(s->walls.x, n->index + k),
+                           by = sph2d__lanes_gather(s->walls.y, n->index + k);
+        sph2d__lanes in = sph2d__lanes_where(bx, sph2d__lanes_all(d->low_x), size);
+        in = sph2d__lanes_where(sph2d__lanes_all(d->high_x), bx, in);
+        in = sph2d__lanes_where(by, sph2d__lanes_all(d->low_y), in);
+        in = sph2d__lanes_where(sph2d__lanes_all(d->high_y), by, in);
+        weight += in;
+        nx_mean += in * nx;
+        ny_mean += in * ny;
+        x += in * ox;
+        y += in * oy;
+        bend += in * (nx * ox + ny * oy);
     }
-    const sph2d__lanes half = 0.5 * (q.xx - q.yy);
-    const sph2d__lanes largest = 0.5 * (q.xx + q.yy) + sph2d__lanes_sqrt(half * half + q.xy * q.xy);
-    const sph2d__lanes unit = sph2d__lanes_where(largest, none, 1 / largest);
-    return (symmetric_lanes){unit * q.xx, unit * q.xy, unit * q.yy};
+    const sph2d__lanes half = 0.5 * (q.xx - q.yy), mean = 0.5 * (q.xx + q.yy);
+    const sph2d__lanes root = sph2d__lanes_sqrt(half * half + q.xy * q.xy), largest = mean + root;
+    const sph2d__lanes unit = sph2d__lanes_where(largest, none, 1 / largest),
+                       apart = sph2d__lanes_where(root, none, 0.5 / root);
+    /* t t^T, with t across the direction of the largest eigenvalue */
+    const symmetric_lanes t = {0.5 - apart * half, -apart * q.xy, 0.5 + apart * half};
+    const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + first), bxy = sph2d__lanes_load(z->bxy + first),
+                       byy = sph2d__lanes_load(z->byy + first);
+    const sph2d__lanes lx = sph2d__lanes_load(z->nx + first), ly = sph2d__lanes_load(z->ny + first);
+    const sph2d__lanes ax = bxx * wx + bxy * wy, ay = bxy * wx + byy * wy;
+    const sph2d__lanes px = bxx * lx + bxy * ly, py = bxy * lx + byy * ly;
+    const sph2d__lanes walls = t.xx * ax * ax + 2 * t.xy * ax * ay + t.yy * ay * ay;
+    const sph2d__lanes liquid = -(t.xx * ax * px + t.xy * (ax * py + ay * px) + t.yy * ay * py);
+    const sph2d__lanes balanced = sph2d__lanes_where(
+        walls, none, sph2d__lanes_max(sph2d__lanes_min(liquid / walls, one), none)); /* of what walls have along t */
+    const sph2d__lanes inner = sph2d__lanes_where(nx_mean * x + ny_mean * y, bend * weight, one);
+    /* not more than those have whose normals are that way: flat walls and slits have none */
+    const sph2d__lanes most = sph2d__lanes_where(walls, none, (mean - root) / sph2d__lanes_sqrt(walls));
+    const sph2d__lanes more = inner * sph2d__lanes_max(sph2d__lanes_min(balanced, most) - unit * (mean - root), none);
+    const sph2d__lanes ex = wx - (one - balanced) * (t.xx * wx + t.xy * wy),
+                       ey = wy - (one - balanced) * (t.xy * wx + t.yy * wy);
+    const sph2d__lanes e2 = ex * ex + ey * ey, edge = (one - inner) * sph2d__lanes_where(e2, none, 1 / e2);
+    return (symmetric_lanes){inner * unit * q.xx + more * t.xx + edge * ex * ex,
+                             inner * unit * q.xy + more * t.xy + edge * ex * ey,
+                             inner * unit * q.yy + more * t.yy + edge * ey * ey};
 }
 
 /** Finds the walls that particles are in front of. */
@@ -247,7 +297,7 @@ SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2
     sph2d__lanes sx = {0}, sy = {0}, rate = {0}, tx = {0}, ty = {0}, away = {0}, weight = {0};
     size_t k = at->begin + (size_t)at->fluid * SPH2D__LANES;
     find_front(s, first, k, at->walls);
-    const symmetric_lanes q = directions_of(s, k, at->walls);
+    const symmetric_lanes q = directions_of(s, first, k, at->walls);
     sph2d__lanes_store(z->wall_xx + first, q.xx);
     sph2d__lanes_store(z->wall_xy + first, q.xy);
     sph2d__lanes_store(z->wall_yy + first, q.yy);
@@ -300,8 +350,8 @@ static double left_by_surface(const sph2d__frozen *z, double near)
  * them there are too few neighbours. */
 static const double LEAST_BOTH = 0.5, LEAST_FLUID = 0.1, LEAST_CONTINUED = 0.15;
 /* det F from which on, and up to which, dissipation sets in that vanishes for linear fields: none beside walls and at
- * surfaces. */
-static const double SMOOTH_FROM = 0.4, SMOOTH_TO = 0.9;
+ * surfaces, where it would slow down a body that floats. From 0.8 on walls keep twice the noise at rest. */
+static const double SMOOTH_FROM = 0.6, SMOOTH_TO = 1;
 
 /** What the neighbours say of density that is not so, over rest density: their sum is `sum` over that of a lattice, of
  *  which `filled` is the walls', and a surface leaves `left`; det is that of M. */
@@ -536,5 +586,5 @@ static void compare(sph2d__system *s, size_t first, size_t last)
 SPH2D_KERNEL_MAP(FOR_KERNEL)
 
 #define ENTRY(name, word) [SPH2D_KERNEL_##name] = gather_##word,
-const sph2d__variational_gather_pass SPH2D__OF_ISA(sph2d__variational_gather) = {
+const sph2d__wcsph_gather_pass SPH2D__OF_ISA(sph2d__wcsph_gather) = {
     .lanes = SPH2D__LANES, .gather = {SPH2D_KERNEL_MAP(ENTRY)}, .compare = compare};

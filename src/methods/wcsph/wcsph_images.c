@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_images.c
- *  Sides of the domain that mirror the liquid (variational.h): images of what is near them, behind the particles in all
+/** @file wcsph_images.c
+ *  Sides of the domain that mirror the liquid (wcsph.h): images of what is near them, behind the particles in all
  *  arrays, and what is left of boundary particles there. */
 #include <math.h>
 #include <string.h>
 
 #include "kernels/kernel.h"
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 
 /* ---- sides ------------------------------------------------------------------------------------------------------- */
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_pair.h
- *  The pair terms of variational.h. No loops; every lane is a particle with a neighbour of its own. */
-#ifndef SPH2D_METHODS_VARIATIONAL_VARIATIONAL_PAIR_H
-#define SPH2D_METHODS_VARIATIONAL_VARIATIONAL_PAIR_H
+/** @file wcsph_pair.h
+ *  The pair terms of wcsph.h. No loops; every lane is a particle with a neighbour of its own. */
+#ifndef SPH2D_METHODS_WCSPH_WCSPH_PAIR_H
+#define SPH2D_METHODS_WCSPH_WCSPH_PAIR_H
 
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 #include "simd/lanes.h"
 
 /* Factor of the limiter of dissipation (Zhang, Hu & Adams 2017). */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_pass.c
+/** @file wcsph_pass.c
  *  The sweeps of an acoustic step over pairs that stand still. Compiled once for each instruction set, named by
  *  SPH2D__ISA. Every lane is a particle. */
 #include "methods/common/shortest.h"
-#include "methods/variational/variational_pair.h"
+#include "methods/wcsph/wcsph_pair.h"
 
 /** Sums of a force over the pairs of a slice. */
 typedef struct force_sums {
@@ -52,7 +52,7 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first, force_
             sph2d__lanes rate = w * sph2d__lanes_of_floats(z->distance + k);
             if (s->viscosities) {
                 const sph2d__lanes mu = sph2d__lanes_gather(s->viscosities, j);
-                rate = rate * (2 * mu * own_mu / (mu + own_mu));
+                rate = rate * sph2d__lanes_where(mu + own_mu, (sph2d__lanes){0}, 2 * mu * own_mu / (mu + own_mu));
             }
             sum.vx += rate * gx;
             sum.vy += rate * gy;
@@ -148,7 +148,7 @@ SPH2D__INLINE sph2d__lanes add_walls(const sph2d__system *s, size_t i, const for
 }
 
 /** By how much its image in the walls before it repels a particle, along their normal: as a close particle there does, but
- *  not more than stops it. What is before it changes from step to step at edges, so that such a force has no potential: it
+ *  not more than stops it, and less where walls are less than the liquid around it. What is before it changes from step to step at edges, so that such a force has no potential: it
  *  gave a splash on two bent sheets 11 % of its energy. */
 SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n)
 {
@@ -160,7 +160,10 @@ SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n)
     const sph2d__lanes t = sph2d__lanes_max(1 - unit * apart, (sph2d__lanes){0});
     const sph2d__lanes away = dot(load(s->fluid.vx, s->fluid.vy, i), n) - sph2d__lanes_load(z->front_speed + i);
     const sph2d__lanes stop = s->mass / z->dt * sph2d__lanes_max(-away, (sph2d__lanes){0});
-    const sph2d__lanes push = sph2d__lanes_min(s->mass * c * c * SPH2D__REPULSION / s->spacing * t * t, stop);
+    const sph2d__lanes weight = sph2d__lanes_load(z->weight + i), front = sph2d__lanes_load(z->front_weight + i);
+    const sph2d__lanes share = sph2d__lanes_where(weight, front, front / weight) +
+                               (sph2d__lanes_all(1) - sph2d__lanes_where(weight, front, sph2d__lanes_all(1)));
+    const sph2d__lanes push = share * sph2d__lanes_min(s->mass * c * c * SPH2D__REPULSION / s->spacing * t * t, stop);
     sph2d__lanes_store(z->repelled + i, push);
     sph2d__lanes_store(z->mean_repelled + i, sph2d__lanes_load(z->mean_repelled + i) + z->share * push);
     return push;
@@ -228,6 +231,8 @@ SPH2D__INLINE void hold(const sph2d__system *s, size_t i, size_t last, vectors v
 {
     const sph2d__lanes held = sph2d__lanes_load(s->frozen->held + i);
     add_lanes(&sum->third, s->mass * s->frozen->dt * held * dot(v, *a), i, last);
+    sph2d__lanes_store(s->frozen->withheld_x + i, held * a->x);
+    sph2d__lanes_store(s->frozen->withheld_y + i, held * a->y);
     *a = (vectors){(1 - held) * a->x, (1 - held) * a->y};
 }
 
@@ -390,7 +395,10 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
     if (z->holds) {
         const sph2d__lanes held = sph2d__lanes_load(z->held + i);
-        add_lanes(&sum->fourth, stiffness * held * sph2d__lanes_load(t->excess + i) * (drift * rate + change), i, last);
+        const sph2d__lanes now = sph2d__lanes_load(t->excess + i), old = sph2d__lanes_load(z->held_excess + i);
+        add_lanes(&sum->fourth, stiffness * held * (rate * (time.before * old + time.after * now) + change * now), i,
+                  last);
+        sph2d__lanes_store(z->held_excess + i, now);
         rate = (1 - held) * rate;
         change = (1 - held) * change;
     }
@@ -421,4 +429,4 @@ static void rate(sph2d__system *s, size_t first, size_t last, double before, dou
     *to = sum;
 }
 
-const sph2d__variational_pass SPH2D__OF_ISA(sph2d__variational) = {.force = force, .rate = rate};
+const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph) = {.force = force, .rate = rate};

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_friction.c
+/** @file wcsph_friction.c
  *  Forces on the liquid that stand still over a step, or are linear in its velocity, and its viscosity: friction of walls,
  *  surface tension, rheology.
  *
  *  Liquid sticks to walls without slip as if the walls went on with its own velocity, so that it is theirs at the surface
- *  (terms/stick.h): the viscous forces of variational.h with w times 1 + d_b/d_i, in all -K_i v_i + k_i. An acoustic step
+ *  (terms/stick.h): the viscous forces of wcsph.h with w times 1 + d_b/d_i, in all -K_i v_i + k_i. An acoustic step
  *  takes K_i of the velocity at its end, so that it is stable however near the liquid is. */
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #include "methods/terms/rheology.h"
 #include "methods/terms/stick.h"
 #include "methods/terms/tension.h"
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 
 sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *s, size_t i, size_t b, const float g[2],
                                            const float apart[2])

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 #include "sim/stages.h"
 
 /** Puts the particles where they will be in the middle of the step; next_x and next_y keep where they were. */
@@ -103,15 +103,23 @@ static void relax(sph2d_sim *sim, double dt, double paid)
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
+/** What neighbours see of a particle's velocity. */
+static void start_motion(sph2d__system *s, size_t i)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__store *f = &s->fluid;
+    const float v[2] = {(float)f->vx[i], (float)f->vy[i]};
+    memcpy(z->velocity + i, v, sizeof v);
+    z->zx[i] = z->cxx[i] * f->vx[i] + z->cyx[i] * f->vy[i] + z->wall_zx[i];
+    z->zy[i] = z->cxy[i] * f->vx[i] + z->cyy[i] * f->vy[i] + z->wall_zy[i];
+}
+
 static void start_slab(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i) {
-        float v[2] = {(float)f->vx[i], (float)f->vy[i]};
-        memcpy(z->velocity + i, v, sizeof v);
-        z->zx[i] = z->cxx[i] * f->vx[i] + z->cyx[i] * f->vy[i] + z->wall_zx[i];
-        z->zy[i] = z->cxy[i] * f->vx[i] + z->cyy[i] * f->vy[i] + z->wall_zy[i];
+        start_motion(s, i);
         z->next_zx[i] = z->next_zy[i] = z->diffused[i] = 0; /* where no wall is they stay so */
         z->px[i] = f->next_x[i];
         z->py[i] = f->next_y[i];
@@ -126,13 +134,13 @@ typedef struct times {
 static void rate_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const times *t = with;
-    sph2d__variational_find(s->isa)->rate(s, slab->first, slab->last, t->before, t->after, sum);
+    sph2d__wcsph_find(s->isa)->rate(s, slab->first, slab->last, t->before, t->after, sum);
 }
 
 static void force_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    sph2d__variational_find(s->isa)->force(s, slab->first, slab->last, sum);
+    sph2d__wcsph_find(s->isa)->force(s, slab->first, slab->last, sum);
 }
 
 static void swap(double **a, double **b)
@@ -174,8 +182,8 @@ static void meet_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const double energy = close_energy(s, i);
-        sum->first += energy - s->fluid.slide[i];
-        s->fluid.slide[i] = energy;
+        sum->first += energy - s->fluid.repulsion[i];
+        s->fluid.repulsion[i] = energy;
     }
 }
 
@@ -216,6 +224,35 @@ static size_t acoustic_steps(sph2d__system *s, double dt)
     return (size_t)fmax(liquid, s->rigid_count > 0 ? ceil(dt * sph2d__frozen_bodies_rate(s)) : 0);
 }
 
+/** Power of what is withheld from particles in reservoirs [W/m]: the half of an acoustic step after a kick has their next
+ *  velocities. */
+static double withheld_power(const sph2d__system *s)
+{
+    const sph2d__frozen *z = s->frozen;
+    double sum = 0;
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        sum += z->withheld_x[i] * s->fluid.vx[i] + z->withheld_y[i] * s->fluid.vy[i];
+    return s->mass * sum;
+}
+
+/** Sets particles in reservoirs to what openings prescribe by the liquid before them now. Once a step would be too late: a
+ *  row of particles before a reservoir answers in 1/(N B c0), a third of a step, and swings ever more. */
+static void impose(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__frozen *z = s->frozen;
+    if (!z->holds)
+        return;
+    const double before = withheld_power(s);
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        s->fluid.density[i] = s->rest_density * sph2d__density_ratio(s->fluid.excess[i]);
+    sph2d__openings_impose(sim);
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        if (z->held[i] > 0)
+            start_motion(s, i);
+    sim->record.energy_fed -= z->dt / 2 * (withheld_power(s) - before);
+}
+
 /** The acoustic steps. */
 static void sound(sph2d_sim *sim, double dt)
 {
@@ -250,6 +287,8 @@ static void sound(sph2d_sim *sim, double dt)
         swap(&z->velocity, &z->next_velocity);
         swap(&z->zx, &z->next_zx);
         swap(&z->zy, &z->next_zy);
+        if (k < steps)
+            impose(sim);
         sph2d__images_of_velocity(s);
         rates = sph2d__over_fluid(s, rate_slab, &(times){half, k < steps ? half : 0});
         sph2d__images_of_pressure(s);
@@ -269,6 +308,7 @@ static void hold(sph2d_sim *sim)
     z->holds = sim->openings.count > 0;
     for (size_t i = 0; z->holds && i < f->count; ++i) {
         z->held[i] = sph2d__opening_at(sim, f->x[i], f->y[i]) != NULL;
+        z->held_excess[i] = f->excess[i];
         if (z->held[i] > 0)
             z->summed[i] = z->shift_x[i] = z->shift_y[i] = 0;
     }
@@ -303,7 +343,7 @@ static sph2d__sides mirrors_of(const sph2d_sim *sim)
                                                    : 0};
 }
 
-sph2d_status sph2d__variational_step(sph2d_sim *sim, double dt)
+sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     const double start = sim->record.time, middle = start + dt / 2, end = start + dt;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_frozen.c
+/** @file wcsph_frozen.c
  *  What stands still over a step of method `wcsph` with variational operators: its memory, and how it is set. */
 #include <math.h>
 #include <string.h>
 
 #include "kernels/kernel.h"
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 
 /* Lattice sites on either side of a particle. */
 enum { REACH = SPH2D__LATTICE_REACH };
@@ -194,7 +194,7 @@ static const double MARGIN = 1.5;
 static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    sum->most = !sph2d__variational_gather_find(s->isa)->gather[s->method.kernel](s, slab->first / SPH2D__SLAB);
+    sum->most = !sph2d__wcsph_gather_find(s->isa)->gather[s->method.kernel](s, slab->first / SPH2D__SLAB);
 }
 
 /* The most that Z is. */
@@ -235,7 +235,7 @@ static void bound_some(sph2d__system *s, size_t first, size_t last)
 
 bool sph2d__frozen_gather(sph2d__system *s, const sph2d__sides *sides)
 {
-    const sph2d__variational_gather_pass *pass = sph2d__variational_gather_find(s->isa);
+    const sph2d__wcsph_gather_pass *pass = sph2d__wcsph_gather_find(s->isa);
     const double ratio = s->support / s->spacing;
     size_t each = (size_t)(2 * SPH2D__PI * ratio * ratio) + 8; /* with walls, and half as many again for disorder */
     if (!reserve_walls(s, sides) || !sph2d__images_place(s))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/** @file variational_bodies.c
+/** @file wcsph_bodies.c
  *  Bodies that the liquid moves, in acoustic steps. A velocity w = (U, V, Omega) of a body changes D_i of the liquid beside
  *  it, and the force on the body is the transpose of that. With v_b = w_d u_b, u_b = (1, 0), (0, 1), (-arm_y, arm_x), and
  *  a_ib = B_i G_ib,
@@ -7,13 +7,13 @@
  *      s_id = sum_b u_b . Q_i a_ib,  t_id = sum_b (u_b . a_ib) r_ib
  *      D_i -= 2 w_d s_id;  z_i -= A_i w_d t_id;  F_d = sum_i ((2 P_i + l_i) s_id - e_i . t_id)
  *
- *  where e_i = A_i sum_k (P_k - P_i) G_ik. Where liquid sticks, with K_ib and k_ib (variational_friction.c), these are its
+ *  where e_i = A_i sum_k (P_k - P_i) G_ik. Where liquid sticks, with K_ib and k_ib (wcsph_friction.c), these are its
  *  forces on the liquid; that on the body, minus their sum, takes the body's velocity as it is at the step's start. So a
  *  body takes part in what acoustic steps keep, with its own mass, however light it is: they are as short as D's row of a
  *  body over that mass asks for. */
 #include <string.h>
 
-#include "methods/variational/variational.h"
+#include "methods/wcsph/wcsph.h"
 
 /** A pair of a particle with a body. */
 struct sph2d__frozen_row {
