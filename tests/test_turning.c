@@ -119,7 +119,7 @@ START_TEST(a_hollow_obstacle_holds_water)
     sph2d_sim *sim = test_create(&scene, NULL);
     size_t count = sim->system.fluid.count;
     double impulse = 0, time = 0;
-    while (time < 1) {
+    while (time < (_i == 2 ? 3 : 1)) { /* in the bowl it still sloshes after 1 s */
         test_steps(sim, 1);
         ck_assert(sph2d_sim_probe(sim, 0, values));
         impulse += values[1] * (sph2d_sim_time(sim) - time); /* the mean over the step */
@@ -132,7 +132,7 @@ START_TEST(a_hollow_obstacle_holds_water)
     double weight = 9.81 * sim->system.mass * (double)count;
     double mean = (impulse + sph2d_sim_summary(sim).momentum[1]) / time; /* some of it still falls or sloshes */
     ck_assert_msg(fabs(mean / -weight - 1) < 1e-3, "%g", mean / -weight);
-    ck_assert_double_lt(sph2d_sim_summary(sim).speed_max, _i == 2 ? 1 : 0.2); /* the last falls into its bowl */
+    ck_assert_double_lt(sph2d_sim_summary(sim).speed_max, _i == 2 ? 0.4 : 0.2);
     sph2d_sim_destroy(sim);
 }
 END_TEST

@@ -140,7 +140,6 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
             sim->system.fluid.filling[i] = 1; /* no step has computed it yet: blocks count as bulk */
     if (!sim->method->evaluate(&sim->system))
         return SPH2D_NOMEM;
-    sph2d__openings_hold_velocity(sim, 0);
     if (!sim->method->mean_forces) { /* pressures of the others are those of a step */
         sph2d__bodies_start(sim);
         sim->loads.watched = sph2d__sim_momentum_is_known(sim); /* in the first step */

@@ -104,10 +104,9 @@ sph2d_status sph2d__openings_feed(sph2d_sim *sim);
 /** Whether a particle at a position has left a reservoir by its end. */
 bool sph2d__openings_spent(const sph2d_sim *sim, double x, double y);
 
-/** Stages of a step of `dt`, for particles in reservoirs: velocity and density are those prescribed, at the present
- *  positions; their accelerations, now known, do not count. Nothing without openings. */
+/** Velocity and density of particles in reservoirs become those prescribed, at the present positions. Nothing without
+ *  openings. */
 void sph2d__openings_impose(sph2d_sim *sim);
-void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt);
 
 /** Before a step of `dt` by a scheme that sums rates of several steps: particles in reservoirs move as prescribed, and
  *  keep their rates for the steps in which they enter the domain. Fits do not conserve energy pair by pair, so that its

@@ -139,21 +139,3 @@ void sph2d__openings_hold_rates(sph2d_sim *sim, double dt)
     for (size_t k = 0; k < sim->openings.count; ++k)
         sim->record.energy_fed += dt * power_at_line(sim, &sim->openings.items[k]);
 }
-
-void sph2d__openings_hold_velocity(sph2d_sim *sim, double dt)
-{
-    sph2d__store *f = &sim->system.fluid;
-    double power = 0;
-    if (sim->openings.count == 0)
-        return;
-    for (size_t i = 0; i < f->count; ++i) {
-        if (!sph2d__opening_at(sim, f->x[i], f->y[i]))
-            continue;
-        power -= sim->system.mass * (f->ax[i] * f->vx[i] + f->ay[i] * f->vy[i]);
-        f->ax[i] = f->ay[i] = 0;
-        if (f->old_ax)
-            f->old_ax[i] = f->old_ay[i] = 0;
-    }
-    sim->record.energy_fed += dt * (power + sim->record.power_openings) / 2;
-    sim->record.power_openings = power;
-}

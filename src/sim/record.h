@@ -42,7 +42,6 @@
     X(drives_time, "DrivesTime", 0, 0, 1, "time of the last sample of the power of walls and forces")                  \
     X(power_forces, "PowerForces", 1, 1, -3,                                                                           \
       "power of interactions and of forces along periods at the last sample, per metre")                               \
-    X(power_openings, "PowerOpenings", 1, 1, -3, "power of what holds particles in reservoirs, per metre")             \
     X(power_viscous, "PowerViscous", 1, 1, -3, "power of viscosity on the liquid at the last sample, per metre")       \
     X(power_diffusion, "PowerDiffusion", 1, 1, -3, "power of density diffusion at the last sample, per metre")         \
     X(power_dissipated, "PowerDissipated", 1, 1, -3, "power of both at the last sample, per metre")                    \

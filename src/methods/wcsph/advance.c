@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file advance.c
- *  One step of method `wcsph` with variational operators: acoustic steps over pairs that stand still in the middle of it,
+ *  One step of method `wcsph`: acoustic steps over pairs that stand still in the middle of it,
  *
  *      theta <- theta + dt/2 D(v),  x <- x + dt/2 v
  *      v     <- v + dt f(theta)/m

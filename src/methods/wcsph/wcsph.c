@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph.c
- *  Method `wcsph` with variational operators: setup, what stands still over a step, wall forces. */
+ *  Method `wcsph`, variational operators: setup, what stands still over a step, wall forces. */
 #include "methods/wcsph/wcsph.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph.h
- *  Method `wcsph` with variational operators: the rate of density is exact for velocities that are linear in place, and
+ *  Method `wcsph`, variational operators: the rate of density is exact for velocities that are linear in place, and
  *  the force of pressure is its transpose, so that the work of pressure is the change of elastic energy and momentum goes
  *  from particle to particle (Bonet & Lok 1999, Comput. Methods Appl. Mech. Engrg. 180, 97-115).
  *
@@ -11,7 +11,8 @@
  *  still:
  *
  *      F_i  = -sum_j G_ij r_ij^T        of liquid alone;  M_i = F_i - sum_b G_ib r_ib^T;  N_i = sum_j G_ij
- *      B_i  = M_i^-1, turned into 1 where det M is below 1/2 and where walls are near;  A_i = F_i^-1
+ *      B_i  = M_i^-1, turned into 1 where det M is below 1/2 and where walls are near, with eigenvalues whose difference
+ *             over their sum is at most that in the first row of a lattice, evened(); A_i = F_i^-1
  *      S_i  = Q_i sum_b B_i G_ib, C_i = -B_i (M_i - F_i) A_i;  Q_i = sum_b |G_ib| n_b n_b^T over its largest eigenvalue,
  *             n_b the wall's normal: walls are smooth, n n^T if flat or a slit; in inner corners its other eigenvalue is as
  *             much as balances the liquid's N_i, at most that eigenvalue of the sum over |sum_b B_i G_ib|; around edges
@@ -183,10 +184,13 @@ typedef struct sph2d__frozen {
     double left[SPH2D__FREE_PARTS + 1]; /**< s, by equal steps of K/Sigma from 0 on */
     double nearness;                    /**< the last K/Sigma there: that of a place on a surface */
     double first_row;                   /**< the part of the kernel that is beyond the first row of a lattice */
+    double uneven; /**< the difference of B's eigenvalues there over their sum: no particle has a larger one */
 } sph2d__frozen;
 
 /* r0 over dx: nearer pairs repel each other. R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */
 static const double SPH2D__CLOSE = 0.5, SPH2D__REPULSION = 0.2;
+/* The least determinant of M of which B is the inverse: below it there are too few neighbours. */
+static const double SPH2D__LEAST = 0.5;
 /* Rate at which what is not linear in velocities fades, over c0/dx. */
 static const double SPH2D__SMOOTHING = 0.1;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph_frozen.c
- *  What stands still over a step of method `wcsph` with variational operators: its memory, and how it is set. */
+ *  What stands still over a step of method `wcsph`: its memory, and how it is set. */
 #include <math.h>
 #include <string.h>
 
@@ -13,17 +13,32 @@ enum { REACH = SPH2D__LATTICE_REACH };
 /* Steps of the distance from a surface, over H, by which s is found. */
 enum { DISTANCES = 256 };
 
-/** Sums of K and Sigma over the first row of a lattice and those behind it. */
-static void sum_first_row(const sph2d__system *s, double *value, double *k)
+/** Sums of K, Sigma and M over the first row of a lattice and those behind it. */
+typedef struct row_sums {
+    double value, k, xx, yy;
+} row_sums;
+
+static row_sums sum_first_row(const sph2d__system *s)
 {
     const double ratio = s->spacing / s->support, scale = sph2d__kernel_constant(s->method.kernel) * ratio * ratio;
-    *value = *k = 0;
+    row_sums sum = {0};
     for (int i = -REACH; i <= REACH; ++i)
         for (int j = 0; j <= REACH; ++j) {
-            const double q = hypot(i, j) * ratio;
-            *value += sph2d__kernel_value_at(s->method.kernel, q) / s->lattice_values;
-            *k -= scale * sph2d__kernel_slope_at(s->method.kernel, q) * q * j * ratio;
+            const double x = i * ratio, y = j * ratio, q = sqrt(x * x + y * y);
+            const double slope = -scale * sph2d__kernel_slope_at(s->method.kernel, q);
+            sum.value += sph2d__kernel_value_at(s->method.kernel, q) / s->lattice_values;
+            sum.k += slope * q * y;
+            sum.xx += slope * x * x;
+            sum.yy += slope * y * y;
         }
+    return sum;
+}
+
+/** The difference of B's eigenvalues over their sum. */
+static double uneven_by(row_sums m)
+{
+    const double part = fmin(m.xx * m.yy / SPH2D__LEAST, 1), x = part / m.xx + 1 - part, y = part / m.yy + 1 - part;
+    return fabs(x - y) / (x + y);
 }
 
 /** s by K/Sigma of a liquid below a plane, its lack over the part of the lattice that is beyond a first row as large as
@@ -32,7 +47,7 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
 {
     const sph2d_kernel kernel = s->method.kernel;
     const double step = 1.0 / DISTANCES, scale = sph2d__kernel_constant(kernel) * step;
-    double values[DISTANCES + 1], slopes[DISTANCES + 1], value = 0.5, k = 0, row_value, row_k, row_left = 1;
+    double values[DISTANCES + 1], slopes[DISTANCES + 1], value = 0.5, k = 0, row_left = 1;
     for (int a = 0; a <= DISTANCES; ++a) {
         values[a] = slopes[a] = 0;
         for (int b = -DISTANCES; b <= DISTANCES; ++b) {
@@ -41,7 +56,8 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
             slopes[a] -= q < 1 ? scale * sph2d__kernel_slope_at(kernel, q) * q * a * step : 0;
         }
     }
-    sum_first_row(s, &row_value, &row_k);
+    const row_sums row = sum_first_row(s);
+    const double row_near = row.k / row.value;
     for (int a = DISTANCES; a > 0; --a)
         k += (slopes[a] + slopes[a - 1]) * step / 2;
     z->nearness = k / value;
@@ -52,14 +68,15 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
         value = fmin(value + (values[a] + values[a - 1]) * step / 2, 1);
         k = a < DISTANCES ? fmax(k - (slopes[a] + slopes[a - 1]) * step / 2, 0) : 0;
         const double fall = near - k / value;
-        if (near >= row_k / row_value && k / value < row_k / row_value)
-            row_left = before + (value - before) * (near - row_k / row_value) / fall;
+        if (near >= row_near && k / value < row_near)
+            row_left = before + (value - before) * (near - row_near) / fall;
         for (; entry >= 0 && z->nearness * entry / SPH2D__FREE_PARTS >= k / value; --entry)
             z->left[entry] = before + (value - before) * (near - z->nearness * entry / SPH2D__FREE_PARTS) / fall;
     }
-    z->first_row = 1 - row_value;
+    z->uneven = uneven_by(row);
+    z->first_row = 1 - row.value;
     for (entry = 0; entry <= SPH2D__FREE_PARTS; ++entry)
-        z->left[entry] = 1 - (1 - z->left[entry]) * (1 - row_value) / (1 - row_left);
+        z->left[entry] = 1 - (1 - z->left[entry]) * (1 - row.value) / (1 - row_left);
 }
 
 /* ---- memory ------------------------------------------------------------------------------------------------------ */

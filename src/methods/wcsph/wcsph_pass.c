@@ -236,6 +236,38 @@ SPH2D__INLINE void hold(const sph2d__system *s, size_t i, size_t last, vectors v
     *a = (vectors){(1 - held) * a->x, (1 - held) * a->y};
 }
 
+/** What r_i takes in e, with the sum of |G| `weight` and that of G `n`. */
+SPH2D__INLINE vectors own_rest(const sph2d__frozen *z, size_t i, sph2d__lanes weight, vectors n)
+{
+    const sph2d__float2 rest = sph2d__float2_load(z->rest + i), rest_x = sph2d__float2_load(z->rest_x + i),
+                        rest_y = sph2d__float2_load(z->rest_y + i);
+    return (vectors){sph2d__float2_x(rest) * weight + sph2d__float2_x(rest_x) * n.x + sph2d__float2_y(rest_x) * n.y,
+                     sph2d__float2_y(rest) * weight + sph2d__float2_x(rest_y) * n.x + sph2d__float2_y(rest_y) * n.y};
+}
+
+/** By what gravity beyond sides takes away, g_i - g, which it returns, and the sums over images, sides push particles: adds
+ *  that to the mean over the step. */
+SPH2D__INLINE vectors push_by_sides(const sph2d__system *s, size_t i, const force_sums *f, const force_sums *without,
+                                    vectors gravity)
+{
+    sph2d__frozen *z = s->frozen;
+    const double m = s->mass, strength = m * s->sound_speed, hv = SPH2D__SMOOTHING / s->spacing;
+    const double thick = m / s->rest_density * (s->viscosities ? 1 : s->viscosity) * s->central_weight;
+    const sph2d__float2 q = sph2d__float2_load(z->press + i), more = sph2d__float2_load(z->press_more + i);
+    const sph2d__lanes qxx = sph2d__float2_x(q), qxy = sph2d__float2_y(q), qyy = sph2d__float2_x(more);
+    const vectors turned = {-2 * gravity.x * sph2d__lanes_load(z->across_x + i),
+                            -2 * gravity.y * sph2d__lanes_load(z->across_y + i)};
+    const vectors n = load(z->image_nx, z->image_ny, i);
+    const vectors own = own_rest(z, i, sph2d__lanes_load(z->image_weight + i), n);
+    const sph2d__lanes px = strength * (f->dx - without->dx + hv * (f->rx - without->rx - own.x)) +
+                            thick * (f->vx - without->vx) - (f->px - without->px) - (qxx * n.x + qxy * n.y);
+    const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - own.y)) +
+                            thick * (f->vy - without->vy) - (f->py - without->py) - (qxy * n.x + qyy * n.y);
+    sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * (px / m + turned.x));
+    sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * (py / m + turned.y));
+    return turned;
+}
+
 /** Velocities by the forces of an acoustic step. */
 SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, const force_sums *without,
                         sph2d__slab_sum *sum)
@@ -247,15 +279,9 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     const vectors n = load(z->nx, z->ny, i), v = load(t->vx, t->vy, i);
     /* P B as rounded as neighbours see it, so that forces of pairs are opposite. */
     const sph2d__lanes qxx = sph2d__float2_x(q), qxy = sph2d__float2_y(q), qyy = sph2d__float2_x(more);
-    const sph2d__float2 rest = sph2d__float2_load(z->rest + i), rest_x = sph2d__float2_load(z->rest_x + i),
-                        rest_y = sph2d__float2_load(z->rest_y + i);
-    const sph2d__lanes weight = sph2d__lanes_load(z->weight + i);
     const double hv = SPH2D__SMOOTHING / s->spacing;
-    const sph2d__lanes rx =
-        sph2d__float2_x(rest) * weight + sph2d__float2_x(rest_x) * n.x + sph2d__float2_y(rest_x) * n.y;
-    const sph2d__lanes ry =
-        sph2d__float2_y(rest) * weight + sph2d__float2_x(rest_y) * n.x + sph2d__float2_y(rest_y) * n.y;
-    const vectors d = {strength * (f->dx + hv * (f->rx - rx)), strength * (f->dy + hv * (f->ry - ry))};
+    const vectors own = own_rest(z, i, sph2d__lanes_load(z->weight + i), n);
+    const vectors d = {strength * (f->dx + hv * (f->rx - own.x)), strength * (f->dy + hv * (f->ry - own.y))};
     const double thick = m / s->rest_density * (s->viscosities ? 1 : s->viscosity) * s->central_weight;
     vectors drag = {thick * f->vx, thick * f->vy};
     vectors force = {d.x + drag.x - f->px - (qxx * n.x + qxy * n.y), d.y + drag.y - f->py - (qxy * n.x + qyy * n.y)};
@@ -273,22 +299,9 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         const vectors to = {v.x + dt / 2 * (driven.x + force.x / m), v.y + dt / 2 * (driven.y + force.y / m)};
         driven = fall(s, i, to);
     }
-    vectors a = driven, turned = {0}; /* what gravity beyond sides takes away */
+    vectors a = driven, turned = {0};
     if (imaged) {
-        turned =
-            (vectors){-2 * a.x * sph2d__lanes_load(z->across_x + i), -2 * a.y * sph2d__lanes_load(z->across_y + i)};
-        const sph2d__lanes w = sph2d__lanes_load(z->image_weight + i); /* the share of images in all of the above */
-        const vectors m_n = load(z->image_nx, z->image_ny, i);
-        const sph2d__lanes ix =
-            sph2d__float2_x(rest) * w + sph2d__float2_x(rest_x) * m_n.x + sph2d__float2_y(rest_x) * m_n.y;
-        const sph2d__lanes iy =
-            sph2d__float2_y(rest) * w + sph2d__float2_x(rest_y) * m_n.x + sph2d__float2_y(rest_y) * m_n.y;
-        const sph2d__lanes px = strength * (f->dx - without->dx + hv * (f->rx - without->rx - ix)) +
-                                thick * (f->vx - without->vx) - (f->px - without->px) - (qxx * m_n.x + qxy * m_n.y);
-        const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - iy)) +
-                                thick * (f->vy - without->vy) - (f->py - without->py) - (qxy * m_n.x + qyy * m_n.y);
-        sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * (px / m + turned.x));
-        sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * (py / m + turned.y));
+        turned = push_by_sides(s, i, f, without, driven);
         a = (vectors){a.x + turned.x, a.y + turned.y};
     }
     a = (vectors){a.x + force.x / m, a.y + force.y / m};
