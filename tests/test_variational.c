@@ -175,7 +175,7 @@ START_TEST(a_drop_in_a_central_force_goes_on)
 END_TEST
 
 /** Water in a corner between two mirrors, with its surface at 45 degrees to the lattice. Without a bound of how uneven B is
- *  it shrinks, and what it falls drives it: 10.9 J/m after 12.5 s, and 1.9 % of its volume after 30 s; now 0.02 J/m. */
+ *  it shrinks, and what it falls drives it: 16 J/m after 12.5 s, and 1.9 % of its volume after 30 s; now 0.02 J/m. */
 START_TEST(a_corner_full_comes_to_rest)
 {
     sph2d_vec2 corners[] = {{0, 0}, {sqrt(2), 0}, {0, sqrt(2)}};
